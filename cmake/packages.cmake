@@ -1,0 +1,28 @@
+# Debian's packages as targets; cmake/packages.txt lists what they are called there.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# one thread, no instructions beyond the base set: numbers and frames are equal on every machine
+target_compile_definitions(Eigen3::Eigen INTERFACE EIGEN_DONT_PARALLELIZE)
+
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+
+if(NOT JW_SANITIZE)
+  find_package(CLI11 REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+  pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
+  pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
+  pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+  pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
+
+  # libimgui.a is static: it needs stb and freetype after it on the link line
+  pkg_check_modules(imgui REQUIRED imgui)
+  find_library(IMGUI_LIBRARY imgui REQUIRED)
+  add_library(ImGui::ImGui INTERFACE IMPORTED)
+  target_include_directories(ImGui::ImGui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
+  target_link_libraries(ImGui::ImGui INTERFACE ${IMGUI_LIBRARY} PkgConfig::stb PkgConfig::freetype2
+                                               ${CMAKE_DL_LIBS})
+endif()
+
+find_package(Catch2 2.13 REQUIRED)

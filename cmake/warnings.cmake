@@ -1,0 +1,12 @@
+# jw_warnings: what every target of the project is compiled with.
+add_library(jw_warnings INTERFACE)
+target_compile_options(jw_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(JW_WERROR)
+  target_compile_options(jw_warnings INTERFACE -Werror)
+endif()
+if(JW_SANITIZE)
+  # GCC 12 takes Eigen's small storages for uninitialised once the sanitizers split their loads
+  target_compile_options(jw_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                               -fno-omit-frame-pointer -Wno-maybe-uninitialized)
+  target_link_options(jw_warnings INTERFACE -fsanitize=address,undefined)
+endif()

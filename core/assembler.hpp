@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include "core/system.hpp"
+
+/// Numbers of a system at a state: Φ, Φq and, only when asked, the right sides of velocity and acceleration.
+namespace jw {
+
+/// Columns of one coordinate choice <-> bodies.
+template <class C>
+class Layout {
+public:
+    explicit Layout(const System& system) : system_(&system) {}
+
+    int columns() const { return system_->columns(C::kAngular); }
+    int rows() const { return system_->rows(C::kNormalised); }
+
+    /// Velocities as columns: ṙ and ṗ (ω', ω), θ̇.
+    VectorX columns_of(const State& state, const Motion& motion) const;
+    Motion motion_of(const State& state, const VectorX& columns) const;
+    /// Accelerations as columns -> r̈, ω̇', θ̈ (p̈ and ω̇ converted as on slide 13).
+    Motion acceleration_of(const State& state, const VectorX& columns) const;
+    /// q + Δq: p + Δp (not normalised here) or p turned by Δq; fixed bodies stay.
+    void advance(State& state, const VectorX& delta) const;
+    /// Largest turn of a body that `delta` stands for [rad].
+    double largest_turn(const VectorX& delta) const;
+
+private:
+    const System* system_;
+};
+
+/// Assembles into matrices that are allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in
+/// the (r, p) choices. Columns: 7 or 6 per moving body, then the artificial coordinates.
+template <class C>
+class Assembler {
+public:
+    /// `system` must outlive the assembler; rows may be chosen anew in between.
+    explicit Assembler(const System& system);
+
+    const Layout<C>& layout() const { return layout_; }
+    const System& system() const { return *system_; }
+
+    /// Φ and Φq at `state` and time `t` [s].
+    void assemble_phi_and_jacobian(const State& state, double t);
+    /// ν = -Φ_t of the velocity equations Φq q̇ = ν.
+    void assemble_nu(double t);
+    /// γ of the acceleration equations Φq q̈ = γ at velocities `motion`.
+    void assemble_gamma(const State& state, const Motion& motion, double t);
+
+    const VectorX& phi() const { return phi_; }
+    const MatrixX& jacobian() const { return jacobian_; }
+    const VectorX& nu() const { return nu_; }
+    const VectorX& gamma() const { return gamma_; }
+
+private:
+    template <Content K>
+    void set_bodies(const State& state, const Motion* motion);
+    template <class J>
+    void write_rows(const J& jet, int body_i, int body_j, int theta, int dropped, int first_row);
+
+    const System* system_;
+    Layout<C> layout_;
+    std::vector<BodyKinematics<C>> bodies_;
+    VectorX phi_;
+    MatrixX jacobian_;
+    VectorX nu_;
+    VectorX gamma_;
+};
+
+/// Value, rate and acceleration of a measure between two bodies (θ for a screw) at given motion.
+struct Measured {
+    double value = 0.0;
+    double rate = 0.0;
+    double acceleration = 0.0;
+};
+Measured evaluate_measure(
+    const Measure& measure, int body_i, int body_j, int theta, const State& state, const Motion& velocity,
+    const Motion& acceleration);
+
+}  // namespace jw

@@ -1,0 +1,101 @@
+#include "core/branches.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace jw {
+
+namespace {
+
+// a start pose whose side vectors are less than 6 deg from the axis' plane of decision says nothing
+constexpr double kClearSide = 0.1;
+
+const Joint& joint_of(const System& system, const Constraint& c) {
+    return system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+}
+
+Vec3 turned(const State& state, int body, const Vec3& s_local) {
+    return rotation_matrix(state.p[static_cast<std::size_t>(body)]) * s_local;
+}
+
+/// Cosine between the two axes of p1.
+double alignment(const Joint& joint, const State& state) {
+    const Vec3 s_i = turned(state, joint.body_i, joint.geometry.s_i_local.normalized());
+    return s_i.dot(turned(state, joint.body_j, joint.geometry.s_j_local.normalized()));
+}
+
+/// (h_i x h_j)·s_i of unit vectors.
+double handedness(const Joint& joint, const State& state) {
+    const Vec3 h_i = turned(state, joint.body_i, joint.geometry.h_i_local.normalized());
+    const Vec3 h_j = turned(state, joint.body_j, joint.geometry.h_j_local.normalized());
+    return h_i.cross(h_j).dot(turned(state, joint.body_i, joint.geometry.s_i_local.normalized()));
+}
+
+void turn_half_about(const System& system, const Joint& joint, const Vec3& axis, State& state) {
+    const auto& moving = system.mechanism().bodies;
+    const bool turns_j = !moving[static_cast<std::size_t>(joint.body_j)].fixed;
+    const auto body = static_cast<std::size_t>(turns_j ? joint.body_j : joint.body_i);
+    const Vec3& point_local = turns_j ? joint.geometry.P_j_local : joint.geometry.P_i_local;
+
+    const Vec3 point = state.r[body] + rotation_matrix(state.p[body]) * point_local;
+    state.p[body] = turned_global(state.p[body], std::numbers::pi * axis.normalized());
+    state.r[body] = point - rotation_matrix(state.p[body]) * point_local;
+}
+
+}  // namespace
+
+std::vector<int> intended_sides(const System& system) {
+    const State start = start_state(system.mechanism());
+    std::vector<int> sides;
+    for (const Constraint& c : system.constraints()) {
+        int side = 0;
+        if (c.role == Role::sides_perpendicular) {
+            const double measure = handedness(joint_of(system, c), start);
+            if (std::abs(measure) > kClearSide) { side = measure > 0.0 ? 1 : -1; }
+        }
+        sides.push_back(side);
+    }
+    return sides;
+}
+
+std::optional<WrongBranch> find_wrong_branch(
+    const System& system, const State& state, const std::vector<int>& sides) {
+    for (std::size_t k = 0; k < system.constraints().size(); ++k) {
+        const Constraint& c = system.constraints()[k];
+        const Joint& joint = joint_of(system, c);
+        const int index = static_cast<int>(k);
+        if (c.role == Role::axes_parallel) {
+            const double cosine = alignment(joint, state);
+            if (cosine < 0.0) { return WrongBranch{WrongBranch::Kind::anti_parallel, index, cosine}; }
+        } else if (c.role == Role::sides_perpendicular && sides[k] != 0) {
+            const double measure = sides[k] * handedness(joint, state);
+            if (measure < 0.0) { return WrongBranch{WrongBranch::Kind::half_turn, index, measure}; }
+        } else if (
+            c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation) {
+            const double cosine =
+                std::cos(relative_angle(joint, state) - state.theta[static_cast<std::size_t>(c.theta)]);
+            if (cosine < 0.0) { return WrongBranch{WrongBranch::Kind::screw_angle, index, cosine}; }
+        }
+    }
+    return std::nullopt;
+}
+
+void leave_branch(const System& system, const WrongBranch& wrong, State& state) {
+    const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
+    const Joint& joint = joint_of(system, c);
+    const Vec3 s_i = turned(state, joint.body_i, joint.geometry.s_i_local.normalized());
+    switch (wrong.kind) {
+        case WrongBranch::Kind::anti_parallel:
+            turn_half_about(system, joint, perpendicular_to(s_i), state);
+            break;
+        case WrongBranch::Kind::half_turn: turn_half_about(system, joint, s_i, state); break;
+        case WrongBranch::Kind::screw_angle: {
+            double& theta = state.theta[static_cast<std::size_t>(c.theta)];
+            const double angle = relative_angle(joint, state);
+            theta = angle + 2.0 * std::numbers::pi * std::round((theta - angle) / (2.0 * std::numbers::pi));
+            break;
+        }
+    }
+}
+
+}  // namespace jw

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/system.hpp"
+
+/// Φ = 0 is not the whole specification: p1 is satisfied by anti-parallel vectors, a weld's or a prismatic
+/// joint's n1 by a half turn, a screw's angle row by θ + π. Such solutions are found here and left.
+namespace jw {
+
+struct WrongBranch {
+    enum class Kind { anti_parallel, half_turn, screw_angle };
+    Kind kind = Kind::anti_parallel;
+    int constraint = 0;    ///< into System::constraints()
+    double measure = 0.0;  ///< cosine that should be positive
+};
+
+/// Which way the side vectors of n1(h) look at the start pose: +1, -1, or 0 where the start does not tell.
+/// One entry per constraint of the system.
+std::vector<int> intended_sides(const System& system);
+
+/// The first constraint that is satisfied on the wrong branch at `state`.
+/// @param sides from `intended_sides`
+std::optional<WrongBranch> find_wrong_branch(
+    const System& system, const State& state, const std::vector<int>& sides);
+
+/// Turns a body (or θ) by half a turn about the joint, so that Newton starts next to the right branch.
+void leave_branch(const System& system, const WrongBranch& wrong, State& state);
+
+}  // namespace jw

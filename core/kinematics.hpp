@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/assembler.hpp"
+#include "core/least_squares.hpp"
+
+/// Velocity and acceleration analysis: Φq q̇ = ν, Φq q̈ = γ by rank-revealing least squares.
+namespace jw {
+
+/// How far the rows can be satisfied at all, and whether they say everything.
+struct LinearVerdict {
+    int rank = 0;
+    bool unique = false;     ///< rank = columns; else the answer is the one nearest to the reference
+    bool consistent = true;  ///< no row contradicts the others
+    double residual = 0.0;   ///< largest |Φq x - b|, scaled, relative to the largest of |b| and 1
+    int worst_row = 0;
+};
+
+struct VelocityOutcome {
+    Motion velocity;
+    LinearVerdict verdict;
+};
+struct AccelerationOutcome {
+    Motion acceleration;
+    LinearVerdict verdict;
+};
+
+/// Solves on a state that satisfies the constraints. Reusable; allocates only for its results.
+template <class C>
+class Kinematics {
+public:
+    explicit Kinematics(const System& system);
+
+    /// Factors Φq at `state`; call first.
+    void set_state(const State& state, double t);
+    /// The velocities nearest to `reference` (zero: minimum norm) that satisfy Φq q̇ = -Φ_t.
+    VelocityOutcome solve_velocity(const Motion& reference);
+    /// Minimum-norm accelerations with Φq q̈ = γ at `velocity`.
+    AccelerationOutcome solve_acceleration(const Motion& velocity);
+
+    /// Rank by pivots, and the last pivot that counts over the one before: near 0 at a change point.
+    int rank() const { return rank_; }
+    double last_pivot_ratio() const;
+
+    Assembler<C>& assembler() { return assembler_; }
+
+private:
+    LinearVerdict verdict_of(const VectorX& x, const VectorX& b) const;
+
+    const System* system_;
+    Assembler<C> assembler_;
+    Scaling scaling_;
+    LeastSquares least_squares_;
+    State state_;
+    double t_ = 0.0;
+    int rank_ = 0;
+    VectorX right_side_;
+    VectorX solution_;
+};
+
+}  // namespace jw

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/QR>
+
+#include "core/assembler.hpp"
+
+/// Rank-revealing least squares for Φq x = b: redundant rows do no harm, missing rows give the shortest x.
+namespace jw {
+
+/// Sizes by which rows are divided and unknowns multiplied before they are compared (System::row_unit,
+/// System::length_unit).
+struct Scaling {
+    VectorX row;     ///< one per row
+    VectorX column;  ///< one per column
+};
+template <class C>
+Scaling scaling_of(const System& system);
+
+/// Φqᵀ P = Q R with column pivoting picks the independent equations first; the others are W times those.
+/// Works in place after the first use: nothing is allocated as long as the size stays.
+class LeastSquares {
+public:
+    explicit LeastSquares(Scaling scaling);
+
+    /// Factors `jacobian` (rows x columns as in the scaling).
+    void compute(const MatrixX& jacobian);
+
+    /// Equations whose part independent of the ones before is above `relative_threshold` of the largest.
+    int rank(double relative_threshold) const;
+
+    /// Pivot k over the largest pivot, k < min(rows, columns): falls to 0 as rank is lost.
+    double relative_pivot(int k) const;
+
+    /// Shortest x (in scaled unknowns) among those with the smallest |Φq x - b| (scaled rows), taking the
+    /// first `rank` pivots as independent.
+    void solve(const VectorX& b, int rank, VectorX& x);
+
+private:
+    void solve_lower(int rank, VectorX& c) const;
+
+    Scaling scaling_;
+    MatrixX transposed_;
+    Eigen::ColPivHouseholderQR<MatrixX> qr_;
+    VectorX c_;
+    VectorX y_;
+    MatrixX W_;
+    MatrixX normal_;
+    VectorX inconsistency_;
+};
+
+}  // namespace jw

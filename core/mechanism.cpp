@@ -1,0 +1,87 @@
+#include "core/mechanism.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jw {
+
+int Mechanism::moving_bodies_count() const {
+    return static_cast<int>(std::ranges::count_if(bodies, [](const Body& b) { return !b.fixed; }));
+}
+
+std::vector<int> Mechanism::theta_indices() const {
+    std::vector<int> indices;
+    int next = 0;
+    for (const Joint& joint : joints) { indices.push_back(joint.type->artificial > 0 ? next++ : -1); }
+    return indices;
+}
+
+int Mechanism::thetas_count() const {
+    return static_cast<int>(
+        std::ranges::count_if(joints, [](const Joint& j) { return j.type->artificial > 0; }));
+}
+
+State start_state(const Mechanism& mechanism) {
+    State state;
+    for (const Body& body : mechanism.bodies) {
+        state.r.push_back(body.r);
+        state.p.push_back(body.p);
+    }
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.type->artificial > 0) { state.theta.push_back(relative_angle(joint, state)); }
+    }
+    return state;
+}
+
+Motion zero_motion(const Mechanism& mechanism) {
+    Motion motion;
+    motion.r_dot.assign(mechanism.bodies.size(), Vec3::Zero());
+    motion.omega_local.assign(mechanism.bodies.size(), Vec3::Zero());
+    motion.theta_dot.assign(static_cast<std::size_t>(mechanism.thetas_count()), 0.0);
+    return motion;
+}
+
+Motion start_motion(const Mechanism& mechanism) {
+    Motion motion = zero_motion(mechanism);
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        if (mechanism.bodies[b].fixed) { continue; }
+        motion.r_dot[b] = mechanism.bodies[b].r_dot;
+        motion.omega_local[b] = mechanism.bodies[b].omega_local;
+    }
+    return motion;
+}
+
+AngleMeasure angle_of(const Joint& joint) {
+    return {joint.geometry.s_i_local.normalized(), joint.geometry.u_i_local, joint.geometry.u_j_local};
+}
+
+DisplacementMeasure displacement_of(const Joint& joint) {
+    return {joint.geometry.s_i_local.normalized(), joint.geometry.P_i_local, joint.geometry.P_j_local};
+}
+
+double relative_angle(const Joint& joint, const State& state) {
+    const auto i = static_cast<std::size_t>(joint.body_i);
+    const auto j = static_cast<std::size_t>(joint.body_j);
+    const Mat3 A_i = homogeneous_rotation_matrix(state.p[i]);
+    const Vec3 u_i = A_i * joint.geometry.u_i_local;
+    const Vec3 u_j = homogeneous_rotation_matrix(state.p[j]) * joint.geometry.u_j_local;
+    return std::atan2(u_i.cross(u_j).dot(A_i * joint.geometry.s_i_local.normalized()), u_i.dot(u_j));
+}
+
+double extent(const Mechanism& mechanism) {
+    double largest = 0.0;
+    for (const Joint& joint : mechanism.joints) {
+        const JointGeometry& g = joint.geometry;
+        largest = std::max({largest, g.P_i_local.norm(), g.P_j_local.norm(), g.length});
+    }
+    for (const Body& body : mechanism.bodies) {
+        largest = std::max(largest, (body.r - mechanism.bodies.front().r).norm());
+    }
+    return largest > 0.0 ? largest : 1.0;
+}
+
+double unit_of_length(const Mechanism& mechanism) {
+    return std::pow(1000.0, std::round(std::log10(extent(mechanism)) / 3.0));
+}
+
+}  // namespace jw

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/kinematics.hpp"
+#include "core/position.hpp"
+
+/// Follows the motion of a driven mechanism through time, on its branch.
+namespace jw {
+
+/// Last pivot over the one before, below which a pose is reported as a change point.
+inline constexpr double kChangePointRatio = 1e-3;
+
+struct MotionFrame {
+    double t = 0.0;
+    State state;
+    Motion velocity;
+    Motion acceleration;
+    LinearVerdict velocity_verdict;
+    LinearVerdict acceleration_verdict;
+    int newton_iterations = 0;
+    int substeps = 1;
+    bool rows_switched = false;  ///< a p1 / p2 choice changed on the way to this frame
+    bool change_point = false;   ///< the pose is singular or nearly so: passed along the previous tangent
+};
+
+/// Predicts along velocity and acceleration, corrects with Newton, and halves the step where the correction
+/// is not small against the step: a jump to another branch would be.
+class MotionTracker {
+public:
+    /// `system` must outlive this; the rows of p1 / p2 are chosen anew between frames.
+    /// `state` must satisfy the constraints at time `t`.
+    MotionTracker(System& system, State state, double t, bool with_accelerations = true);
+
+    const MotionFrame& frame() const { return frame_; }
+
+    /// @return false if the motion could not be followed; `failure()` says why, `frame()` stays at the last
+    ///         good pose
+    bool advance_to(double t);
+    const std::optional<PositionFailure>& failure() const { return failure_; }
+
+private:
+    bool try_step(double h);
+    void analyse();
+
+    System* system_;
+    bool with_accelerations_;
+    MotionFrame frame_;
+    NewtonStepper<OmegaLocal> newton_;
+    Kinematics<OmegaLocal> kinematics_;
+    std::vector<int> sides_;
+    int full_rank_ = 0;
+    std::optional<PositionFailure> failure_;
+};
+
+}  // namespace jw

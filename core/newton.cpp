@@ -1,0 +1,127 @@
+#include "core/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jw {
+
+namespace {
+
+// rounding of r + A s' is a few 1e-16 of the coordinates; a hundred times that leaves room for sums
+constexpr double kTolerance = 1e-13;
+// a lesson's own numbers may close to no better than their typed digits: seven of them are enough to go on
+constexpr double kFloorTolerance = 1e-7;
+// rank inside an iteration: rows that are redundant at the solution differ from it by about the residual
+constexpr double kNewtonThreshold = 1e-9;
+constexpr double kLargestThreshold = 1e-2;
+// a truncated step is taken if it promises to remove nine tenths of the residual
+constexpr double kPromisedRest = 0.1;
+
+double largest_coordinate(const State& state) {
+    double largest = 0.0;
+    for (const Vec3& r : state.r) { largest = std::max(largest, r.cwiseAbs().maxCoeff()); }
+    return largest;
+}
+
+}  // namespace
+
+template <class C>
+NewtonStepper<C>::NewtonStepper(const System& system)
+    : system_(&system), assembler_(system), scaling_(scaling_of<C>(system)), least_squares_(scaling_) {
+    right_side_.setZero(scaling_.row.size());
+    delta_.setZero(scaling_.column.size());
+    linear_residual_.setZero(scaling_.row.size());
+}
+
+template <class C>
+void NewtonStepper<C>::start(State state, double t) {
+    state_ = std::move(state);
+    t_ = t;
+    iteration_ = 0;
+    tolerance_ = kTolerance * std::max(1.0, largest_coordinate(state_) / system_->length_unit());
+    outcome_.reset();
+}
+
+template <class C>
+NewtonStep NewtonStepper<C>::look() {
+    assembler_.assemble_phi_and_jacobian(state_, t_);
+    NewtonStep step;
+    step.iteration = iteration_;
+    const VectorX& phi = assembler_.phi();
+    if (phi.size() == 0) { return step; }
+    step.phi_norm = phi.norm();
+    Eigen::Index largest = 0;
+    step.residual = phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff(&largest);
+    step.largest_row = static_cast<int>(largest);
+    step.largest_value = phi(largest);
+    return step;
+}
+
+template <class C>
+void NewtonStepper<C>::finish(const NewtonStep& step, bool converged, bool at_floor) {
+    outcome_ =
+        NewtonOutcome{converged, at_floor, iteration_, step.residual, step.largest_row, step.largest_value};
+    if (!converged) { return; }
+    // p to unit length as a step of its own: what is left of pᵀp - 1 is below the tolerance
+    for (const int body : system_->moving_bodies()) { state_.p[static_cast<std::size_t>(body)].normalize(); }
+}
+
+template <class C>
+int NewtonStepper<C>::solve_for_delta(double residual) {
+    least_squares_.compute(assembler_.jacobian());
+    right_side_ = -assembler_.phi();
+
+    // off the solution redundant rows look independent by about the residual: leave them out if the rest
+    // still promises to close, else take whatever is independent (near a singular position)
+    const double tied = std::clamp(10.0 * residual, kNewtonThreshold, kLargestThreshold);
+    const int full_rank = least_squares_.rank(kNewtonThreshold);
+    const int tied_rank = least_squares_.rank(tied);
+    if (tied_rank < full_rank) {
+        least_squares_.solve(right_side_, tied_rank, delta_);
+        linear_residual_.noalias() = assembler_.jacobian().lazyProduct(delta_) - right_side_;
+        if (linear_residual_.cwiseQuotient(scaling_.row).norm() <=
+            kPromisedRest * right_side_.cwiseQuotient(scaling_.row).norm()) {
+            return tied_rank;
+        }
+    }
+    least_squares_.solve(right_side_, full_rank, delta_);
+    return full_rank;
+}
+
+template <class C>
+NewtonStep NewtonStepper<C>::step() {
+    NewtonStep step = look();
+    if (step.residual <= tolerance_) {
+        step.converged = true;
+        finish(step, true, false);
+        return step;
+    }
+    const bool stalled = iteration_ > 0 && step.residual > 0.5 * previous_residual_;
+    if (stalled && step.residual <= kFloorTolerance) {
+        step.converged = true;
+        // within a factor of a hundred the arithmetic itself is the floor (long chains, many rows)
+        finish(step, true, step.residual > 100.0 * tolerance_);
+        return step;
+    }
+    if (iteration_ >= kMostIterations || !std::isfinite(step.residual)) {
+        finish(step, false, false);
+        return step;
+    }
+    previous_residual_ = step.residual;
+
+    step.rank = solve_for_delta(step.residual);
+    step.turn = assembler_.layout().largest_turn(delta_);
+    step.fraction = step.turn > kLargestTurn ? kLargestTurn / step.turn : 1.0;
+    delta_ *= step.fraction;
+    step.delta_norm = delta_.norm();
+    assembler_.layout().advance(state_, delta_);
+    ++iteration_;
+    return step;
+}
+
+template class NewtonStepper<TrueEulerParameters>;
+template class NewtonStepper<ModifiedEulerParameters>;
+template class NewtonStepper<OmegaLocal>;
+template class NewtonStepper<OmegaGlobal>;
+
+}  // namespace jw

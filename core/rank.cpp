@@ -1,0 +1,263 @@
+#include "core/rank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "core/assembler.hpp"
+#include "core/least_squares.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kRounding = 1e-15;       // singular values below this part of the largest are rounding
+constexpr double kNegligibleTerm = 1e-9;  // of the largest coefficient; far above rounding, far below meaning
+
+/// Equations of one joint or one driver: rows that stay together when dependence is told.
+struct Group {
+    int first = 0;
+    int count = 0;
+};
+
+std::vector<Group> groups_of(const System& system) {
+    std::vector<Group> groups;
+    int last_joint = -1;
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const bool constraint = origin.kind == RowOrigin::Kind::constraint;
+        const int joint =
+            constraint ? system.constraints()[static_cast<std::size_t>(origin.index)].joint : -1;
+        if (!constraint || joint != last_joint) { groups.push_back({row, 0}); }
+        ++groups.back().count;
+        last_joint = joint;
+    }
+    return groups;
+}
+
+/// Rows that are independent of the groups before them, so that a later joint is said to repeat earlier ones;
+/// within a group the row with the largest new part goes first.
+class OrderedElimination {
+public:
+    OrderedElimination(const MatrixX& rows, int rank, double tolerance)
+        : rest_(rows), rank_(rank), tolerance_(tolerance) {}
+
+    void add_group(const Group& group) {
+        std::vector<int> candidates;
+        for (int k = 0; k < group.count; ++k) { candidates.push_back(group.first + k); }
+        while (!candidates.empty() && static_cast<int>(independent_.size()) < rank_) {
+            const auto best =
+                std::ranges::max_element(candidates, {}, [&](int r) { return rest_.row(r).norm(); });
+            if (rest_.row(*best).norm() <= tolerance_) { break; }
+            accept(*best);
+            candidates.erase(best);
+        }
+        dependent_.insert(dependent_.end(), candidates.begin(), candidates.end());
+    }
+
+    /// Should the greedy order have found fewer rows than the singular values promise: the best of the rest.
+    void complete() {
+        while (static_cast<int>(independent_.size()) < rank_ && !dependent_.empty()) {
+            const auto best =
+                std::ranges::max_element(dependent_, {}, [&](int r) { return rest_.row(r).norm(); });
+            accept(*best);
+            dependent_.erase(best);
+        }
+        std::ranges::sort(dependent_);
+        std::ranges::sort(independent_);
+    }
+
+    const std::vector<int>& independent() const { return independent_; }
+    const std::vector<int>& dependent() const { return dependent_; }
+
+private:
+    void accept(int row) {
+        const double norm = rest_.row(row).norm();
+        independent_.push_back(row);
+        if (norm == 0.0) { return; }
+        const Eigen::RowVectorXd direction = rest_.row(row) / norm;
+        // twice is enough: the second pass removes what rounding left of the first
+        for (int pass = 0; pass < 2; ++pass) { rest_ -= (rest_ * direction.transpose()) * direction; }
+    }
+
+    MatrixX rest_;
+    int rank_;
+    double tolerance_;
+    std::vector<int> independent_;
+    std::vector<int> dependent_;
+};
+
+std::vector<RedundantRow> redundant_rows_of(
+    const System& system, const MatrixX& scaled, const Scaling& scaling, int rank, double tolerance) {
+    OrderedElimination elimination(scaled, rank, tolerance);
+    for (const Group& group : groups_of(system)) { elimination.add_group(group); }
+    elimination.complete();
+
+    const std::vector<int>& kept = elimination.independent();
+    MatrixX basis(scaled.cols(), static_cast<Eigen::Index>(kept.size()));
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        basis.col(static_cast<Eigen::Index>(k)) = scaled.row(kept[k]).transpose();
+    }
+    const Eigen::ColPivHouseholderQR<MatrixX> qr(basis);
+
+    std::vector<RedundantRow> redundant;
+    for (const int row : elimination.dependent()) {
+        RedundantRow entry{row, {}, 0.0};
+        if (!kept.empty()) {
+            const VectorX coefficients = qr.solve(scaled.row(row).transpose());
+            entry.misfit = (basis * coefficients - scaled.row(row).transpose()).cwiseAbs().maxCoeff();
+            const double negligible =
+                std::max(kNegligibleTerm * coefficients.cwiseAbs().maxCoeff(), entry.misfit);
+            for (std::size_t k = 0; k < kept.size(); ++k) {
+                const double c = coefficients(static_cast<Eigen::Index>(k));
+                if (std::abs(c) <= negligible) { continue; }
+                entry.terms.push_back({kept[k], c * scaling.row(row) / scaling.row(kept[k])});
+            }
+        }
+        redundant.push_back(std::move(entry));
+    }
+    return redundant;
+}
+
+/// Reduced echelon form of the null space, each vector with its largest entry 1: a free motion that touches
+/// few bodies then shows as one (the idle spin of a rod, say) instead of mixed with all others.
+std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scale) {
+    const Eigen::Index count = basis.cols();
+    for (Eigen::Index k = 0; k < count; ++k) {
+        Eigen::Index row = 0;
+        Eigen::Index column = 0;
+        basis.rightCols(count - k).cwiseAbs().maxCoeff(&row, &column);
+        basis.col(k).swap(basis.col(k + column));
+        basis.col(k) /= basis(row, k);
+        for (Eigen::Index other = 0; other < count; ++other) {
+            if (other != k) { basis.col(other) -= basis(row, other) * basis.col(k); }
+        }
+    }
+    std::vector<FreeMotion> motions;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        VectorX motion = basis.col(k).cwiseProduct(column_scale);
+        Eigen::Index largest = 0;
+        motion.cwiseAbs().maxCoeff(&largest);
+        motion /= motion(largest);
+        for (double& entry : motion) {
+            if (std::abs(entry) < 1e-12) { entry = 0.0; }  // rounding of the elimination
+        }
+        motions.push_back(std::move(motion));
+    }
+    return motions;
+}
+
+double condition_of_rows(const MatrixX& rows) {
+    const VectorX sigma = singular_values_of(rows);
+    if (sigma.size() == 0 || sigma(0) == 0.0) { return std::numeric_limits<double>::infinity(); }
+    const double smallest = sigma(sigma.size() - 1);
+    return smallest > kRounding * sigma(0) ? sigma(0) / smallest : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+VectorX singular_values_of(const MatrixX& matrix) {
+    if (matrix.size() == 0) { return {}; }
+    return Eigen::BDCSVD<MatrixX>(matrix).singularValues();
+}
+
+RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi) {
+    RankReport report;
+    report.rows = static_cast<int>(jacobian.rows());
+    report.columns = static_cast<int>(jacobian.cols());
+    int promised = static_cast<int>(system.drivers().size());
+    for (const Constraint& c : system.constraints()) { promised += independent_equations(c.role); }
+    report.mobility_by_counting = report.columns - promised;
+    const Scaling scaling = scaling_of<OmegaLocal>(system);
+    if (jacobian.size() == 0) {
+        report.dof = report.columns;
+        if (report.columns > 0) {
+            report.free_motions =
+                readable_basis(MatrixX::Identity(report.columns, report.columns), scaling.column);
+        }
+        return report;
+    }
+
+    const MatrixX scaled = scaling.row.cwiseInverse().asDiagonal() * jacobian * scaling.column.asDiagonal();
+    const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
+    report.singular_values = svd.singularValues();
+    report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
+    report.assembled = report.residual <= kAssembledResidual;
+
+    // verdict
+    const VectorX& sigma = report.singular_values;
+    const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
+    report.threshold = std::max(kRankThreshold, error) * sigma(0);
+    while (report.rank < sigma.size() && sigma(report.rank) > report.threshold) { ++report.rank; }
+    report.dof = report.columns - report.rank;
+
+    // margin of the verdict
+    const auto r = static_cast<Eigen::Index>(report.rank);
+    const double floor = kRounding * sigma(0);
+    const double last = r > 0 ? sigma(r - 1) : sigma(0);
+    const double next = r < sigma.size() ? std::max(sigma(r), floor) : floor;
+    report.largest_gap = last / next;
+    report.near_singular = r > 1 && sigma(r - 1) < kNearSingularRatio * sigma(r - 2);
+
+    if (report.redundant() > 0) {
+        // between the last singular value that counts and the first that does not
+        report.redundant_rows =
+            redundant_rows_of(system, scaled, scaling, report.rank, std::sqrt(last * next));
+    }
+    if (report.dof > 0) {
+        report.free_motions = readable_basis(svd.matrixV().rightCols(report.dof), scaling.column);
+    }
+    return report;
+}
+
+RowChoice explain_choice(const System& system, int constraint, const State& state, int previous) {
+    const Constraint& c = system.constraints()[static_cast<std::size_t>(constraint)];
+    const Mechanism& mechanism = system.mechanism();
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
+
+    RowChoice choice;
+    choice.form = joint.parallel_form;
+    choice.dropped = c.dropped;
+    choice.previous = previous;
+    choice.s_i =
+        rotation_matrix(state.p[static_cast<std::size_t>(c.body_i)]) * joint.geometry.s_i_local.normalized();
+
+    // the joint alone with all three rows, to compare the pairs on equal terms
+    Mechanism alone = mechanism;
+    alone.joints = {joint};
+    alone.drivers.clear();
+    const auto rows_of = [&](ParallelForm form) {
+        alone.joints[0].parallel_form = form;
+        State local = state;
+        local.theta.assign(static_cast<std::size_t>(alone.thetas_count()), 0.0);
+        const System system_alone(alone, everything(alone));
+        Assembler<OmegaLocal> assembler(system_alone);
+        assembler.assemble_phi_and_jacobian(local, 0.0);
+        const auto& constraints = system_alone.constraints();
+        const auto own = std::ranges::find(constraints, c.role, &Constraint::role);
+        MatrixX rows =
+            assembler.jacobian().middleRows(own->first_row, own->equations - (own->dropped >= 0 ? 1 : 0));
+        for (const int body : system_alone.moving_bodies()) {
+            rows.middleCols<3>(system_alone.body_column(body, 3)) *= system.length_unit();
+        }
+        return rows;
+    };
+    for (int k = 0; k < 3; ++k) {
+        const std::array forms{ParallelForm::drop_x, ParallelForm::drop_y, ParallelForm::drop_z};
+        choice.pair_condition[static_cast<std::size_t>(k)] =
+            condition_of_rows(rows_of(forms[static_cast<std::size_t>(k)]));
+    }
+    if (choice.dropped >= 0) {
+        choice.form_condition = choice.pair_condition[static_cast<std::size_t>(choice.dropped)];
+    } else {
+        const VectorX sigma = singular_values_of(rows_of(joint.parallel_form));
+        choice.form_condition =
+            sigma.size() > 1 ? sigma(0) / sigma(1) : std::numeric_limits<double>::infinity();
+    }
+    return choice;
+}
+
+}  // namespace jw

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "core/system.hpp"
+
+/// The kinematic rank of a system: how many of its equations are independent, which repeat which, and what
+/// motions are left free. Always judged on the (r, ω') matrix: (r, p) without the rows pᵀp = 1 hides
+/// redundancy, since a change of |p| acts as a false freedom.
+namespace jw {
+
+/// Relative threshold of a vanishing singular value. A redundant one is about half the position error, so
+/// it is `kErrorFactor` times the residual where that is larger.
+inline constexpr double kRankThreshold = 1e-9;
+inline constexpr double kErrorFactor = 10.0;
+/// Beyond this residual (scaled) the state counts as not assembled, and the rank is that of the matrix only.
+inline constexpr double kAssembledResidual = 1e-4;
+/// σ_r / σ_(r-1) below this is reported as near a singular position.
+inline constexpr double kNearSingularRatio = 1e-3;
+
+/// One equation written as a combination of others.
+struct RedundantRow {
+    struct Term {
+        int row = 0;
+        double coefficient = 0.0;
+    };
+    int row = 0;
+    std::vector<Term> terms;  ///< row = Σ coefficient * Φq row, terms below 1e-9 of the largest left out
+    double misfit = 0.0;      ///< largest entry of the difference, scaled
+};
+
+/// A direction of free motion: scaled so that its largest entry is 1. Columns of (r, ω') and θ.
+using FreeMotion = VectorX;
+
+struct RankReport {
+    int rows = 0;
+    int columns = 0;
+    int rank = 0;
+    int dof = 0;                   ///< columns - rank
+    int mobility_by_counting = 0;  ///< Grübler: columns minus the equations that the joint types promise
+    VectorX singular_values;       ///< of the matrix in the scene's unit of length, largest first
+    double threshold = 0.0;        ///< absolute; singular values up to it count as zero
+    double residual = 0.0;         ///< largest |Φ|, scaled
+    double largest_gap = 0.0;      ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
+    bool assembled = true;         ///< false: residual so large that only the matrix is described
+    bool near_singular = false;    ///< σ_r is small against σ_(r-1)
+    std::vector<RedundantRow> redundant_rows;
+    std::vector<FreeMotion> free_motions;
+
+    int redundant() const { return rows - rank; }
+};
+
+/// @param jacobian the (r, ω') matrix at a state [rows x columns], as Assembler<OmegaLocal> gives it
+/// @param phi its residuals there
+RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi);
+
+/// Singular values of any matrix, largest first.
+VectorX singular_values_of(const MatrixX& matrix);
+
+/// Reason for the choice of rows of one p1 / p2 constraint at `state`: what each pair of rows is worth.
+/// @param previous the index dropped before
+RowChoice explain_choice(const System& system, int constraint, const State& state, int previous);
+
+}  // namespace jw

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+/// A function of time with its two derivatives, for drivers.
+namespace jw {
+
+/// Sum of a polynomial, harmonics and smooth steps; every part may be absent.
+struct TimeFunction {
+    struct Harmonic {
+        double amplitude = 0.0;
+        double omega = 0.0;  ///< [rad/s]
+        double phase = 0.0;  ///< [rad]
+    };
+    /// From `from` before `start` to `to` after `end` along 6u⁵ - 15u⁴ + 10u³: two continuous derivatives.
+    struct SmoothStep {
+        double from = 0.0;
+        double to = 0.0;
+        double start = 0.0;  ///< [s]
+        double end = 1.0;    ///< [s], > start
+    };
+    struct Value {
+        double f = 0.0;
+        double f_dot = 0.0;
+        double f_ddot = 0.0;
+    };
+
+    std::vector<double> polynomial;   ///< c0 + c1 t + c2 t² + ...
+    std::vector<Harmonic> harmonics;  ///< Σ a sin(ω t + phase)
+    std::vector<SmoothStep> steps;
+
+    Value at(double t) const;
+};
+
+}  // namespace jw

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/drivers.hpp"
+#include "core/joint_types.hpp"
+#include "lessons/source_span.hpp"
+
+/// Claims of a lesson about its mechanism, proved by `jointwise check`. An [[expect]] block becomes one
+/// Claim for every fact in it.
+namespace jw {
+
+/// At the state of the file, nothing assembled; all joints and drivers take part.
+struct AsGiven {};
+/// When the first `count` entries of Lesson::order have been added and assembled, at the motion's first time.
+struct AfterAddition {
+    int count = 0;
+};
+/// During the motion [s].
+struct AtTime {
+    double t = 0.0;
+};
+using Moment = std::variant<AsGiven, AfterAddition, AtTime>;
+
+/// A measure of drivers.hpp. A SquaredDistanceMeasure stands for the distance itself (its root).
+struct MeasureQuantity {
+    Measure measure;
+    int body_i = 0;
+    int body_j = 0;
+    int joint = -1;  ///< whose θ a ThetaMeasure is
+};
+/// One component of the angular velocity of a body [rad/s].
+struct AngularVelocityQuantity {
+    int body = 0;
+    bool local = false;  ///< ω' instead of ω
+    int component = 0;
+};
+/// One component of r + A s' [m].
+struct PointQuantity {
+    int body = 0;
+    Vec3 s_local = Vec3::Zero();
+    int component = 0;
+};
+/// One component of A s'.
+struct VectorQuantity {
+    int body = 0;
+    Vec3 s_local = Vec3::Zero();
+    int component = 0;
+};
+using Quantity = std::variant<MeasureQuantity, AngularVelocityQuantity, PointQuantity, VectorQuantity>;
+
+/// What a quantity is measured in before any time derivative.
+enum class Unit { none, metre, radian, radian_per_second };
+
+enum class Count { rank, rows, columns, dof, redundant, mobility_by_counting };
+
+struct CountClaim {
+    Count count = Count::rank;
+    int value = 0;
+};
+/// The component of a joint's p1 or p2 that is left out.
+struct DroppedClaim {
+    int joint = 0;
+    Role role = Role::axes_parallel;  ///< axes_parallel (p1) or distance_parallel (p2)
+    int component = 0;                ///< 0, 1, 2 = x, y, z
+};
+enum class Bound { residual_below, condition_below, condition_above };
+struct BoundClaim {
+    Bound bound = Bound::residual_below;
+    double limit = 0.0;
+};
+enum class Verdict {
+    change_point,  ///< the pose is singular: the rank is lower than in poses around it
+    closes,        ///< Newton-Raphson finds a pose that satisfies all equations
+};
+struct VerdictClaim {
+    Verdict verdict = Verdict::closes;
+    bool value = true;
+};
+struct QuantityClaim {
+    Quantity quantity;
+    std::string text;    ///< as the author wrote it, "hinge.angle"
+    int derivative = 0;  ///< 0, 1, 2 with respect to time
+    Unit unit = Unit::none;
+    bool in_degrees = false;  ///< the author wrote degrees: messages should too
+    double value = 0.0;       ///< SI, radians
+    double tolerance = 0.0;   ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
+};
+using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim>;
+
+struct Claim {
+    Moment when;
+    Fact fact;
+    SourceSpan span;  ///< of the fact's value in the lesson file, for messages
+    std::string why;
+};
+
+}  // namespace jw

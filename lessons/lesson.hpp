@@ -1,0 +1,115 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/coordinates.hpp"
+#include "core/mechanism.hpp"
+#include "lessons/claims.hpp"
+
+/// A lesson as data: what the rest of the program consumes. docs/writing-a-lesson.md describes the file.
+///
+/// Everything is resolved: names are indices into `mechanism`, angles are radians, directions are local.
+/// All numbers are finite.
+namespace jw {
+
+/// sRGB, 0..1.
+struct Colour {
+    double red = 0.0;
+    double green = 0.0;
+    double blue = 0.0;
+};
+
+/// Shapes to draw; points and axes in the body frame [m].
+struct Box {
+    Vec3 size = Vec3::Ones();         ///< edge lengths along the columns of `axes`
+    Vec3 centre = Vec3::Zero();
+    Mat3 axes = Mat3::Identity();     ///< right-handed, orthonormal
+};
+struct Cylinder {
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::UnitZ();
+    double radius = 0.1;
+};
+struct Sphere {
+    Vec3 centre = Vec3::Zero();
+    double radius = 0.1;
+};
+/// A slender cylinder with round ends.
+struct Rod {
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::UnitZ();
+    double radius = 0.02;
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Rod>;
+
+/// How a body looks. No shape: the renderer may draw what it likes between the joints.
+struct Look {
+    std::vector<Shape> shapes;
+    std::optional<Colour> colour;  ///< absent: the palette's next one
+};
+
+/// What the author wants of the camera; whatever is absent is framed automatically.
+struct CameraWish {
+    std::optional<Vec3> from;        ///< unit direction from the target to the camera, global
+    std::optional<Vec3> target;      ///< [m]
+    std::optional<double> distance;  ///< camera to target [m], > 0
+    std::optional<Vec3> up;          ///< unit, global
+    bool orthographic = false;
+};
+
+/// The motion that is shown after everything has been put together.
+struct MotionPlan {
+    double from = 0.0;      ///< [s]
+    double to = 1.0;        ///< [s], > from
+    double duration = 1.0;  ///< how long it takes on the screen [s], whatever the frames per second
+    int steps = 100;        ///< equal intervals of time that are solved
+};
+
+/// A joint or a driver that is added in one step.
+struct Addition {
+    enum class Kind { joint, driver };
+    Kind kind = Kind::joint;
+    int index = 0;  ///< into mechanism.joints or mechanism.drivers
+
+    bool operator==(const Addition&) const = default;
+};
+
+/// Author's words, empty where there are none.
+struct StepTexts {
+    struct AtTime {
+        double from = 0.0;  ///< shown from this time of the motion on [s]
+        std::string text;
+    };
+    std::string bodies;                ///< first step: the free bodies
+    std::vector<std::string> joints;   ///< one per joint of the mechanism
+    std::vector<std::string> drivers;  ///< one per driver
+    std::string motion;                ///< while it moves
+    std::vector<AtTime> times;         ///< sorted by time
+};
+
+struct LessonOptions {
+    double hysteresis = 0.8;  ///< the kappa of independent_rows.hpp, in (0, 1]
+};
+
+struct Lesson {
+    std::string file_name;  ///< as it was given to the reader
+    std::string title;
+    std::string chapter;
+    std::string source;  ///< slides or book pages
+    std::string text;
+
+    Mechanism mechanism;             ///< bodies[0] is the ground
+    std::vector<Look> looks;         ///< one per body of the mechanism
+    std::vector<Addition> order;     ///< every joint and driver once, in the order in which they are added
+    CoordinateChoice coordinates = CoordinateChoice::modified_euler_parameters;
+    std::optional<MotionPlan> motion;
+    CameraWish camera;
+    LessonOptions options;
+    StepTexts step_texts;
+    std::vector<Claim> claims;
+};
+
+}  // namespace jw

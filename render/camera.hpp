@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// Where a picture is taken from, and where on it a point comes to lie. No GL.
+namespace jw::render {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+/// Rectangle of the frame in pixels; origin at the top left corner, y down, as in ImGui.
+struct Rect {
+    double x = 0.0;
+    double y = 0.0;
+    double width = 1280.0;
+    double height = 720.0;
+
+    bool contains(double px, double py) const {
+        return px >= x && px <= x + width && py >= y && py <= y + height;
+    }
+};
+
+/// `rect` without a border of `pixels` on each side.
+Rect shrunk(const Rect& rect, double pixels);
+
+/// A pinhole or parallel camera. `eye` and `target` must differ and `up` must not be along the view.
+struct Camera {
+    Vector3d eye = {3.0, -4.0, 2.5};
+    Vector3d target = Vector3d::Zero();
+    Vector3d up = Vector3d::UnitZ();
+    double field_of_view = 0.5;  ///< vertical [rad]
+    bool orthographic = false;   ///< the height of the picture at the target stays as with a pinhole
+
+    double distance() const { return (target - eye).norm(); }
+};
+
+/// Axes of the picture in the global frame: right, up, forward (unit, right x up = -forward).
+struct CameraAxes {
+    Vector3d right;
+    Vector3d up;
+    Vector3d forward;
+};
+
+CameraAxes axes_of(const Camera& camera);
+
+/// Global frame to camera frame (x right, y up, z towards the viewer).
+Matrix4d view_matrix(const Camera& camera);
+
+/// Camera frame to clip space of GL, for a picture with aspect = width / height.
+Matrix4d projection_matrix(const Camera& camera, double aspect);
+
+/// Where a point is seen.
+struct Projected {
+    double x = 0.0;      ///< pixels from the left edge of the frame
+    double y = 0.0;      ///< pixels from the top edge of the frame
+    double depth = 0.0;  ///< distance from the eye along the view [m]
+    bool visible =
+        false;  ///< in front of the camera and within the viewport (it may still be hidden by a body)
+};
+
+/// The pixel at which `point` is drawn when the scene is drawn into `viewport`.
+Projected project(const Camera& camera, const Rect& viewport, const Vector3d& point);
+
+/// Length in m that covers one pixel at `point`: arrows and points of constant width on the picture.
+double pixel_size(const Camera& camera, const Rect& viewport, const Vector3d& point);
+
+}  // namespace jw::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Glyphs of a font file as pictures, through FreeType.
+namespace jw::render {
+
+/// Coverage of one glyph, 0 to 255, top row first, with an empty border of one texel. Distances in pixels
+/// from the pen on the baseline.
+struct GlyphBitmap {
+    int columns = 0;  ///< texels; a pixel is as wide as `oversampling` of them
+    int rows = 0;
+    float left = 0.0F;   ///< of the left edge
+    float top = 0.0F;    ///< of the upper edge, upwards
+    float width = 0.0F;  ///< pixels
+    float advance = 0.0F;
+    std::vector<std::uint8_t> coverage;
+};
+
+class FontFace {
+public:
+    /// @throws std::runtime_error naming `path` if it is not a font.
+    explicit FontFace(const std::filesystem::path& path);
+    ~FontFace();
+    FontFace(FontFace&&) noexcept;
+    FontFace& operator=(FontFace&&) noexcept;
+
+    /// From the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
+    double line_height() const;
+
+    /// Glyph of `character`, or nothing if the font has none.
+    ///
+    /// Hinted to whole pixels vertically, never horizontally.
+    /// @param pixels_per_em  size
+    /// @param oversampling  texels per pixel across. 1: for text at whole pixels, advances rounded;
+    ///        more: for glyphs at any x, filtered so that bilinear sampling shows true coverage
+    std::optional<GlyphBitmap> render(char32_t character, double pixels_per_em, int oversampling);
+
+private:
+    struct Library;
+    struct Face;
+    std::unique_ptr<Library> library_;
+    std::unique_ptr<Face> face_;
+};
+
+}  // namespace jw::render

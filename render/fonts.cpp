@@ -1,0 +1,251 @@
+#include "render/fonts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <imgui.h>
+
+#include "render/font_face.hpp"
+#include "render/math_alphabets.hpp"
+
+namespace jw::render {
+namespace {
+
+struct FontFile {
+    const char* name;
+    const char* package;
+};
+
+constexpr FontFile kSans{"DejaVuSans.ttf", "fonts-dejavu-core"};
+constexpr FontFile kSansBold{"DejaVuSans-Bold.ttf", "fonts-dejavu-core"};
+constexpr FontFile kMono{"DejaVuSansMono.ttf", "fonts-dejavu-core"};
+constexpr FontFile kMath{"latinmodern-math.otf", "fonts-lmodern"};
+
+constexpr std::array kFolders{
+    "/usr/share/fonts/truetype/dejavu",
+    "/usr/share/texmf/fonts/opentype/public/lm-math",
+    "/usr/share/fonts/opentype/lmodern",
+};
+
+constexpr int kAtlasWidth = 2048;
+
+// Formula glyphs stand at any x: three texels per pixel keep their stems even. Interface text stands at
+// whole pixels and is sharpest with one.
+constexpr int kFormulaOversampling = 3;
+
+/// Characters of the interface: first and last of each run.
+constexpr std::array<std::array<char32_t, 2>, 18> kInterface{{
+    {0x0021, 0x007E},
+    {0x00A1, 0x00FF},  // Latin-1; the space comes with the base font
+    {0x02C6, 0x02DC},
+    {0x0302, 0x0308},  // accents; the second kind stand over the letter before
+    {0x0391, 0x03D6},
+    {0x03F5, 0x03F5},  // Greek
+    {0x1D40, 0x1D40},
+    {0x1D62, 0x1D65},  // ᵀ ᵢ ᵣ
+    {0x2010, 0x2026},
+    {0x2030, 0x203A},  // dashes, quotes, dots, primes
+    {0x2070, 0x209C},
+    {0x2190, 0x21D4},  // super- and subscripts, arrows
+    {0x2200, 0x226B},
+    {0x22A4, 0x22C5},  // operators
+    {0x2500, 0x2503},
+    {0x2580, 0x25CF},  // lines, blocks and marks
+    {0x2713, 0x2718},
+    {0x2C7C, 0x2C7C},  // ✓ ✗ ⱼ
+}};
+
+/// Characters of formulas that are the same in every style; letters come from `math_glyphs`.
+constexpr std::array<std::array<char32_t, 2>, 16> kFormula{{
+    {0x0021, 0x007E},
+    {0x00A8, 0x00B9},
+    {0x00D7, 0x00D7},
+    {0x00F7, 0x00F7},
+    {0x02C6, 0x02DC},
+    {0x0391, 0x03D6},
+    {0x1D40, 0x1D40},
+    {0x2013, 0x2026},
+    {0x2032, 0x2034},
+    {0x2070, 0x209C},
+    {0x2190, 0x2193},
+    {0x21D2, 0x21D4},
+    {0x2200, 0x226B},
+    {0x22A4, 0x22C5},
+    {0x2308, 0x230B},
+    {0x23A1, 0x23A6},
+}};
+
+/// Hairlines of Latin Modern are a third of a pixel wide: darkened, they survive a projector.
+std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
+    constexpr double exponent = 0.78;
+    if (glyph) {
+        for (std::uint8_t& c : glyph->coverage) {
+            c = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(c / 255.0, exponent)));
+        }
+    }
+    return glyph;
+}
+
+std::vector<std::filesystem::path> font_folders() {
+    std::vector<std::filesystem::path> folders;
+    if (const char* const own = std::getenv("JOINTWISE_FONTS"); own != nullptr) {
+        std::istringstream list(own);
+        for (std::string folder; std::getline(list, folder, ':');) {
+            if (!folder.empty()) { folders.emplace_back(folder); }
+        }
+    }
+    folders.insert(folders.end(), kFolders.begin(), kFolders.end());
+    return folders;
+}
+
+std::filesystem::path find_font(const FontFile& file) {
+    for (const auto& folder : font_folders()) {
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(folder / file.name, ignored)) { return folder / file.name; }
+    }
+    throw std::runtime_error(
+        "font '" + std::string(file.name) + "' not found; install the Debian package " + file.package +
+        " or name its folder in JOINTWISE_FONTS");
+}
+
+/// Fills the atlas of a context. ImGui's own rasteriser neither hints nor reaches beyond 16 bits, so it only
+/// packs: every glyph but the space is a custom rectangle (`AddCustomRectFontGlyph`) drawn by FreeType.
+class AtlasBuilder {
+public:
+    explicit AtlasBuilder(ImFontAtlas& atlas) : atlas_(atlas) {
+        atlas_.Clear();
+        atlas_.TexDesiredWidth = kAtlasWidth;
+        atlas_.Flags |= ImFontAtlasFlags_NoMouseCursors;
+    }
+
+    ImFont* add_interface(const FontFile& file, float size) {
+        FontFace& face = face_of(file);  // checks the file: ImGui would stop the program
+        ImFont* const font = add_base(file, size);
+        const double em = static_cast<double>(size) / face.line_height();
+        for (const auto& [first, last] : kInterface) {
+            for (char32_t c = first; c <= last; ++c) { add_glyph(font, c, face.render(c, em, 1)); }
+        }
+        return font;
+    }
+
+    ImFont* add_formula(float size) {
+        FontFace& math = face_of(kMath);
+        ImFont* const font = add_base(kMath, size);
+        const double em = static_cast<double>(size) / math.line_height();
+        for (const auto& [first, last] : kFormula) {
+            for (char32_t c = first; c <= last; ++c) {
+                auto glyph = math.render(c, em, kFormulaOversampling);
+                // ⁰ ᵀ and the like; an x of DejaVu is as high as one of Latin Modern at 0.8 of the size
+                if (!glyph) { glyph = face_of(kSans).render(c, 0.8 * em, kFormulaOversampling); }
+                add_glyph(font, c, darkened(std::move(glyph)));
+            }
+        }
+        for (const MathGlyph& letter : math_glyphs()) {
+            add_glyph(
+                font, letter.code_point, darkened(math.render(letter.unicode, em, kFormulaOversampling)));
+        }
+        return font;
+    }
+
+    /// Packs, then copies the glyphs to where they were packed.
+    void build() {
+        unsigned char* texels = nullptr;
+        int width = 0;
+        int height = 0;
+        atlas_.GetTexDataAsAlpha8(&texels, &width, &height);
+        for (const auto& [font, glyphs] : placed_) {
+            for (ImFontGlyph& glyph : font->Glyphs) {
+                const auto found = glyphs.find(glyph.Codepoint);
+                if (found == glyphs.end()) { continue; }
+                copy(found->second, texels, width);
+                place(glyph, *font, found->second.bitmap);
+            }
+        }
+    }
+
+private:
+    struct Placed {
+        int rectangle;
+        GlyphBitmap bitmap;
+    };
+
+    FontFace& face_of(const FontFile& file) {
+        const auto found = faces_.find(file.name);
+        return found != faces_.end() ? found->second
+                                     : faces_.emplace(file.name, find_font(file)).first->second;
+    }
+
+    /// A font that holds nothing but the space.
+    ImFont* add_base(const FontFile& file, float size) {
+        static constexpr ImWchar only_space[] = {0x20, 0x20, 0};  // read when the atlas is built
+        ImFontConfig config;
+        config.OversampleH = 1;
+        config.PixelSnapH = true;
+        ImFont* const font = atlas_.AddFontFromFileTTF(find_font(file).c_str(), size, &config, only_space);
+        if (font == nullptr) {
+            throw std::runtime_error("ImGui cannot read font '" + std::string(file.name) + "'");
+        }
+        return font;
+    }
+
+    void add_glyph(ImFont* font, char32_t code_point, std::optional<GlyphBitmap> glyph) {
+        if (!glyph || glyph->columns == 0 || glyph->rows == 0 || placed_[font].contains(code_point)) {
+            return;
+        }
+        const int rectangle = atlas_.AddCustomRectFontGlyph(
+            font, static_cast<ImWchar>(code_point), glyph->columns, glyph->rows, glyph->advance);
+        placed_[font].emplace(code_point, Placed{rectangle, std::move(*glyph)});
+    }
+
+    void copy(const Placed& placed, unsigned char* texels, int width) const {
+        const ImFontAtlasCustomRect& rectangle = *atlas_.GetCustomRectByIndex(placed.rectangle);
+        for (int row = 0; row < placed.bitmap.rows; ++row) {
+            std::copy_n(
+                placed.bitmap.coverage.begin() + row * placed.bitmap.columns, placed.bitmap.columns,
+                texels + (rectangle.Y + row) * width + rectangle.X);
+        }
+    }
+
+    /// ImGui made the glyph as large as its rectangle, at the top of the line.
+    static void place(ImFontGlyph& glyph, const ImFont& font, const GlyphBitmap& bitmap) {
+        const float baseline = std::round(font.Ascent);
+        glyph.X0 = bitmap.left;
+        glyph.X1 = bitmap.left + bitmap.width;
+        glyph.Y0 = baseline - bitmap.top;
+        glyph.Y1 = glyph.Y0 + static_cast<float>(bitmap.rows);
+    }
+
+    ImFontAtlas& atlas_;
+    std::map<std::string, FontFace> faces_;
+    std::map<ImFont*, std::map<char32_t, Placed>> placed_;
+};
+
+}  // namespace
+
+Fonts load_fonts(float scale) {
+    AtlasBuilder builder(*ImGui::GetIO().Fonts);
+    const auto size = [scale](float pixels) { return std::round(pixels * scale); };
+    Fonts fonts;
+    fonts.scale = scale;
+    fonts.normal = builder.add_interface(kSans, size(16.0F));
+    fonts.small = builder.add_interface(kSans, size(13.0F));
+    fonts.bold = builder.add_interface(kSansBold, size(16.0F));
+    fonts.title = builder.add_interface(kSansBold, size(23.0F));
+    fonts.mono = builder.add_interface(kMono, size(14.0F));
+    fonts.formula = builder.add_formula(size(21.0F));
+    fonts.formula_script = builder.add_formula(size(15.0F));
+    fonts.formula_large = builder.add_formula(size(30.0F));
+    fonts.formula_large_script = builder.add_formula(size(21.0F));
+    builder.build();
+    ImGui::GetIO().FontDefault = fonts.normal;
+    return fonts;
+}
+
+}  // namespace jw::render

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+struct ImFont;
+
+/// Fonts of panels and formulas for the current ImGui context.
+namespace jw::render {
+
+/// Sizes for a picture 720 high at scale 1. Interface fonts are DejaVu; formula fonts are Latin Modern, drawn
+/// with the letters of `math_alphabets.hpp` as well, so a formula is laid out with one ImFont per size. The
+/// baseline of each is `ImFont::Ascent` below its top.
+///
+/// Interface text is sharp at whole pixels. Formula glyphs may stand at any x; round y to whole pixels.
+struct Fonts {
+    ImFont* small = nullptr;   ///< 13 px
+    ImFont* normal = nullptr;  ///< 16 px, the default of the context
+    ImFont* bold = nullptr;    ///< 16 px
+    ImFont* title = nullptr;   ///< 23 px, bold
+    ImFont* mono = nullptr;    ///< 14 px
+
+    ImFont* formula = nullptr;               ///< 21 px
+    ImFont* formula_script = nullptr;        ///< 15 px, sub- and superscripts of `formula`
+    ImFont* formula_large = nullptr;         ///< 30 px, the headline of a step
+    ImFont* formula_large_script = nullptr;  ///< 21 px
+
+    float scale = 1.0F;
+};
+
+/// Loads all fonts into the atlas of the current ImGui context, builds it and makes `normal` the default.
+///
+/// Searched in the folders of JOINTWISE_FONTS (colon-separated), then where Debian's packages put them.
+/// @param scale  1 for a picture 720 high, 1.5 for 1080
+/// @throws std::runtime_error naming the missing file and its Debian package.
+Fonts load_fonts(float scale);
+
+}  // namespace jw::render

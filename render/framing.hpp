@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/camera.hpp"
+#include "render/scene.hpp"
+
+/// Composes the camera: everything in sight, nothing cut off, no number chosen by hand.
+namespace jw::render {
+
+/// What must be in sight: spheres and points. Unlike a box it is tight from every direction. Bounds of many
+/// poses of a scene, one included after the other, frame its whole motion.
+class Bounds {
+public:
+    void include(const Vector3d& centre, double radius = 0.0);
+    void include(const Bounds& other);
+
+    bool empty() const { return balls_.empty(); }
+
+    // of the axis-aligned box around it; meaningless when empty
+    const Vector3d& lowest() const { return lowest_; }
+    const Vector3d& highest() const { return highest_; }
+    Vector3d centre() const { return 0.5 * (lowest_ + highest_); }
+    double diagonal() const { return empty() ? 0.0 : (highest_ - lowest_).norm(); }
+
+    /// Largest value of direction.dot(point) within.
+    /// @throws std::logic_error when empty
+    double extent(const Vector3d& direction) const;
+
+private:
+    struct Ball {
+        Vector3d centre;
+        double radius;
+    };
+    std::vector<Ball> balls_;
+    Vector3d lowest_ = Vector3d::Constant(1e300);
+    Vector3d highest_ = Vector3d::Constant(-1e300);
+};
+
+/// Bounds of everything in the scene but the ground plane.
+Bounds bounds_of(const Scene& scene);
+
+struct Framing {
+    /// From the eye to the scene; need not be unit.
+    Vector3d direction = {-0.55, 0.75, -0.45};
+    Vector3d up = Vector3d::UnitZ();
+    double field_of_view = 0.5;
+    bool orthographic = false;
+};
+
+/// The nearest camera of that direction with all of `bounds` inside `safe`, a part of the
+/// `viewport` that the scene is drawn into: leave a margin there for captions and labels.
+///
+/// Empty bounds are taken as a cube of 1 m at the origin, a point as a sphere of 1 cm.
+/// @throws std::invalid_argument if `safe` is empty or `direction` is zero or along `up`.
+Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Rect& safe, const Framing& framing = {});
+
+/// The same with a margin of 8 % of the smaller side all around.
+Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Framing& framing = {});
+
+/// A ground plane under the scene that suits its size: just below its lowest point along `normal`, with a
+/// grid of 1, 2 or 5 times a power of ten, fading out around it.
+Ground ground_below(const Bounds& bounds, const Vector3d& normal = Vector3d::UnitZ());
+
+}  // namespace jw::render

@@ -1,0 +1,33 @@
+#include "render/gl_functions.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace jw::render {
+namespace {
+
+template <class Function>
+void load(Function& function, const char* name, GlLoader loader, std::string& missing) {
+    // object to function pointer: what every loader of GL does, conditionally supported and fine on POSIX
+    function = reinterpret_cast<Function>(loader(name));
+    if (function == nullptr) {
+        missing += missing.empty() ? "" : ", ";
+        missing += name;
+    }
+}
+
+}  // namespace
+
+GlFunctions load_gl_functions(GlLoader loader) {
+    GlFunctions gl;
+    std::string missing;
+#define JW_LOAD(type, name) load(gl.name, "gl" #name, loader, missing);
+    JW_GL_FUNCTIONS(JW_LOAD)
+#undef JW_LOAD
+    if (!missing.empty()) {
+        throw std::runtime_error("the graphics driver lacks parts of OpenGL 3.3: " + missing);
+    }
+    return gl;
+}
+
+}  // namespace jw::render

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <GL/glcorearb.h>
+
+/// OpenGL 3.3 core through one table of function pointers, so that a window and OSMesa can live in one
+/// program: nothing links libGL, and whoever owns a context fills a table for it.
+///
+/// The types come from <GL/glcorearb.h> (Debian: libgl-dev).
+namespace jw::render {
+
+// clang-format off
+/// Every GL function that the program calls: X(type of the pointer, name without "gl").
+#define JW_GL_FUNCTIONS(X)                                             \
+    X(PFNGLACTIVETEXTUREPROC,                  ActiveTexture)          \
+    X(PFNGLATTACHSHADERPROC,                   AttachShader)           \
+    X(PFNGLBINDBUFFERPROC,                     BindBuffer)             \
+    X(PFNGLBINDFRAMEBUFFERPROC,                BindFramebuffer)        \
+    X(PFNGLBINDRENDERBUFFERPROC,               BindRenderbuffer)       \
+    X(PFNGLBINDTEXTUREPROC,                    BindTexture)            \
+    X(PFNGLBINDVERTEXARRAYPROC,                BindVertexArray)        \
+    X(PFNGLBLENDFUNCSEPARATEPROC,              BlendFuncSeparate)      \
+    X(PFNGLBLITFRAMEBUFFERPROC,                BlitFramebuffer)        \
+    X(PFNGLBUFFERDATAPROC,                     BufferData)             \
+    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC,         CheckFramebufferStatus) \
+    X(PFNGLCLEARPROC,                          Clear)                  \
+    X(PFNGLCLEARCOLORPROC,                     ClearColor)             \
+    X(PFNGLCOLORMASKPROC,                      ColorMask)              \
+    X(PFNGLCOMPILESHADERPROC,                  CompileShader)          \
+    X(PFNGLCREATEPROGRAMPROC,                  CreateProgram)          \
+    X(PFNGLCREATESHADERPROC,                   CreateShader)           \
+    X(PFNGLCULLFACEPROC,                       CullFace)               \
+    X(PFNGLDELETEBUFFERSPROC,                  DeleteBuffers)          \
+    X(PFNGLDELETEFRAMEBUFFERSPROC,             DeleteFramebuffers)     \
+    X(PFNGLDELETEPROGRAMPROC,                  DeleteProgram)          \
+    X(PFNGLDELETERENDERBUFFERSPROC,            DeleteRenderbuffers)    \
+    X(PFNGLDELETESHADERPROC,                   DeleteShader)           \
+    X(PFNGLDELETETEXTURESPROC,                 DeleteTextures)         \
+    X(PFNGLDELETEVERTEXARRAYSPROC,             DeleteVertexArrays)     \
+    X(PFNGLDEPTHFUNCPROC,                      DepthFunc)              \
+    X(PFNGLDEPTHMASKPROC,                      DepthMask)              \
+    X(PFNGLDISABLEPROC,                        Disable)                \
+    X(PFNGLDRAWARRAYSPROC,                     DrawArrays)             \
+    X(PFNGLDRAWARRAYSINSTANCEDPROC,            DrawArraysInstanced)    \
+    X(PFNGLDRAWBUFFERSPROC,                    DrawBuffers)            \
+    X(PFNGLDRAWELEMENTSBASEVERTEXPROC,         DrawElementsBaseVertex) \
+    X(PFNGLDRAWELEMENTSINSTANCEDPROC,          DrawElementsInstanced)  \
+    X(PFNGLENABLEPROC,                         Enable)                 \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC,        EnableVertexAttribArray) \
+    X(PFNGLFRAMEBUFFERRENDERBUFFERPROC,        FramebufferRenderbuffer) \
+    X(PFNGLFRAMEBUFFERTEXTURE2DPROC,           FramebufferTexture2D)   \
+    X(PFNGLGENBUFFERSPROC,                     GenBuffers)             \
+    X(PFNGLGENFRAMEBUFFERSPROC,                GenFramebuffers)        \
+    X(PFNGLGENRENDERBUFFERSPROC,               GenRenderbuffers)       \
+    X(PFNGLGENTEXTURESPROC,                    GenTextures)            \
+    X(PFNGLGENVERTEXARRAYSPROC,                GenVertexArrays)        \
+    X(PFNGLGETERRORPROC,                       GetError)               \
+    X(PFNGLGETINTEGERVPROC,                    GetIntegerv)            \
+    X(PFNGLGETPROGRAMINFOLOGPROC,              GetProgramInfoLog)      \
+    X(PFNGLGETPROGRAMIVPROC,                   GetProgramiv)           \
+    X(PFNGLGETSHADERINFOLOGPROC,               GetShaderInfoLog)       \
+    X(PFNGLGETSHADERIVPROC,                    GetShaderiv)            \
+    X(PFNGLGETSTRINGPROC,                      GetString)              \
+    X(PFNGLGETUNIFORMLOCATIONPROC,             GetUniformLocation)     \
+    X(PFNGLLINKPROGRAMPROC,                    LinkProgram)            \
+    X(PFNGLPIXELSTOREIPROC,                    PixelStorei)            \
+    X(PFNGLPOLYGONOFFSETPROC,                  PolygonOffset)          \
+    X(PFNGLREADBUFFERPROC,                     ReadBuffer)             \
+    X(PFNGLREADPIXELSPROC,                     ReadPixels)             \
+    X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
+    X(PFNGLSCISSORPROC,                        Scissor)                \
+    X(PFNGLSHADERSOURCEPROC,                   ShaderSource)           \
+    X(PFNGLTEXIMAGE2DPROC,                     TexImage2D)             \
+    X(PFNGLTEXPARAMETERFVPROC,                 TexParameterfv)         \
+    X(PFNGLTEXPARAMETERIPROC,                  TexParameteri)          \
+    X(PFNGLUNIFORM1FPROC,                      Uniform1f)              \
+    X(PFNGLUNIFORM1IPROC,                      Uniform1i)              \
+    X(PFNGLUNIFORM2FPROC,                      Uniform2f)              \
+    X(PFNGLUNIFORM3FPROC,                      Uniform3f)              \
+    X(PFNGLUNIFORM4FPROC,                      Uniform4f)              \
+    X(PFNGLUNIFORMMATRIX4FVPROC,               UniformMatrix4fv)       \
+    X(PFNGLUSEPROGRAMPROC,                     UseProgram)             \
+    X(PFNGLVERTEXATTRIBDIVISORPROC,            VertexAttribDivisor)    \
+    X(PFNGLVERTEXATTRIBPOINTERPROC,            VertexAttribPointer)    \
+    X(PFNGLVIEWPORTPROC,                       Viewport)
+// clang-format on
+
+struct GlFunctions {
+#define JW_DECLARE(type, name) type name = nullptr;
+    JW_GL_FUNCTIONS(JW_DECLARE)
+#undef JW_DECLARE
+};
+
+/// Looks up a GL function of the current context by its full name, e.g. "glClear".
+using GlLoader = void* (*)(const char* name);
+
+/// Fills the table for the context that is current.
+/// @throws std::runtime_error naming the entries that the context does not have.
+GlFunctions load_gl_functions(GlLoader loader);
+
+}  // namespace jw::render

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace jw::render {
+
+/// RGB picture, 8 bits a channel, top row first, no padding.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+
+    bool operator==(const Image&) const = default;
+
+    /// The three channels of a pixel; x and y must lie inside.
+    const std::uint8_t* at(int x, int y) const {
+        return &rgb
+            [3 *
+             (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+    }
+};
+
+}  // namespace jw::render

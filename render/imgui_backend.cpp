@@ -1,0 +1,162 @@
+#include "render/imgui_backend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <imgui.h>
+
+namespace jw::render {
+namespace {
+
+constexpr const char* kVertexShader = R"(#version 330 core
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec4 colour;
+uniform mat4 clip_from_picture;
+out vec2 texel;
+out vec4 tint;
+
+void main() {
+    texel = uv;
+    tint = colour;
+    gl_Position = clip_from_picture * vec4(position, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kFragmentShader = R"(#version 330 core
+in vec2 texel;
+in vec4 tint;
+uniform sampler2D coverage;
+out vec4 pixel;
+
+void main() { pixel = tint * texture(coverage, texel); }
+)";
+
+/// The atlas holds coverage only; the texture reads as white of that opacity.
+GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
+    unsigned char* texels = nullptr;
+    int width = 0;
+    int height = 0;
+    atlas.GetTexDataAsAlpha8(&texels, &width, &height);
+    GlTexture texture = make_texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    for (const GLenum channel : {GL_TEXTURE_SWIZZLE_R, GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B}) {
+        gl.TexParameteri(GL_TEXTURE_2D, channel, GL_ONE);
+    }
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_RED);
+    return texture;
+}
+
+/// ImTextureID is a pointer in ImGui 1.86 and an integer in later versions.
+template <class To, class From>
+To texture_id_cast(From value) {
+    if constexpr (std::is_pointer_v<To> || std::is_pointer_v<From>) {
+        return reinterpret_cast<To>(value);
+    } else {
+        return static_cast<To>(value);
+    }
+}
+
+Eigen::Matrix4d clip_from_picture(const ImDrawData& data) {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+    m(0, 0) = 2.0 / static_cast<double>(data.DisplaySize.x);
+    m(1, 1) = -2.0 / static_cast<double>(data.DisplaySize.y);
+    m(0, 3) = -1.0 - static_cast<double>(data.DisplayPos.x) * m(0, 0);
+    m(1, 3) = 1.0 - static_cast<double>(data.DisplayPos.y) * m(1, 1);
+    return m;
+}
+
+/// GL counts pixels from the bottom. @return false if nothing is left to draw in
+bool set_scissor(const GlFunctions& gl, const ImVec4& clip, const ImDrawData& data, const FrameSize& frame) {
+    const auto ratio = static_cast<float>(frame.pixel_ratio);
+    const auto pixels = [ratio](float length) { return static_cast<GLint>(std::lround(length * ratio)); };
+    const GLint left = std::max(pixels(clip.x - data.DisplayPos.x), 0);
+    const GLint top = std::max(pixels(clip.y - data.DisplayPos.y), 0);
+    const GLint right = std::min(pixels(clip.z - data.DisplayPos.x), frame.width * frame.pixel_ratio);
+    const GLint bottom = std::min(pixels(clip.w - data.DisplayPos.y), frame.height * frame.pixel_ratio);
+    if (right <= left || bottom <= top) { return false; }
+    gl.Scissor(left, frame.height * frame.pixel_ratio - bottom, right - left, bottom - top);
+    return true;
+}
+
+}  // namespace
+
+ImguiBackend::ImguiBackend(const GlFunctions& gl)
+    : gl_(gl),
+      program_(gl, "panels", kVertexShader, kFragmentShader),
+      array_(make_vertex_array(gl)),
+      vertices_(make_buffer(gl)),
+      indices_(make_buffer(gl)),
+      font_(upload_atlas(gl, *ImGui::GetIO().Fonts)) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.BackendRendererName = "jointwise";
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.Fonts->SetTexID(texture_id_cast<ImTextureID>(static_cast<std::intptr_t>(font_.name())));
+
+    constexpr auto stride = static_cast<GLsizei>(sizeof(ImDrawVert));
+    const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
+    gl_.BindVertexArray(array_.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    for (const GLuint location : {0U, 1U, 2U}) { gl_.EnableVertexAttribArray(location); }
+    gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, pos)));
+    gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, uv)));
+    gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at(offsetof(ImDrawVert, col)));
+    gl_.BindVertexArray(0);
+}
+
+void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
+    if (data.DisplaySize.x <= 0.0F || data.DisplaySize.y <= 0.0F) { return; }
+    set_state(data, frame);
+    constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+    for (int n = 0; n < data.CmdListsCount; ++n) {
+        const ImDrawList& list = *data.CmdLists[n];
+        gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
+        gl_.BufferData(
+            GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            if (command.UserCallback != nullptr) {
+                // a callback may have drawn on its own
+                if (command.UserCallback != ImDrawCallback_ResetRenderState) {
+                    command.UserCallback(&list, &command);
+                }
+                set_state(data, frame);
+                continue;
+            }
+            if (!set_scissor(gl_, command.ClipRect, data, frame)) { continue; }
+            gl_.BindTexture(
+                GL_TEXTURE_2D, static_cast<GLuint>(texture_id_cast<std::intptr_t>(command.GetTexID())));
+            gl_.DrawElementsBaseVertex(
+                GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
+                reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
+                static_cast<GLint>(command.VtxOffset));
+        }
+    }
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.BindVertexArray(0);
+}
+
+void ImguiBackend::set_state(const ImDrawData& data, const FrameSize& frame) const {
+    gl_.Viewport(0, 0, frame.width * frame.pixel_ratio, frame.height * frame.pixel_ratio);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    program_.use();
+    program_.set("clip_from_picture", clip_from_picture(data));
+    program_.set("coverage", 0);
+    gl_.BindVertexArray(array_.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+}
+
+}  // namespace jw::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/gl_objects.hpp"
+#include "render/instances.hpp"
+
+namespace jw::render {
+
+/// All meshes on the graphics card, and the instances of the moment.
+class InstancedMeshes {
+public:
+    explicit InstancedMeshes(const GlFunctions& gl);
+
+    /// Draws with whatever program and state is set; attributes as in `shaders::body_vertex`.
+    void draw(const InstanceLists& lists) const;
+
+private:
+    struct OnCard {
+        GlVertexArray array;
+        GlBuffer vertices;
+        GlBuffer indices;
+        GLsizei index_count = 0;
+    };
+
+    OnCard upload(const Mesh& mesh) const;
+
+    const GlFunctions& gl_;
+    GlBuffer instances_;
+    std::array<OnCard, kMeshKinds> meshes_;
+};
+
+/// Line segments as rectangles that face the camera; attributes as in `shaders::line_vertex`.
+class LineBatch {
+public:
+    explicit LineBatch(const GlFunctions& gl);
+
+    void draw(const std::vector<LineSegment>& segments) const;
+
+private:
+    const GlFunctions& gl_;
+    GlVertexArray array_;
+    GlBuffer segments_;
+};
+
+}  // namespace jw::render

@@ -1,0 +1,243 @@
+#include "render/instances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <Eigen/Geometry>
+
+namespace jw::render {
+namespace {
+
+// Rounded edges catch the light and tell one face from the next; more than this looks like soap.
+constexpr double kEdgeRounding = 0.14;  // of the smaller half extent
+// Outlines in pixels: bodies get a fine line that separates equal colours, the highlighted one a strong line,
+// and vectors a light rim that lifts them off the bodies they cross.
+constexpr float kFineEdge = 0.9F;
+constexpr float kStrongEdge = 2.8F;
+constexpr float kLightRim = 1.3F;
+constexpr float kEdgeDarkening = 0.62F;
+
+constexpr double kThreadDepth = 0.5;     // of the pitch
+constexpr double kDeepestThread = 0.22;  // of the radius
+constexpr double kMostTurns = 400.0;     // finer threads are below a pixel
+constexpr double kDashPeriod = 1.7;      // dash and gap, in dashes
+constexpr double kMostDashes = 2000.0;
+
+/// Right-handed frame with z along `axis` and x as near to `side` as can be.
+Pose frame_along(const Vector3d& origin, const Vector3d& axis, const Vector3d& side) {
+    Pose pose;
+    pose.r = origin;
+    const Vector3d z = axis.normalized();
+    Vector3d x = side - z * z.dot(side);
+    // a side along the axis (1e-9: nothing but rounding is left of it) gives any perpendicular
+    if (x.norm() < 1e-9 * std::max(side.norm(), 1e-9)) { x = z.unitOrthogonal(); }
+    x.normalize();
+    pose.A.col(0) = x;
+    pose.A.col(1) = z.cross(x);
+    pose.A.col(2) = z;
+    return pose;
+}
+
+Pose frame_along(const Vector3d& origin, const Vector3d& axis) {
+    return frame_along(origin, axis, axis.unitOrthogonal());
+}
+
+/// Adds instances of one look to one group of lists.
+class Builder {
+public:
+    Builder(InstanceLists& lists, Colour colour, float edge_width, Colour edge_colour)
+        : lists_(lists), colour_(colour), edge_width_(edge_width), edge_colour_(edge_colour) {}
+
+    void add(MeshKind kind, const Pose& pose, const Vector3d& size, double inner, double rounding) {
+        Instance instance;
+        instance.pose << pose.A.cast<float>(), pose.r.cast<float>();
+        instance.size << size.cast<float>(), static_cast<float>(inner);
+        instance.rounding = static_cast<float>(rounding);
+        instance.edge_width = edge_width_;
+        instance.colour = colour_;
+        instance.edge_colour = edge_colour_;
+        lists_[static_cast<std::size_t>(kind)].push_back(instance);
+    }
+
+    void operator()(const Box& box) {
+        const double rounding = kEdgeRounding * box.half_size.minCoeff();
+        add(MeshKind::box, box.pose, box.half_size - Vector3d::Constant(rounding), 0.0, rounding);
+    }
+
+    void operator()(const Sphere& sphere) {
+        add(MeshKind::rod, Pose{Matrix3d::Identity(), sphere.centre}, Vector3d::Zero(), 0.0, sphere.radius);
+    }
+
+    void operator()(const Cylinder& bar) {
+        const Vector3d axis = bar.to - bar.from;
+        const double length = axis.norm();
+        if (length <= 0.0) { return; }
+        const double rounding = kEdgeRounding * std::min(bar.radius, 0.5 * length);
+        const double core = bar.radius - rounding;
+        add(MeshKind::round_bar, frame_along(bar.from + axis * (rounding / length), axis),
+            {core, core, length - 2.0 * rounding}, 0.0, rounding);
+    }
+
+    void operator()(const Rod& rod) {
+        const Vector3d axis = rod.to - rod.from;
+        if (axis.norm() <= 0.0) { return (*this)(Sphere{rod.from, rod.radius}); }
+        add(MeshKind::rod, frame_along(rod.from, axis), {0.0, 0.0, axis.norm()}, 0.0, rod.radius);
+    }
+
+    void operator()(const Tube& tube) {
+        hollow(
+            MeshKind::tube, tube.from, tube.to, tube.outer_radius, tube.inner_radius,
+            (tube.to - tube.from).unitOrthogonal());
+    }
+
+    void operator()(const Ring& ring) {
+        add(MeshKind::ring, frame_along(ring.centre, ring.axis), {ring.radius, ring.radius, 1.0}, 0.0,
+            ring.wire_radius);
+    }
+
+    void operator()(const Nut& nut) {
+        hollow(MeshKind::nut, nut.from, nut.to, nut.corner_radius, nut.hole_radius, nut.side);
+    }
+
+    void operator()(const Screw& screw) {
+        const Vector3d axis = screw.to - screw.from;
+        const double length = axis.norm();
+        const double pitch = std::abs(screw.pitch);
+        const double depth = std::min(kThreadDepth * pitch, kDeepestThread * screw.radius);
+        (*this)(Cylinder{screw.from, screw.to, screw.radius - depth});
+        // the ridge climbs one pitch further than it has turns
+        const double turns = pitch > 0.0 ? std::min(std::floor(length / pitch) - 1.0, kMostTurns) : 0.0;
+        const double margin = 0.5 * (length - (turns + 1.0) * pitch);
+        const MeshKind kind = screw.pitch > 0.0 ? MeshKind::right_thread : MeshKind::left_thread;
+        for (double turn = 0.0; turn < turns; turn += 1.0) {
+            const Vector3d origin = screw.from + axis * ((margin + turn * pitch) / length);
+            add(kind, frame_along(origin, axis, screw.side), {screw.radius, screw.radius, pitch},
+                screw.radius - depth, 0.0);
+        }
+    }
+
+    /// Shaft and head; a vector shorter than its head is all head, shrunk.
+    void arrow(const Vector3d& from, const Vector3d& to, double radius) {
+        const Vector3d along = to - from;
+        const double length = along.norm();
+        if (length <= 0.0) { return; }
+        const double head_radius = std::min(2.5 * radius, length / static_cast<double>(kConeLength));
+        const double head_length = static_cast<double>(kConeLength) * head_radius;
+        const Vector3d base = to - along * (head_length / length);
+        add(MeshKind::cone, frame_along(base, along), Vector3d::Constant(0.94 * head_radius), 0.0,
+            0.06 * head_radius);
+        // the shaft ends a little inside the head
+        const double shaft = length - 0.95 * head_length;
+        if (shaft > 0.05 * head_length) {
+            add(MeshKind::shaft, frame_along(from, along), {radius, radius, shaft}, 0.0, 0.0);
+        }
+    }
+
+private:
+    void hollow(
+        MeshKind kind, const Vector3d& from, const Vector3d& to, double outer, double inner,
+        const Vector3d& side) {
+        const Vector3d axis = to - from;
+        const double length = axis.norm();
+        if (length <= 0.0) { return; }
+        const double rounding = kEdgeRounding * std::min(outer - inner, length);
+        add(kind, frame_along(from + axis * (rounding / length), axis, side),
+            {outer - rounding, outer - rounding, length - 2.0 * rounding}, inner + rounding, rounding);
+    }
+
+    InstanceLists& lists_;
+    Colour colour_;
+    float edge_width_;
+    Colour edge_colour_;
+};
+
+/// Calls `piece(from, to)` for every dash of the path, which begins and ends with half a dash. A dash that
+/// goes round a corner comes in two pieces.
+template <class Piece>
+void for_each_dash(std::span<const Vector3d> path, double dash_length, const Piece& piece) {
+    double total = 0.0;
+    for (std::size_t n = 1; n < path.size(); ++n) { total += (path[n] - path[n - 1]).norm(); }
+    const double period =
+        total / std::clamp(std::round(total / (kDashPeriod * dash_length)), 1.0, kMostDashes);
+    const double half = 0.5 * period / kDashPeriod;
+    double start = 0.0;  // arc length at the beginning of this segment
+    for (std::size_t n = 1; n < path.size(); ++n) {
+        const Vector3d& from = path[n - 1];
+        const Vector3d& to = path[n];
+        const double length = (to - from).norm();
+        if (length <= 0.0) { continue; }
+        for (double dash = std::floor((start + half) / period); dash * period - half < start + length;
+             dash += 1.0) {
+            const double first = std::max(dash * period - half - start, 0.0) / length;
+            const double last = std::min((dash * period + half - start) / length, 1.0);
+            if (last > first) { piece(from + (to - from) * first, from + (to - from) * last); }
+        }
+        start += length;
+    }
+}
+
+InstanceLists& list_for(DrawLists& lists, InstanceLists& otherwise, float alpha, bool see_through) {
+    if (alpha < 1.0F) { return lists.ghosts; }
+    return see_through ? lists.see_through : otherwise;
+}
+
+void add_shape(DrawLists& lists, const Shape& shape) {
+    InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through);
+    const Colour dark = with_alpha(mix(shape.colour, palette::kInk, kEdgeDarkening), shape.colour.a);
+    std::visit(
+        shape.highlighted ? Builder(list, shape.colour, kStrongEdge, palette::kInk)
+                          : Builder(list, shape.colour, kFineEdge, dark),
+        shape.geometry);
+}
+
+void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length) {
+    InstanceLists& list = list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through);
+    Builder builder(list, arrow.colour, kLightRim, with_alpha(palette::kPaper, arrow.colour.a));
+    const double length = (arrow.to - arrow.from).norm();
+    const double head = std::min(2.5 * arrow.radius * static_cast<double>(kConeLength), length);
+    if (!arrow.dashed || length <= 2.0 * head) { return builder.arrow(arrow.from, arrow.to, arrow.radius); }
+    const Vector3d neck = arrow.to - (arrow.to - arrow.from) * (head / length);
+    builder.arrow(neck, arrow.to, arrow.radius);
+    const std::array shaft{arrow.from, neck};
+    for_each_dash(
+        shaft, std::max(dash_length, 4.0 * arrow.radius), [&](const Vector3d& from, const Vector3d& to) {
+            builder(Cylinder{from, to, arrow.radius});
+        });
+}
+
+void add_triad(DrawLists& lists, const Triad& triad) {
+    InstanceLists& list = list_for(lists, lists.annotations, triad.alpha, triad.see_through);
+    const Colour rim = with_alpha(palette::kPaper, triad.alpha);
+    for (int axis = 0; axis < 3; ++axis) {
+        Builder builder(
+            list, with_alpha(palette::kAxes[static_cast<std::size_t>(axis)], triad.alpha), kLightRim, rim);
+        builder.arrow(triad.pose.r, triad.pose.r + triad.length * triad.pose.A.col(axis), triad.radius);
+    }
+    Builder hub(list, with_alpha(palette::kInkSoft, triad.alpha), kLightRim, rim);
+    hub(Sphere{triad.pose.r, 1.7 * triad.radius});
+}
+
+void add_polyline(DrawLists& lists, const Polyline& line, double dash_length) {
+    std::vector<LineSegment>& list = line.see_through ? lists.see_through_lines : lists.lines;
+    const auto piece = [&](const Vector3d& from, const Vector3d& to) {
+        list.push_back({from.cast<float>(), to.cast<float>(), static_cast<float>(line.width), line.colour});
+    };
+    std::vector<Vector3d> path = line.points;
+    if (line.closed && !path.empty()) { path.push_back(path.front()); }
+    if (line.dashed) { return for_each_dash(path, dash_length, piece); }
+    for (std::size_t n = 1; n < path.size(); ++n) { piece(path[n - 1], path[n]); }
+}
+
+}  // namespace
+
+DrawLists draw_lists_of(const Scene& scene, double dash_length) {
+    DrawLists lists;
+    for (const Shape& shape : scene.shapes) { add_shape(lists, shape); }
+    for (const Arrow& arrow : scene.arrows) { add_arrow(lists, arrow, dash_length); }
+    for (const Triad& triad : scene.triads) { add_triad(lists, triad); }
+    for (const Polyline& line : scene.polylines) { add_polyline(lists, line, dash_length); }
+    return lists;
+}
+
+}  // namespace jw::render

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "render/scene.hpp"
+#include "render/shapes.hpp"
+
+/// From a scene to what the graphics card draws: copies of few meshes. No GL.
+namespace jw::render {
+
+/// One copy of a mesh, laid out as the vertex shader reads it.
+struct Instance {
+    Eigen::Matrix<float, 3, 4, Eigen::RowMajor> pose;  ///< mesh frame to global frame
+    Eigen::Vector4f size = Eigen::Vector4f::Ones();    ///< of the core: x, y, z, and the inner radius
+    float rounding = 0.0F;
+    float edge_width = 0.0F;  ///< of the outline, in pixels of a picture 720 high
+    float padding[2] = {0.0F, 0.0F};
+    Colour colour;
+    Colour edge_colour;
+};
+static_assert(sizeof(Instance) == 28 * sizeof(float), "attribute pointers assume no gaps");
+
+/// Instances of each mesh, by `MeshKind`.
+using InstanceLists = std::array<std::vector<Instance>, kMeshKinds>;
+
+/// A straight piece of a line, drawn with a constant width on the picture.
+struct LineSegment {
+    Eigen::Vector3f from;
+    Eigen::Vector3f to;
+    float width = 1.0F;  ///< pixels of a picture 720 high
+    Colour colour;
+};
+static_assert(sizeof(LineSegment) == 11 * sizeof(float), "attribute pointers assume no gaps");
+
+struct DrawLists {
+    InstanceLists bodies;       ///< opaque, cast and receive shadow
+    InstanceLists annotations;  ///< opaque: arrows and axes that a body may hide
+    InstanceLists see_through;  ///< opaque, and faintly where hidden
+    InstanceLists ghosts;       ///< transparent
+    std::vector<LineSegment> lines;
+    std::vector<LineSegment> see_through_lines;
+};
+
+/// @param dash_length  of dashed lines and arrows [m], > 0; gaps are 0.7 of it
+DrawLists draw_lists_of(const Scene& scene, double dash_length);
+
+}  // namespace jw::render

@@ -1,0 +1,312 @@
+#include "render/scene_renderer.hpp"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "render/shaders.hpp"
+
+namespace jw::render {
+namespace {
+
+constexpr int kShadowTexels = 1024;
+constexpr double kShadowBorder = 0.006;  // softness of shadows, in widths of the map
+constexpr float kBodyShadow = 0.75F;     // how much of the key light a body can take from another
+constexpr float kHiddenAlpha = 0.30F;    // of what is seen through a body
+constexpr double kDashPixels = 9.0;
+constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
+
+/// Lamps stand relative to the camera, so every view is lit well: key from the upper left behind the viewer,
+/// fill from the right.
+struct Light {
+    Vector3d towards_key;
+    Vector3d towards_fill;
+    Vector3d up;
+};
+
+Light light_for(const Scene& scene, const Camera& camera) {
+    const CameraAxes axes = axes_of(camera);
+    const Vector3d up = scene.ground ? scene.ground->normal.normalized() : camera.up.normalized();
+    return {
+        (1.20 * up - 0.62 * axes.right - 0.72 * axes.forward).normalized(),
+        (0.25 * up + 0.85 * axes.right - 0.45 * axes.forward).normalized(),
+        up,
+    };
+}
+
+GlTexture make_shadow_map(const GlFunctions& gl) {
+    GlTexture map = make_texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, map.name());
+    gl.TexImage2D(
+        GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kShadowTexels, kShadowTexels, 0, GL_DEPTH_COMPONENT,
+        GL_UNSIGNED_INT, nullptr);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    // beyond the map everything is lit
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    constexpr GLfloat farthest[] = {1.0F, 1.0F, 1.0F, 1.0F};
+    gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest);
+    return map;
+}
+
+/// Leaves the framebuffer that was bound bound.
+GlFramebuffer make_shadow_framebuffer(const GlFunctions& gl, const GlTexture& map) {
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    GlFramebuffer framebuffer = make_framebuffer(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.name(), 0);
+    constexpr GLenum no_colour = GL_NONE;
+    gl.DrawBuffers(1, &no_colour);
+    gl.ReadBuffer(GL_NONE);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+    return framebuffer;
+}
+
+struct DeviceRect {
+    GLint x, y;
+    GLsizei width, height;
+};
+
+/// GL counts pixels from the bottom.
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
+    const auto pixels = [&](double length) {
+        return static_cast<GLint>(std::lround(length * frame.pixel_ratio));
+    };
+    return {
+        pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
+}
+
+}  // namespace
+
+/// What all steps of one frame share.
+struct SceneRenderer::Pass {
+    const Camera& camera;
+    DrawLists lists;
+    Light light;
+    ShadowView shadow;
+    Matrix4d clip_from_world;
+    float clip_per_pixel_x;
+    float clip_per_pixel_y;
+    float pixel_scale;  ///< device pixels per pixel of a picture 720 high
+
+    Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame)
+        : camera(seen_by),
+          lists(draw_lists_of(
+              scene,
+              kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target))),
+          light(light_for(scene, seen_by)),
+          clip_from_world(
+              projection_matrix(seen_by, viewport.width / viewport.height) * view_matrix(seen_by)),
+          clip_per_pixel_x(static_cast<float>(2.0 / (viewport.width * frame.pixel_ratio))),
+          clip_per_pixel_y(static_cast<float>(2.0 / (viewport.height * frame.pixel_ratio))),
+          pixel_scale(static_cast<float>(frame.pixel_ratio * frame.height / kReferenceHeight)) {
+        Scene casters;
+        casters.shapes = scene.shapes;
+        shadow = shadow_view(bounds_of(casters), light.towards_key, kShadowTexels);
+    }
+
+    /// Uniforms of `shaders::body_vertex`.
+    void set_vertex_uniforms(const GlProgram& program, float edge_scale) const {
+        program.set("clip_from_world", clip_from_world);
+        program.set("shadow_from_world", shadow.map_from_world);
+        program.set("clip_per_pixel", clip_per_pixel_x, clip_per_pixel_y);
+        program.set("edge_scale", edge_scale);
+        // one and a half texels: what a slope of 45 degrees rises within a tap and its neighbours
+        program.set(
+            "shadow_offset",
+            static_cast<float>(1.5 * shadow.width / kShadowTexels + 0.4 * kShadowBorder * shadow.width));
+    }
+    void set_shadow_uniforms(const GlProgram& program) const {
+        program.set("shadow_map", 0);
+        program.set("shadow_spread", static_cast<float>(kShadowBorder));
+    }
+};
+
+SceneRenderer::SceneRenderer(const GlFunctions& gl)
+    : gl_(gl),
+      body_(gl, "body", shaders::body_vertex(), shaders::body_fragment()),
+      edge_(gl, "edge", shaders::body_vertex(), shaders::edge_fragment()),
+      depth_(gl, "depth", shaders::body_vertex(), shaders::depth_fragment()),
+      ground_(gl, "ground", shaders::ground_vertex(), shaders::ground_fragment()),
+      backdrop_(gl, "backdrop", shaders::backdrop_vertex(), shaders::backdrop_fragment()),
+      line_(gl, "line", shaders::line_vertex(), shaders::line_fragment()),
+      meshes_(gl),
+      line_batch_(gl),
+      no_attributes_(make_vertex_array(gl)),
+      shadow_map_(make_shadow_map(gl)),
+      shadow_framebuffer_(make_shadow_framebuffer(gl, shadow_map_)) {}
+
+void SceneRenderer::draw(
+    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const {
+    const Pass pass(scene, camera, viewport, frame);
+    draw_shadow_map(pass);
+
+    const DeviceRect rect = device_rect(viewport, frame);
+    gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
+    gl_.Scissor(rect.x, rect.y, rect.width, rect.height);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LESS);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, shadow_map_.name());
+    gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+    draw_backdrop();
+    if (scene.ground) { draw_ground(pass, *scene.ground); }
+    draw_bodies(pass);
+    draw_see_through(pass);
+    draw_ghosts(pass);
+
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::draw_shadow_map(const Pass& pass) const {
+    GLint bound = 0;
+    gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.name());
+    gl_.Viewport(0, 0, kShadowTexels, kShadowTexels);
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    gl_.Enable(GL_CULL_FACE);
+    gl_.CullFace(GL_BACK);
+    depth_.use();
+    pass.set_vertex_uniforms(depth_, 0.0F);
+    depth_.set("clip_from_world", pass.shadow.clip_from_world);
+    meshes_.draw(pass.lists.bodies);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+void SceneRenderer::draw_backdrop() const {
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Disable(GL_BLEND);
+    backdrop_.use();
+    backdrop_.set("top", palette::kSkyTop);
+    backdrop_.set("bottom", palette::kSkyBottom);
+    gl_.BindVertexArray(no_attributes_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.Enable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::draw_ground(const Pass& pass, const Ground& ground) const {
+    const Vector3d normal = ground.normal.normalized();
+    // lines run along the axes of the global frame wherever the plane has one
+    const Vector3d along = std::abs(normal.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
+    const Vector3d u = (along - normal * normal.dot(along)).normalized();
+    ground_.use();
+    ground_.set("clip_from_world", pass.clip_from_world);
+    ground_.set("shadow_from_world", pass.shadow.map_from_world);
+    pass.set_shadow_uniforms(ground_);
+    ground_.set("centre", ground.point);
+    ground_.set("axis_u", u);
+    ground_.set("axis_v", Vector3d(normal.cross(u)));
+    ground_.set("radius", static_cast<float>(ground.radius));
+    ground_.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
+    ground_.set("line_width", 1.1F * pass.pixel_scale);
+    ground_.set("plane_colour", palette::kGroundPlane);
+    ground_.set("line_colour", palette::kGroundLine);
+    ground_.set("shadow_colour", palette::kGroundShadow);
+    gl_.Enable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    // bodies that stand on the plane or sink into it stay whole
+    gl_.DepthMask(GL_FALSE);
+    gl_.BindVertexArray(no_attributes_.name());
+    gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl_.DepthMask(GL_TRUE);
+}
+
+void SceneRenderer::draw_bodies(const Pass& pass) const {
+    gl_.Disable(GL_BLEND);
+    shade(pass, pass.lists.bodies, kBodyShadow, 1.0F);
+    draw_edges(pass, pass.lists.bodies);
+    shade(pass, pass.lists.annotations, 0.0F, 1.0F);
+    draw_edges(pass, pass.lists.annotations);
+}
+
+void SceneRenderer::draw_see_through(const Pass& pass) const {
+    // first the hidden parts, so that the visible ones cover their own far sides
+    gl_.DepthFunc(GL_GREATER);
+    draw_lines(pass, pass.lists.see_through_lines, kHiddenAlpha);
+    gl_.Enable(GL_BLEND);
+    gl_.DepthMask(GL_FALSE);
+    shade(pass, pass.lists.see_through, 0.0F, kHiddenAlpha);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_BLEND);
+
+    gl_.DepthFunc(GL_LESS);
+    shade(pass, pass.lists.see_through, 0.0F, 1.0F);
+    draw_edges(pass, pass.lists.see_through);
+    draw_lines(pass, pass.lists.lines, 1.0F);
+    draw_lines(pass, pass.lists.see_through_lines, 1.0F);
+}
+
+void SceneRenderer::draw_ghosts(const Pass& pass) const {
+    // depth first: only the front of each ghost is seen, not its inside
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.Disable(GL_BLEND);
+    shade(pass, pass.lists.ghosts, 0.0F, 1.0F);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.Enable(GL_BLEND);
+    gl_.DepthFunc(GL_LEQUAL);
+    shade(pass, pass.lists.ghosts, 0.0F, 1.0F);
+    gl_.DepthFunc(GL_LESS);
+    draw_edges(pass, pass.lists.ghosts);
+    gl_.Disable(GL_BLEND);
+}
+
+void SceneRenderer::shade(
+    const Pass& pass, const InstanceLists& lists, float shadow_strength, float alpha) const {
+    gl_.Enable(GL_CULL_FACE);
+    gl_.CullFace(GL_BACK);
+    body_.use();
+    pass.set_vertex_uniforms(body_, 0.0F);
+    pass.set_shadow_uniforms(body_);
+    body_.set("eye", pass.camera.eye);
+    body_.set(
+        "parallel_view",
+        pass.camera.orthographic ? Vector3d(-axes_of(pass.camera).forward) : Vector3d(Vector3d::Zero()));
+    body_.set("towards_key", pass.light.towards_key);
+    body_.set("towards_fill", pass.light.towards_fill);
+    body_.set("up", pass.light.up);
+    body_.set("shadow_strength", shadow_strength);
+    body_.set("alpha_scale", alpha);
+    meshes_.draw(lists);
+}
+
+void SceneRenderer::draw_edges(const Pass& pass, const InstanceLists& lists) const {
+    gl_.Enable(GL_CULL_FACE);
+    gl_.CullFace(GL_FRONT);
+    edge_.use();
+    pass.set_vertex_uniforms(edge_, pass.pixel_scale);
+    meshes_.draw(lists);
+    gl_.CullFace(GL_BACK);
+}
+
+void SceneRenderer::draw_lines(const Pass& pass, const std::vector<LineSegment>& lines, float alpha) const {
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Enable(GL_BLEND);
+    // the soft border of one segment must not hide the next
+    gl_.DepthMask(GL_FALSE);
+    line_.use();
+    line_.set("clip_from_world", pass.clip_from_world);
+    line_.set("clip_per_pixel", pass.clip_per_pixel_x, pass.clip_per_pixel_y);
+    line_.set("width_scale", pass.pixel_scale);
+    // beyond 0, where there is no direction on the picture, and before the near plane at 5 % of the distance
+    line_.set("near_w", pass.camera.orthographic ? 0.0F : static_cast<float>(0.01 * pass.camera.distance()));
+    line_.set("alpha_scale", alpha);
+    line_batch_.draw(lines);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_BLEND);
+}
+
+}  // namespace jw::render

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/frame_size.hpp"
+#include "render/gl_objects.hpp"
+#include "render/instanced_meshes.hpp"
+#include "render/scene.hpp"
+#include "render/shadow_view.hpp"
+
+namespace jw::render {
+
+/// Draws scenes through a table of GL functions, whoever made the context.
+///
+/// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is seen
+/// through bodies, lines, ghosts.
+class SceneRenderer {
+public:
+    /// Compiles shaders and uploads meshes. The context must be current here, in `draw` and at destruction;
+    /// `gl` must outlive this.
+    /// @throws std::runtime_error with the driver's words if a shader does not compile.
+    explicit SceneRenderer(const GlFunctions& gl);
+
+    /// Draws into the rectangle `viewport` of the framebuffer that is bound, which has a depth buffer.
+    /// The point that `project(camera, viewport, point)` names is where a point appears.
+    void draw(const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const;
+
+private:
+    struct Pass;
+
+    void draw_shadow_map(const Pass& pass) const;
+    void draw_backdrop() const;
+    void draw_ground(const Pass& pass, const Ground& ground) const;
+    void draw_bodies(const Pass& pass) const;
+    void draw_see_through(const Pass& pass) const;
+    void draw_ghosts(const Pass& pass) const;
+
+    void shade(const Pass& pass, const InstanceLists& lists, float shadow_strength, float alpha) const;
+    void draw_edges(const Pass& pass, const InstanceLists& lists) const;
+    void draw_lines(const Pass& pass, const std::vector<LineSegment>& lines, float alpha) const;
+
+    const GlFunctions& gl_;
+    GlProgram body_;
+    GlProgram edge_;
+    GlProgram depth_;
+    GlProgram ground_;
+    GlProgram backdrop_;
+    GlProgram line_;
+    InstancedMeshes meshes_;
+    LineBatch line_batch_;
+    GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
+    GlTexture shadow_map_;
+    GlFramebuffer shadow_framebuffer_;
+};
+
+}  // namespace jw::render

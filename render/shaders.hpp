@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+/// GLSL 3.30 of the scene renderer. Each is a whole shader.
+namespace jw::render::shaders {
+
+std::string body_vertex();
+std::string body_fragment();
+std::string edge_fragment();   ///< with body_vertex: flat colour of outlines
+std::string depth_fragment();  ///< with body_vertex: nothing but depth
+std::string ground_vertex();
+std::string ground_fragment();
+std::string backdrop_vertex();
+std::string backdrop_fragment();
+std::string line_vertex();
+std::string line_fragment();
+
+}  // namespace jw::render::shaders

@@ -1,0 +1,249 @@
+#include "render/shapes.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+namespace jw::render {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+using Eigen::Vector4f;
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+// Fine enough that a silhouette 200 pixels wide has no visible corners. A software renderer pays for every
+// vertex in every pass, so vectors, of which there are many, get along with fewer.
+constexpr int kAround = 36;
+constexpr int kAroundVector = 18;
+constexpr int kRoundingSteps = 2;
+
+Vector2f direction(float angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// A point of the outline that is turned about z.
+struct ProfilePoint {
+    float radius;
+    float z;
+    Vector2f normal;     ///< radial, axial
+    bool inner = false;  ///< scales with the inner radius
+};
+
+/// A point of the cross-section: where the core is and where the normal points, in the plane z = 0.
+struct SectionPoint {
+    Vector2f core;
+    Vector2f normal;
+};
+
+std::vector<SectionPoint> circle(int points) {
+    std::vector<SectionPoint> section;
+    for (int n = 0; n < points; ++n) {
+        const Vector2f at = direction(2.0F * kPi * static_cast<float>(n) / static_cast<float>(points));
+        section.push_back({at, at});
+    }
+    return section;
+}
+
+/// At each corner the normal turns by 60 degrees.
+std::vector<SectionPoint> hexagon() {
+    constexpr int steps = 6;
+    std::vector<SectionPoint> section;
+    for (int corner = 0; corner < 6; ++corner) {
+        const float at = static_cast<float>(corner) * kPi / 3.0F;
+        for (int n = 0; n <= steps; ++n) {
+            const float turned = (static_cast<float>(n) / steps - 0.5F) * kPi / 3.0F;
+            section.push_back({direction(at), direction(at + turned)});
+        }
+    }
+    return section;
+}
+
+/// Normals from `first` to `last` [rad from the radial direction] at one core point.
+void add_arc(
+    std::vector<ProfilePoint>& profile, float radius, float z, float first, float last, int steps,
+    bool inner) {
+    for (int n = 0; n <= steps; ++n) {
+        const float angle = first + (last - first) * static_cast<float>(n) / static_cast<float>(steps);
+        profile.push_back({radius, z, direction(angle), inner});
+    }
+}
+
+void add_quads(Mesh& mesh, std::size_t rows, std::size_t columns, bool wrap) {
+    const std::size_t last = wrap ? columns : columns - 1;
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t column = 0; column < last; ++column) {
+            const std::size_t next = (column + 1) % columns;
+            const std::size_t base = mesh.vertices.size() - rows * columns;
+            const auto index = [&](std::size_t r, std::size_t c) {
+                return static_cast<std::uint16_t>(base + r * columns + c);
+            };
+            const std::array corners{
+                index(row, column), index(row, next), index(row + 1, next), index(row + 1, column)};
+            for (const int n : {0, 1, 2, 0, 2, 3}) {
+                mesh.indices.push_back(corners[static_cast<std::size_t>(n)]);
+            }
+        }
+    }
+}
+
+Mesh lathe(const std::vector<ProfilePoint>& profile, const std::vector<SectionPoint>& section) {
+    Mesh mesh;
+    for (const ProfilePoint& p : profile) {
+        for (const SectionPoint& s : section) {
+            // a hole is round whatever the outside is
+            const Vector2f core = p.radius * (p.inner ? s.normal : s.core);
+            mesh.vertices.push_back({
+                {core.x(), core.y(), p.z, p.inner ? 1.0F : 0.0F},
+                {p.normal.x() * s.normal.x(), p.normal.x() * s.normal.y(), p.normal.y()},
+            });
+        }
+    }
+    add_quads(mesh, profile.size(), section.size(), true);
+    return mesh;
+}
+
+Mesh round_bar() {
+    std::vector<ProfilePoint> profile{{0.0F, 0.0F, {0.0F, -1.0F}}};
+    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, kRoundingSteps, false);
+    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, kRoundingSteps, false);
+    profile.push_back({0.0F, 1.0F, {0.0F, 1.0F}});
+    return lathe(profile, circle(kAround));
+}
+
+Mesh shaft() {
+    return lathe(
+        {{0.0F, 0.0F, {0.0F, -1.0F}},
+         {1.0F, 0.0F, {0.0F, -1.0F}},
+         {1.0F, 0.0F, {1.0F, 0.0F}},
+         {1.0F, 1.0F, {1.0F, 0.0F}}},
+        circle(kAroundVector));
+}
+
+Mesh rod() {
+    std::vector<ProfilePoint> profile;
+    add_arc(profile, 0.0F, 0.0F, -kPi / 2, 0.0F, 8, false);
+    add_arc(profile, 0.0F, 1.0F, 0.0F, kPi / 2, 8, false);
+    return lathe(profile, circle(kAround));
+}
+
+std::vector<ProfilePoint> hollow_profile() {
+    std::vector<ProfilePoint> profile;
+    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, kRoundingSteps, false);
+    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, kRoundingSteps, false);
+    add_arc(profile, 1.0F, 1.0F, kPi / 2, kPi, kRoundingSteps, true);
+    add_arc(profile, 1.0F, 0.0F, kPi, 1.5F * kPi, kRoundingSteps, true);
+    profile.push_back(profile.front());
+    return profile;
+}
+
+Mesh ring() {
+    std::vector<ProfilePoint> profile;
+    add_arc(profile, 1.0F, 0.0F, -kPi, kPi, 12, false);
+    return lathe(profile, circle(48));
+}
+
+Mesh cone() {
+    const float slope = std::atan2(1.0F, kConeLength);  // of the side's normal above the plane of the base
+    std::vector<ProfilePoint> profile{{0.0F, 0.0F, {0.0F, -1.0F}}};
+    add_arc(profile, 1.0F, 0.0F, -kPi / 2, slope, 1, false);
+    add_arc(profile, 0.0F, kConeLength, slope, kPi / 2, 1, false);
+    return lathe(profile, circle(kAroundVector));
+}
+
+/// Every face is a grid; on either half of it one corner's normals, spread like the squares of a cube
+/// blown up to a sphere, so that the faces meet without a seam.
+Mesh box() {
+    struct Step {
+        float core;
+        float slope;
+    };
+    std::vector<Step> steps;
+    for (const float side : {-1.0F, 1.0F}) {
+        for (int n = 0; n <= kRoundingSteps; ++n) {
+            const float angle = kPi / 4 * static_cast<float>(n) / kRoundingSteps;
+            steps.push_back({side, side < 0.0F ? -std::tan(kPi / 4 - angle) : std::tan(angle)});
+        }
+    }
+    Mesh mesh;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face % 3;
+        const Vector3f out = (face < 3 ? 1.0F : -1.0F) * Vector3f::Unit(axis);
+        const Vector3f across = Vector3f::Unit((axis + 1) % 3);
+        const Vector3f along = out.cross(across);
+        for (const Step& v : steps) {
+            for (const Step& u : steps) {
+                const Vector3f core = out + u.core * across + v.core * along;
+                const Vector3f normal = (out + u.slope * across + v.slope * along).normalized();
+                mesh.vertices.push_back({{core.x(), core.y(), core.z(), 0.0F}, normal});
+            }
+        }
+        add_quads(mesh, steps.size(), steps.size(), false);
+    }
+    return mesh;
+}
+
+/// One turn of a trapezoidal ridge: up from the valley at z = u, crest, down to the valley at z = u + 1.
+Mesh right_thread() {
+    struct RidgePoint {
+        float z;
+        float inner;
+        float lean;  ///< axial part of the normal of a flank
+    };
+    constexpr float lean = 0.8F;
+    constexpr std::array<RidgePoint, 8> ridge{{
+        {0.05F, 1.0F, -lean},
+        {0.4F, 0.0F, -lean},
+        {0.4F, 0.0F, 0.0F},
+        {0.6F, 0.0F, 0.0F},
+        {0.6F, 0.0F, lean},
+        {0.95F, 1.0F, lean},
+        {0.95F, 1.0F, 0.0F},
+        {1.05F, 1.0F, 0.0F},
+    }};
+    Mesh mesh;
+    for (const RidgePoint& point : ridge) {
+        for (int n = 0; n <= kAround; ++n) {
+            const float turn = static_cast<float>(n) / kAround;
+            const Vector2f at = direction(2.0F * kPi * turn);
+            mesh.vertices.push_back(
+                {{at.x(), at.y(), turn + point.z, point.inner},
+                 Vector3f(at.x(), at.y(), point.lean).normalized()});
+        }
+    }
+    add_quads(mesh, ridge.size(), kAround + 1, false);
+    return mesh;
+}
+
+Mesh mirrored(Mesh mesh) {
+    for (MeshVertex& vertex : mesh.vertices) {
+        vertex.core.y() = -vertex.core.y();
+        vertex.normal.y() = -vertex.normal.y();
+    }
+    for (std::size_t n = 0; n + 2 < mesh.indices.size(); n += 3) {
+        std::swap(mesh.indices[n], mesh.indices[n + 1]);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+Mesh make_mesh(MeshKind kind) {
+    switch (kind) {
+        case MeshKind::box: return box();
+        case MeshKind::round_bar: return round_bar();
+        case MeshKind::rod: return rod();
+        case MeshKind::tube: return lathe(hollow_profile(), circle(kAround));
+        case MeshKind::ring: return ring();
+        case MeshKind::nut: return lathe(hollow_profile(), hexagon());
+        case MeshKind::right_thread: return right_thread();
+        case MeshKind::left_thread: return mirrored(right_thread());
+        case MeshKind::shaft: return shaft();
+        case MeshKind::cone: return cone();
+    }
+    throw std::invalid_argument("make_mesh: no such mesh");
+}
+
+}  // namespace jw::render

@@ -1,0 +1,180 @@
+#include <catch2/catch.hpp>
+
+#include "core/assembler.hpp"
+#include "tests/support/random_mechanisms.hpp"
+#include "tests/support/reference_phi.hpp"
+
+using namespace jw;
+using reference::Positions;
+using reference::Real;
+using reference::VX;
+
+namespace {
+
+// Central differences of order 4 in long double: truncation h⁴ and rounding 1e-19/h (1e-19/h²) leave about
+// 1e-14 for first and 1e-11 for second derivatives of functions of size 1 to 10.
+constexpr Real kFirstStep = 1e-4L;
+constexpr Real kSecondStep = 5e-4L;
+constexpr double kTolerance = 1e-9;
+
+Positions positions_of(const State& state) {
+    Positions q;
+    for (const Vec3& r : state.r) { q.r.push_back(r.cast<Real>()); }
+    for (const Vec4& p : state.p) { q.p.push_back(p.cast<Real>()); }
+    for (const double theta : state.theta) { q.theta.push_back(theta); }
+    return q;
+}
+
+/// q(t) = q + q̇ t + q̈ t²/2 for velocities and accelerations given as columns of the choice C.
+template <class C>
+Positions moved(const System& system, const State& state, const VectorX& v, const VectorX& a, Real t) {
+    Positions q = positions_of(state);
+    for (const int body : system.moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        const int column = system.body_column(body, C::kAngular);
+        q.r[b] += t * v.segment<3>(column).cast<Real>() + t * t / 2 * a.segment<3>(column).cast<Real>();
+        Vec4 p_dot;
+        Vec4 p_ddot;
+        if constexpr (C::kNormalised) {
+            p_dot = v.segment<4>(column + 3);
+            p_ddot = a.segment<4>(column + 3);
+        } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
+            p_dot = p_dot_of_omega_global(state.p[b], v.segment<3>(column + 3));
+            p_ddot = p_ddot_of_omega_global(state.p[b], v.segment<3>(column + 3), a.segment<3>(column + 3));
+        } else {
+            p_dot = p_dot_of_omega_local(state.p[b], v.segment<3>(column + 3));
+            p_ddot = p_ddot_of_omega_local(state.p[b], v.segment<3>(column + 3), a.segment<3>(column + 3));
+        }
+        q.p[b] += t * p_dot.cast<Real>() + t * t / 2 * p_ddot.cast<Real>();
+    }
+    for (const int theta : system.active_thetas()) {
+        const int column = system.theta_column(theta, C::kAngular);
+        q.theta[static_cast<std::size_t>(theta)] += t * Real(v(column)) + t * t / 2 * Real(a(column));
+    }
+    return q;
+}
+
+template <class C>
+void check_against_differences(
+    const Mechanism& mechanism, const State& state, const Motion& motion, unsigned seed) {
+    const System system(mechanism, everything(mechanism));
+    Assembler<C> assembler(system);
+    const double t0 = 0.3;
+    assembler.assemble_phi_and_jacobian(state, t0);
+    assembler.assemble_nu(t0);
+    assembler.assemble_gamma(state, motion, t0);
+    const VectorX v = assembler.layout().columns_of(state, motion);
+    const Eigen::Index columns = v.size();
+    test::Random random(seed + 1000);
+    VectorX a(columns);
+    for (double& entry : a) { entry = random.number(); }
+    const VectorX none = VectorX::Zero(columns);
+
+    constexpr bool homogeneous = C::kChoice != CoordinateChoice::true_euler_parameters;
+    const auto phi = [&](const VectorX& velocity, const VectorX& acceleration, Real t, Real time) {
+        return reference::phi(
+            system, moved<C>(system, state, velocity, acceleration, t), time, homogeneous, C::kNormalised);
+    };
+    const auto difference = [&](const auto& f) {
+        const Real h = kFirstStep;
+        return VX((8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h));
+    };
+    const auto close = [](const VectorX& ours, const VX& theirs) {
+        const VectorX reference = theirs.cast<double>();
+        return (ours - reference).cwiseAbs().maxCoeff() <=
+               kTolerance * std::max(1.0, reference.cwiseAbs().maxCoeff());
+    };
+
+    CHECK(close(assembler.phi(), phi(none, none, 0, t0)));
+    for (Eigen::Index k = 0; k < columns; ++k) {
+        CAPTURE(k);
+        const VectorX unit = VectorX::Unit(columns, k);
+        CHECK(close(assembler.jacobian().col(k), difference([&](Real t) { return phi(unit, none, t, t0); })));
+    }
+    CHECK(close(assembler.nu(), -difference([&](Real t) { return phi(none, none, 0, Real(t0) + t); })));
+
+    const auto along = [&](Real t) { return phi(v, a, t, Real(t0) + t); };
+    const Real h = kSecondStep;
+    const VX second =
+        (16 * (along(h) + along(-h)) - (along(2 * h) + along(-2 * h)) - 30 * along(0)) / (12 * h * h);
+    CHECK(close(assembler.jacobian() * a - assembler.gamma(), second));
+}
+
+State random_theta(State state, test::Random& random) {
+    for (double& theta : state.theta) { theta = random.number(-3.0, 3.0); }
+    return state;
+}
+
+Motion random_theta_rate(Motion motion, test::Random& random) {
+    for (double& rate : motion.theta_dot) { rate = random.number(); }
+    return motion;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE(
+    "Phi, Jacobian and gamma of every joint type equal differences of Phi in every coordinate choice",
+    "[core][derivatives]", TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
+    const auto form = GENERATE(
+        ParallelForm::rule, ParallelForm::drop_x, ParallelForm::drop_y, ParallelForm::drop_z,
+        ParallelForm::all_three, ParallelForm::pair);
+    for (const JointType& type : kJointTypes) {
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            test::Random random(seed);
+            const auto screw =
+                std::array{ScrewAngleForm::rotation, ScrewAngleForm::cosine, ScrewAngleForm::sine}[seed % 3];
+            const Mechanism mechanism = test::random_joint(random, type, form, screw);
+            CAPTURE(type.name, seed, static_cast<int>(form));
+            const State state = random_theta(start_state(mechanism), random);
+            const Motion motion = random_theta_rate(start_motion(mechanism), random);
+            check_against_differences<TestType>(mechanism, state, motion, seed);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE(
+    "Both Euler parameter choices are exact for p of any length", "[core][derivatives]", TrueEulerParameters,
+    ModifiedEulerParameters) {
+    for (const JointType& type : kJointTypes) {
+        test::Random random(7);
+        Mechanism mechanism = test::random_joint(random, type, ParallelForm::rule, ScrewAngleForm::rotation);
+        mechanism.bodies[0].p *= 1.3;
+        mechanism.bodies[1].p *= 0.8;
+        CAPTURE(type.name);
+        check_against_differences<TestType>(mechanism, start_state(mechanism), start_motion(mechanism), 7);
+    }
+}
+
+TEMPLATE_TEST_CASE(
+    "Every driver equals differences of Phi in every coordinate choice", "[core][derivatives]",
+    TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        test::Random random(seed);
+        const Mechanism mechanism = test::random_drivers(random);
+        CAPTURE(seed);
+        const State state = random_theta(start_state(mechanism), random);
+        const Motion motion = random_theta_rate(start_motion(mechanism), random);
+        check_against_differences<TestType>(mechanism, state, motion, seed);
+    }
+}
+
+TEST_CASE("Derivatives hold at and next to the hard spots", "[core][derivatives]") {
+    // aligned, anti-parallel and perpendicular axes, coincident points, θ = 0 and π
+    const double offset = GENERATE(0.0, 1e-9, 1e-3);
+    const auto angle = GENERATE(0.0, 0.5, 1.0);  // half turns of body j
+    for (const JointType& type : kJointTypes) {
+        test::Random random(3);
+        Mechanism mechanism = test::random_joint(random, type, ParallelForm::rule, ScrewAngleForm::rotation);
+        JointGeometry& g = mechanism.joints[0].geometry;
+        g.s_i_local = g.s_j_local = Vec3::UnitZ();
+        g.u_i_local = g.u_j_local = Vec3::UnitX();
+        g.P_i_local = g.P_j_local = Vec3::Zero();
+        mechanism.bodies[0].p = Vec4::Unit(0);
+        mechanism.bodies[1].p = euler_parameters_of(Vec3::UnitX(), angle * std::numbers::pi + offset);
+        mechanism.bodies[1].r = mechanism.bodies[0].r + Vec3::Constant(offset);
+        CAPTURE(type.name, offset, angle);
+        const State state = start_state(mechanism);
+        check_against_differences<OmegaLocal>(mechanism, state, start_motion(mechanism), 3);
+        check_against_differences<ModifiedEulerParameters>(mechanism, state, start_motion(mechanism), 3);
+    }
+}

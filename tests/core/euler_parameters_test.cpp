@@ -1,0 +1,80 @@
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+#include "core/euler_parameters.hpp"
+#include "tests/support/random_mechanisms.hpp"
+
+using namespace jw;
+
+namespace {
+
+// a dozen products of numbers below 10, each rounded to 1e-16
+constexpr double kRounding = 2e-14;
+
+}  // namespace
+
+TEST_CASE("A, G and L obey the identities of the book", "[core][euler_parameters]") {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        test::Random random(seed);
+        CAPTURE(seed);
+        const Vec4 p = random.unit_p();
+        const Vec3 s = random.vector(3.0);
+        CHECK((rotation_matrix(p) - homogeneous_rotation_matrix(p)).norm() < kRounding);
+        CHECK((rotation_matrix(p) * rotation_matrix(p).transpose() - Mat3::Identity()).norm() < kRounding);
+        CHECK((G_of(p) * p).norm() < kRounding);
+        CHECK((L_of(p) * p).norm() < kRounding);
+        CHECK((L_of(p).transpose() * s - bar(s) * p).norm() < kRounding);
+        CHECK(
+            (rotation_matrix(p) * tilde(s) - tilde(rotation_matrix(p) * s) * rotation_matrix(p)).norm() <
+            kRounding);
+        // off the sphere: A_N = A_H + (pᵀp - 1) I
+        const Vec4 q = 1.3 * p;
+        const Mat3 difference = rotation_matrix(q) - homogeneous_rotation_matrix(q);
+        CHECK((difference - (q.squaredNorm() - 1.0) * Mat3::Identity()).norm() < kRounding);
+    }
+}
+
+TEST_CASE("Every conversion of slide 13 is undone by its partner", "[core][euler_parameters]") {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        test::Random random(seed);
+        CAPTURE(seed);
+        const Vec4 p = random.unit_p();
+        const Mat3 A = rotation_matrix(p);
+        const Vec3 w = random.vector(3.0);
+        const Vec3 w_dot = random.vector(3.0);
+        CHECK((omega_local_of(p, p_dot_of_omega_local(p, w)) - w).norm() < kRounding);
+        CHECK((omega_global_of(p, p_dot_of_omega_global(p, w)) - w).norm() < kRounding);
+        CHECK((omega_local_dot_of(p, p_ddot_of_omega_local(p, w, w_dot)) - w_dot).norm() < kRounding);
+        CHECK((omega_global_dot_of(p, p_ddot_of_omega_global(p, w, w_dot)) - w_dot).norm() < kRounding);
+        // ω = A ω', and both give the same ṗ and p̈ (ω̇ = A ω̇')
+        CHECK((p_dot_of_omega_local(p, w) - p_dot_of_omega_global(p, A * w)).norm() < kRounding);
+        CHECK(
+            (p_ddot_of_omega_local(p, w, w_dot) - p_ddot_of_omega_global(p, A * w, A * w_dot)).norm() <
+            kRounding);
+    }
+}
+
+TEST_CASE(
+    "p comes back from its matrix for every rotation, half turns included", "[core][euler_parameters]") {
+    const double angle = GENERATE(
+        0.0, 1e-9, 1e-4, 1.0, 2.0, std::numbers::pi - 1e-9, std::numbers::pi, std::numbers::pi + 1e-9, 5.0);
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        test::Random random(seed);
+        Vec3 axis = random.direction();
+        if (seed <= 3) { axis = Vec3::Unit(seed - 1); }
+        const Vec4 p = euler_parameters_of(axis, angle);
+        const Vec4 back = euler_parameters_of(rotation_matrix(p));
+        CAPTURE(seed, angle);
+        CHECK(std::min((back - p).norm(), (back + p).norm()) < kRounding);
+    }
+}
+
+TEST_CASE("Turning by a rotation vector and measuring it agree", "[core][euler_parameters]") {
+    const double angle = GENERATE(0.0, 1e-12, 1e-5, 0.3, 3.0);
+    test::Random random(11);
+    const Vec4 p = random.unit_p();
+    const Vec3 turn = angle * random.direction();
+    CHECK((turn_local_between(p, turned_local(p, turn)) - turn).norm() < kRounding);
+    CHECK((turned_global(p, rotation_matrix(p) * turn) - turned_local(p, turn)).norm() < kRounding);
+}

@@ -1,0 +1,196 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "render/framing.hpp"
+#include "render/png.hpp"
+#include "tests/render/support.hpp"
+
+namespace jw::render::test {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 180;
+const Rect kWhole{0.0, 0.0, kWidth, kHeight};
+
+/// Hue counts, not light: which channel is strongest and which weakest.
+bool looks(const std::uint8_t* pixel, const Colour& colour) {
+    const auto order = [](float r, float g, float b) { return std::pair(r > g, g > b); };
+    return order(pixel[0], pixel[1], pixel[2]) == order(colour.r, colour.g, colour.b);
+}
+
+Scene small_scene() {
+    Scene scene;
+    scene.ground = Ground{};
+    Box box;
+    box.pose.r = {0.0, 0.0, 0.5};
+    scene.shapes.push_back({box, palette::kOrange});
+    scene.shapes.push_back({Rod{{1.0, 0.0, 0.3}, {1.5, 0.8, 0.6}, 0.1}, palette::kBlue, true});
+    scene.shapes.push_back({Sphere{{-1.0, 0.0, 0.4}, 0.3}, with_alpha(palette::kGreen, 0.4F)});
+    scene.arrows.push_back({{0.0, 0.0, 0.5}, {0.0, -1.2, 0.9}, 0.02, palette::kVectorJ, true});
+    scene.triads.push_back({});
+    scene.polylines.push_back(
+        {{{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.2}, {1.0, 1.0, 0.4}}, 2.0, palette::kPurple});
+    return scene;
+}
+
+Camera view_of(const Scene& scene, const Rect& viewport = kWhole) {
+    return frame_scene(bounds_of(scene), viewport);
+}
+
+}  // namespace
+
+TEST_CASE("a body appears in its own colour before a pale backdrop", "[render][picture]") {
+    const auto colour = GENERATE(from_range(palette::kBodies));
+    Scene scene;
+    scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, colour});
+    const Image image = picture(scene, view_of(scene), kWhole, kWidth, kHeight);
+    CHECK(looks(image.at(kWidth / 2, kHeight / 2), colour));
+    for (const int x : {3, kWidth - 4}) {
+        for (const int y : {3, kHeight - 4}) {
+            const std::uint8_t* const corner = image.at(x, y);
+            CHECK(*std::min_element(corner, corner + 3) > 220);
+        }
+    }
+}
+
+TEST_CASE("two runs give the same bytes", "[render][picture]") {
+    const Scene scene = small_scene();
+    const auto png = [&] { return encode_png(picture(scene, view_of(scene), kWhole, kWidth, kHeight)); };
+    CHECK(png() == png());
+}
+
+TEST_CASE("one renderer draws the same frame whatever it drew before", "[render][picture]") {
+    const Scene scene = small_scene();
+    Offscreen offscreen(kWidth, kHeight);
+    const SceneRenderer renderer(offscreen.gl());
+    const auto draw = [&](const Scene& what) {
+        offscreen.begin_3d();
+        renderer.draw(what, view_of(scene), kWhole, offscreen.size());
+        offscreen.begin_2d();
+        return offscreen.read();
+    };
+    const Image first = draw(scene);
+    CHECK_FALSE(draw(Scene{}) == first);
+    CHECK(draw(scene) == first);
+}
+
+TEST_CASE("a small sphere is drawn where project says", "[render][picture]") {
+    const bool orthographic = GENERATE(false, true);
+    const Rect viewport{60.0, 20.0, 200.0, 140.0};
+    Framing framing;
+    framing.orthographic = orthographic;
+    Bounds bounds;
+    bounds.include(Vector3d::Zero(), 1.0);
+    const Camera camera = frame_scene(bounds, viewport, framing);
+    const Vector3d centre =
+        GENERATE(Vector3d(0.5, 0.2, 0.4), Vector3d(-0.6, 0.1, -0.3), Vector3d(0.0, -0.7, 0.2));
+    Scene scene;
+    scene.shapes.push_back({Sphere{centre, 0.08}, palette::kInk});
+    const Image image = picture(scene, camera, viewport, kWidth, kHeight);
+
+    double x = 0.0;
+    double y = 0.0;
+    double count = 0.0;
+    for (int row = 0; row < kHeight; ++row) {
+        for (int column = 0; column < kWidth; ++column) {
+            if (image.at(column, row)[0] < 140) {
+                x += column + 0.5;
+                y += row + 0.5;
+                count += 1.0;
+            }
+        }
+    }
+    REQUIRE(count > 20.0);
+    const Projected seen = project(camera, viewport, centre);
+    // half a pixel: the centroid of some 60 pixels, edges cut at a threshold, a sphere off the axis an
+    // ellipse
+    CHECK(x / count == Approx(seen.x).margin(0.5));
+    CHECK(y / count == Approx(seen.y).margin(0.5));
+}
+
+TEST_CASE("nothing is drawn outside the viewport", "[render][picture]") {
+    const Rect viewport{100.0, 40.0, 120.0, 90.0};
+    Scene scene = small_scene();
+    const Image image = picture(scene, view_of(scene, viewport), viewport, kWidth, kHeight);
+    std::set<std::array<int, 3>> outside;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const std::uint8_t* const p = image.at(x, y);
+            if (!viewport.contains(x + 0.5, y + 0.5)) { outside.insert({p[0], p[1], p[2]}); }
+        }
+    }
+    CHECK(outside.size() == 1);
+}
+
+TEST_CASE(
+    "a vector inside a body shows faintly when it is see-through, and not otherwise", "[render][picture]") {
+    Scene scene;
+    scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, palette::kSky});
+    const Camera camera = view_of(scene);
+    const Image body = picture(scene, camera, kWhole, kWidth, kHeight);
+    const bool see_through = GENERATE(true, false);
+    scene.arrows.push_back({{0.0, 0.0, -0.2}, {0.0, 0.0, 0.2}, 0.04, palette::kVectorJ, false, see_through});
+    CHECK((picture(scene, camera, kWhole, kWidth, kHeight) == body) == !see_through);
+}
+
+TEST_CASE("a ghost lets the body behind it shine through", "[render][picture]") {
+    Scene scene;
+    scene.shapes.push_back({Sphere{{0.0, 0.0, 0.0}, 0.3}, palette::kOrange});
+    Bounds bounds;
+    bounds.include(Vector3d::Zero(), 1.0);
+    const Camera camera = frame_scene(bounds, kWhole);
+    const Image solid = picture(scene, camera, kWhole, kWidth, kHeight);
+    scene.shapes.push_back({Sphere{{0.0, 0.0, 0.0}, 0.6}, with_alpha(palette::kBlue, 0.3F)});
+    const Image veiled = picture(scene, camera, kWhole, kWidth, kHeight);
+    const std::uint8_t* const before = solid.at(kWidth / 2, kHeight / 2);
+    const std::uint8_t* const after = veiled.at(kWidth / 2, kHeight / 2);
+    CHECK(looks(after, palette::kOrange));
+    CHECK(after[2] > before[2]);
+    CHECK(after[0] < before[0]);
+}
+
+TEST_CASE("a body darkens the ground beside it", "[render][picture]") {
+    Scene scene = small_scene();
+    const Camera camera = view_of(scene);
+    const auto darkness = [&](const Scene& what) {
+        const Image image = picture(what, camera, kWhole, kWidth, kHeight);
+        long sum = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                // grey means ground: all bodies of this scene are colourful
+                const std::uint8_t* const p = image.at(x, y);
+                const auto [least, most] = std::minmax({p[0], p[1], p[2]});
+                if (most - least < 25 && most < 205 && most > 120) { ++sum; }
+            }
+        }
+        return sum;
+    };
+    Scene bare;
+    bare.ground = scene.ground;
+    CHECK(darkness(bare) < 20);
+    CHECK(darkness(scene) > 200);
+}
+
+TEST_CASE("sizes that cannot be drawn are refused with the limit", "[render][picture]") {
+    CHECK_THROWS_WITH(Offscreen(0, 100), Catch::Contains("a picture of 0 x 100 pixels cannot be drawn"));
+    CHECK_THROWS_WITH(Offscreen(100, 1 << 20), Catch::Contains("each side must be 1 to"));
+}
+
+TEST_CASE("the renderer says what draws", "[render][picture]") {
+    const Offscreen offscreen(16, 16);
+    CHECK_THAT(offscreen.renderer(), Catch::Contains("Mesa"));
+    CHECK(offscreen.samples() >= 1);
+}
+
+TEST_CASE("a driver without a function of OpenGL 3.3 is an error that names it", "[render][picture]") {
+    const GlLoader none = [](const char* name) -> void* {
+        static int something = 0;
+        return std::string_view(name) == "glBlitFramebuffer" ? nullptr : &something;
+    };
+    CHECK_THROWS_WITH(
+        load_gl_functions(none), "the graphics driver lacks parts of OpenGL 3.3: glBlitFramebuffer");
+}
+
+}  // namespace jw::render::test

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "core/mechanism.hpp"
+
+/// Seeded random scenes for property tests.
+namespace jw::test {
+
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+    double number(double low = -1.0, double high = 1.0) { return low + (high - low) * unit_(engine_); }
+    Vec3 vector(double size = 1.0) { return size * Vec3(number(), number(), number()); }
+    Vec3 direction() {
+        Vec3 v = vector();
+        while (v.norm() < 0.2) { v = vector(); }
+        return v.normalized();
+    }
+    Vec4 unit_p() {
+        Vec4 p(number(), number(), number(), number());
+        while (p.norm() < 0.2) { p = Vec4(number(), number(), number(), number()); }
+        return p.normalized();
+    }
+
+private:
+    std::mt19937 engine_;
+    std::uniform_real_distribution<double> unit_{0.0, 1.0};
+};
+
+inline Body random_body(Random& random, const std::string& name) {
+    Body body;
+    body.name = name;
+    body.r = random.vector(2.0);
+    body.p = random.unit_p();
+    body.r_dot = random.vector();
+    body.omega_local = random.vector(2.0);
+    return body;
+}
+
+/// Vectors of any length and direction; only what must be unit or perpendicular is.
+inline JointGeometry random_geometry(Random& random) {
+    JointGeometry g;
+    g.P_i_local = random.vector();
+    g.P_j_local = random.vector();
+    g.s_i_local = random.number(0.5, 2.0) * random.direction();
+    g.s_j_local = random.number(0.5, 2.0) * random.direction();
+    g.h_i_local = random.vector() + Vec3(0.3, 0.0, 0.0);
+    g.h_j_local = random.vector() + Vec3(0.0, 0.3, 0.0);
+    g.u_i_local = perpendicular_to(g.s_i_local);
+    g.u_j_local = random.direction();
+    g.length = random.number(0.5, 2.0);
+    g.alpha = random.number(-0.5, 0.5);
+    g.d_0 = random.number();
+    g.theta_0 = random.number();
+    return g;
+}
+
+/// Two moving bodies and one joint between them.
+inline Mechanism random_joint(
+    Random& random, const JointType& type, ParallelForm form, ScrewAngleForm screw) {
+    Mechanism m;
+    m.bodies = {random_body(random, "i"), random_body(random, "j")};
+    Joint joint;
+    joint.name = "joint";
+    joint.type = &type;
+    joint.body_i = 0;
+    joint.body_j = 1;
+    joint.geometry = random_geometry(random);
+    joint.geometry.screw_angle_form = screw;
+    joint.parallel_form = form;
+    m.joints.push_back(joint);
+    return m;
+}
+
+inline TimeFunction random_function(Random& random) {
+    TimeFunction f;
+    f.polynomial = {random.number(0.5, 1.0), random.number(), random.number(), random.number()};
+    f.harmonics = {{random.number(), random.number(0.5, 3.0), random.number()}};
+    f.steps = {{random.number(), random.number(), -0.5, 1.5}};
+    return f;
+}
+
+/// Two moving bodies and one driver of every measure.
+inline Mechanism random_drivers(Random& random) {
+    Mechanism m;
+    m.bodies = {random_body(random, "i"), random_body(random, "j")};
+    Joint screw;
+    screw.name = "screw";
+    screw.type = find_joint_type("screw");
+    screw.body_i = 0;
+    screw.body_j = 1;
+    screw.geometry = random_geometry(random);
+    m.joints.push_back(screw);
+    const auto add = [&](const Measure& measure, int joint) {
+        m.drivers.push_back({"driver", joint, 0, 1, measure, random_function(random)});
+    };
+    add(
+        AngleMeasure{
+            screw.geometry.s_i_local.normalized(), screw.geometry.u_i_local, screw.geometry.u_j_local},
+        -1);
+    add(DisplacementMeasure{random.direction(), random.vector(), random.vector()}, -1);
+    add(SquaredDistanceMeasure{random.vector(), random.vector()}, -1);
+    for (int k = 0; k < 7; ++k) { add(CoordinateMeasure{k}, -1); }
+    add(ThetaMeasure{}, 0);
+    return m;
+}
+
+}  // namespace jw::test
