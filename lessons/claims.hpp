@@ -42,13 +42,7 @@ struct PointQuantity {
     Vec3 s_local = Vec3::Zero();
     int component = 0;
 };
-/// One component of A s'.
-struct VectorQuantity {
-    int body = 0;
-    Vec3 s_local = Vec3::Zero();
-    int component = 0;
-};
-using Quantity = std::variant<MeasureQuantity, AngularVelocityQuantity, PointQuantity, VectorQuantity>;
+using Quantity = std::variant<MeasureQuantity, AngularVelocityQuantity, PointQuantity>;
 
 /// What a quantity is measured in before any time derivative.
 enum class Unit { none, metre, radian, radian_per_second };

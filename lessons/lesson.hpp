@@ -24,9 +24,9 @@ struct Colour {
 
 /// Shapes to draw; points and axes in the body frame [m].
 struct Box {
-    Vec3 size = Vec3::Ones();         ///< edge lengths along the columns of `axes`
+    Vec3 size = Vec3::Ones();  ///< edge lengths along the columns of `axes`
     Vec3 centre = Vec3::Zero();
-    Mat3 axes = Mat3::Identity();     ///< right-handed, orthonormal
+    Mat3 axes = Mat3::Identity();  ///< right-handed, orthonormal
 };
 struct Cylinder {
     Vec3 from = Vec3::Zero();
@@ -90,10 +90,6 @@ struct StepTexts {
     std::vector<AtTime> times;         ///< sorted by time
 };
 
-struct LessonOptions {
-    double hysteresis = 0.8;  ///< the kappa of independent_rows.hpp, in (0, 1]
-};
-
 struct Lesson {
     std::string file_name;  ///< as it was given to the reader
     std::string title;
@@ -101,13 +97,12 @@ struct Lesson {
     std::string source;  ///< slides or book pages
     std::string text;
 
-    Mechanism mechanism;             ///< bodies[0] is the ground
-    std::vector<Look> looks;         ///< one per body of the mechanism
-    std::vector<Addition> order;     ///< every joint and driver once, in the order in which they are added
+    Mechanism mechanism;          ///< bodies[0] is the ground
+    std::vector<Look> looks;      ///< one per body of the mechanism
+    std::vector<Addition> order;  ///< every joint and driver once, in the order in which they are added
     CoordinateChoice coordinates = CoordinateChoice::modified_euler_parameters;
     std::optional<MotionPlan> motion;
     CameraWish camera;
-    LessonOptions options;
     StepTexts step_texts;
     std::vector<Claim> claims;
 };

@@ -93,8 +93,7 @@ struct Shape {
 struct Arrow {
     Vector3d from = Vector3d::Zero();
     Vector3d to = Vector3d::UnitZ();
-    double radius =
-        0.01;  ///< of the shaft; see `pixel_size` in camera.hpp for a constant width on the picture
+    double radius = 0.01;  ///< of the shaft; for a constant width on the picture see `pixel_size`
     Colour colour = palette::kVectorI;
     bool dashed = false;
     bool see_through = true;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kShadowTexels = 1024;
 constexpr double kShadowBorder = 0.006;  // softness of shadows, in widths of the map
-constexpr float kBodyShadow = 0.75F;     // how much of the key light a body can take from another
 constexpr float kHiddenAlpha = 0.30F;    // of what is seen through a body
 constexpr double kDashPixels = 9.0;
 constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
@@ -81,6 +80,11 @@ DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
 }
 
 }  // namespace
+
+const SceneRenderer::Surface SceneRenderer::kBody{0.75F, 0.0F, 1.0F};
+const SceneRenderer::Surface SceneRenderer::kAnnotation{0.0F, 0.45F, 1.0F};
+const SceneRenderer::Surface SceneRenderer::kHidden{0.0F, 0.45F, kHiddenAlpha};
+const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
 /// What all steps of one frame share.
 struct SceneRenderer::Pass {
@@ -227,9 +231,9 @@ void SceneRenderer::draw_ground(const Pass& pass, const Ground& ground) const {
 
 void SceneRenderer::draw_bodies(const Pass& pass) const {
     gl_.Disable(GL_BLEND);
-    shade(pass, pass.lists.bodies, kBodyShadow, 1.0F);
+    shade(pass, pass.lists.bodies, kBody);
     draw_edges(pass, pass.lists.bodies);
-    shade(pass, pass.lists.annotations, 0.0F, 1.0F);
+    shade(pass, pass.lists.annotations, kAnnotation);
     draw_edges(pass, pass.lists.annotations);
 }
 
@@ -239,12 +243,12 @@ void SceneRenderer::draw_see_through(const Pass& pass) const {
     draw_lines(pass, pass.lists.see_through_lines, kHiddenAlpha);
     gl_.Enable(GL_BLEND);
     gl_.DepthMask(GL_FALSE);
-    shade(pass, pass.lists.see_through, 0.0F, kHiddenAlpha);
+    shade(pass, pass.lists.see_through, kHidden);
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_BLEND);
 
     gl_.DepthFunc(GL_LESS);
-    shade(pass, pass.lists.see_through, 0.0F, 1.0F);
+    shade(pass, pass.lists.see_through, kAnnotation);
     draw_edges(pass, pass.lists.see_through);
     draw_lines(pass, pass.lists.lines, 1.0F);
     draw_lines(pass, pass.lists.see_through_lines, 1.0F);
@@ -254,18 +258,17 @@ void SceneRenderer::draw_ghosts(const Pass& pass) const {
     // depth first: only the front of each ghost is seen, not its inside
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.Disable(GL_BLEND);
-    shade(pass, pass.lists.ghosts, 0.0F, 1.0F);
+    shade(pass, pass.lists.ghosts, kGhost);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.Enable(GL_BLEND);
     gl_.DepthFunc(GL_LEQUAL);
-    shade(pass, pass.lists.ghosts, 0.0F, 1.0F);
+    shade(pass, pass.lists.ghosts, kGhost);
     gl_.DepthFunc(GL_LESS);
     draw_edges(pass, pass.lists.ghosts);
     gl_.Disable(GL_BLEND);
 }
 
-void SceneRenderer::shade(
-    const Pass& pass, const InstanceLists& lists, float shadow_strength, float alpha) const {
+void SceneRenderer::shade(const Pass& pass, const InstanceLists& lists, const Surface& surface) const {
     gl_.Enable(GL_CULL_FACE);
     gl_.CullFace(GL_BACK);
     body_.use();
@@ -278,8 +281,9 @@ void SceneRenderer::shade(
     body_.set("towards_key", pass.light.towards_key);
     body_.set("towards_fill", pass.light.towards_fill);
     body_.set("up", pass.light.up);
-    body_.set("shadow_strength", shadow_strength);
-    body_.set("alpha_scale", alpha);
+    body_.set("shadow_strength", surface.shadow_strength);
+    body_.set("flatness", surface.flatness);
+    body_.set("alpha_scale", surface.alpha);
     meshes_.draw(lists);
 }
 

@@ -27,6 +27,17 @@ public:
 private:
     struct Pass;
 
+    /// How surfaces answer to light.
+    struct Surface {
+        float shadow_strength;  ///< of the key light, what a body can take from this one
+        float flatness;         ///< 0: shaded, 1: its own colour whatever the light
+        float alpha;
+    };
+    static const Surface kBody;
+    static const Surface kAnnotation;  ///< vectors keep the colour that formulas and labels show
+    static const Surface kHidden;      ///< what is seen through a body
+    static const Surface kGhost;
+
     void draw_shadow_map(const Pass& pass) const;
     void draw_backdrop() const;
     void draw_ground(const Pass& pass, const Ground& ground) const;
@@ -34,7 +45,7 @@ private:
     void draw_see_through(const Pass& pass) const;
     void draw_ghosts(const Pass& pass) const;
 
-    void shade(const Pass& pass, const InstanceLists& lists, float shadow_strength, float alpha) const;
+    void shade(const Pass& pass, const InstanceLists& lists, const Surface& surface) const;
     void draw_edges(const Pass& pass, const InstanceLists& lists) const;
     void draw_lines(const Pass& pass, const std::vector<LineSegment>& lines, float alpha) const;
 

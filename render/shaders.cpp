@@ -89,6 +89,7 @@ uniform vec3 towards_key;
 uniform vec3 towards_fill;
 uniform vec3 up;
 uniform float shadow_strength;
+uniform float flatness;       // 1: its own colour whatever the light
 uniform float alpha_scale;
 
 out vec4 pixel;
@@ -104,6 +105,7 @@ void main() {
     float sky = 0.5 + 0.5 * dot(n, up);
     vec3 ambient = mix(vec3(0.30, 0.285, 0.27), vec3(0.50, 0.52, 0.55), sky);
     vec3 light = ambient + lit * vec3(0.62, 0.60, 0.56) + fill * vec3(0.10, 0.11, 0.13);
+    light = mix(light, vec3(1.0), flatness);
 
     vec3 albedo = linear_from_srgb(body_colour.rgb);
     vec3 halfway = normalize(towards_key + to_eye);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "lessons/diagnostics.hpp"
+#include "lessons/lesson.hpp"
+
+/// Lesson files: TOML as described in docs/writing-a-lesson.md.
+namespace jw {
+
+/// A lesson, or everything that is wrong with the file. Never both, never neither.
+struct ReadResult {
+    std::optional<Lesson> lesson;
+    std::vector<Diagnostic> diagnostics;  ///< by position
+    std::string source;                   ///< the file's text, for printing diagnostics
+
+    /// All diagnostics in compiler style, the first 50 of them.
+    std::string report() const;
+};
+
+/// Never throws for bad input.
+ReadResult read_lesson(std::string source, std::string file_name);
+ReadResult read_lesson_file(const std::filesystem::path& path);
+
+/// Lesson files below a folder, sorted.
+std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& folder);
+
+}  // namespace jw
