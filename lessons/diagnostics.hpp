@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,14 +11,20 @@
 /// What is wrong with a lesson file: where, what, what was expected and what to do.
 namespace jw {
 
+/// No more than this are collected of one file.
+inline constexpr std::size_t kMostProblems = 1000;
+
+enum class Severity { error, warning };
+
 struct Diagnostic {
     std::string file;
     SourceSpan span;
     std::string message;  ///< what is wrong; what was expected
     std::string hint;     ///< what to do, may be empty
+    Severity severity = Severity::error;
 };
 
-/// Compiler style, with the line of `source` underlined:
+/// Compiler style, with the line of `source` underlined; of a very long line only the part around it.
 ///
 ///   four-bar.toml:29:12: error: unknown body 'couper'; expected one of ground, crank, coupler
 ///     bodies = ["couper", "rocker"]
@@ -28,7 +35,13 @@ std::string to_string(const Diagnostic& diagnostic, std::string_view source);
 /// "did you mean 'x'?" for the nearest of `names`, empty if none is near.
 std::string did_you_mean(std::string_view text, std::span<const std::string> names);
 
-/// "a, b, c".
+/// "a, b, c", at most 20 of them.
 std::string comma_list(std::span<const std::string> names);
+
+/// 'text' in quotes as it may be shown: long text cut, control characters replaced.
+std::string in_quotes(std::string_view text);
+
+/// Up to `digits` significant digits: 0.3, 1e+12, -5.
+std::string short_number(double value, int digits = 6);
 
 }  // namespace jw

@@ -20,30 +20,20 @@ std::string kind_of(const toml::node& node) {
     }
 }
 
-}  // namespace
-
-void Problems::add(const SourceSpan& span, std::string message, std::string hint) {
-    list_.push_back({file_, span, std::move(message), std::move(hint)});
-}
-
-SourceSpan Problems::span_of(const toml::source_region& region) const {
-    SourceSpan span{static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), 1};
-    if (region.end.line == region.begin.line && region.end.column > region.begin.column) {
-        span.length = static_cast<int>(region.end.column - region.begin.column);
+std::string in_words(std::size_t count) {
+    switch (count) {
+        case 2: return "two";
+        case 3: return "three";
+        case 4: return "four";
+        default: return std::to_string(count);
     }
-    return span;
 }
 
-SourceSpan Problems::span_of(const toml::node& node) const { return span_of(node.source()); }
-
-SourceSpan Problems::span_of(const toml::key& key) const { return span_of(key.source()); }
-
-std::vector<Diagnostic> Problems::take() {
-    std::ranges::stable_sort(list_, [](const Diagnostic& a, const Diagnostic& b) {
-        return std::pair(a.span.line, a.span.column) < std::pair(b.span.line, b.span.column);
-    });
-    return std::move(list_);
+bool is_control(char c) {
+    return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t' && c != '\r') || c == '\x7f';
 }
+
+}  // namespace
 
 const toml::node* Fields::find(std::string_view key) {
     known_.emplace(key);
@@ -54,26 +44,26 @@ bool Fields::has(std::string_view key) { return find(key) != nullptr; }
 
 SourceSpan Fields::span(std::string_view key) const {
     const toml::node* node = table_->get(key);
-    return node != nullptr ? problems_->span_of(*node) : span();
+    return node != nullptr ? span_of(node->source()) : span();
 }
 
 void Fields::wrong_type(std::string_view key, const toml::node& node, std::string_view expected) {
     problems_->add(
-        problems_->span_of(node),
-        "'" + std::string(key) + "' is " + kind_of(node) + "; expected " + std::string(expected));
+        span_of(node.source()),
+        in_quotes(key) + " is " + kind_of(node) + "; expected " + std::string(expected));
 }
 
-std::optional<double> Fields::finite(const toml::node& node, std::string_view what) {
-    const std::optional<double> value = node.value<double>();
-    if (!value || node.is_boolean()) { return std::nullopt; }
-    if (!std::isfinite(*value)) {
+std::optional<double> Fields::number_in(const toml::node& node, const std::string& what) {
+    const double value =
+        node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+    if (!std::isfinite(value)) {
         problems_->add(
-            problems_->span_of(node), std::string(what) + " is not a finite number; expected one below 1e9");
+            span_of(node.source()), what + " is " + short_number(value) + "; expected a finite number");
         return std::nullopt;
     }
-    if (std::abs(*value) > kLargestNumber) {
+    if (std::abs(value) > kLargestNumber) {
         problems_->add(
-            problems_->span_of(node), std::string(what) + " is absurdly large; expected at most 1e9 in size",
+            span_of(node.source()), what + " is " + short_number(value) + "; expected at most 1e9 in size",
             "lengths are in m, times in s");
         return std::nullopt;
     }
@@ -87,7 +77,21 @@ std::optional<Located<std::string>> Fields::text(std::string_view key) {
         wrong_type(key, *node, "a text in quotes");
         return std::nullopt;
     }
-    return Located<std::string>{node->as_string()->get(), problems_->span_of(*node)};
+    const SourceSpan where = span_of(node->source());
+    std::string value = node->as_string()->get();
+    if (value.size() > kLongestText) {
+        problems_->add(
+            where, in_quotes(key) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
+                       std::to_string(kLongestText));
+        return std::nullopt;
+    }
+    if (std::ranges::any_of(value, is_control)) {
+        problems_->add(
+            where, in_quotes(key) + " contains a control character; expected text that can be shown");
+        return std::nullopt;
+    }
+    std::erase(value, '\r');
+    return Located<std::string>{std::move(value), where};
 }
 
 std::optional<Located<double>> Fields::number(std::string_view key) {
@@ -97,34 +101,43 @@ std::optional<Located<double>> Fields::number(std::string_view key) {
         wrong_type(key, *node, "a number");
         return std::nullopt;
     }
-    const auto value = finite(*node, "'" + std::string(key) + "'");
+    const auto value = number_in(*node, in_quotes(key));
     if (!value) { return std::nullopt; }
-    return Located<double>{*value, problems_->span_of(*node)};
+    return Located<double>{*value, span_of(node->source())};
 }
 
 std::optional<Located<double>> Fields::positive(std::string_view key) {
     auto value = number(key);
     if (value && value->value <= 0.0) {
-        problems_->add(value->span, "'" + std::string(key) + "' is not positive; expected a number above 0");
+        problems_->add(
+            value->span,
+            in_quotes(key) + " is " + short_number(value->value) + "; expected a number above 0");
         return std::nullopt;
     }
     return value;
 }
 
-std::optional<Located<int>> Fields::integer(std::string_view key) {
+std::optional<Located<int>> Fields::integer(std::string_view key, int least, int most) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_integer()) {
+        if (const auto* fraction = node->as_floating_point()) {
+            problems_->add(
+                span_of(node->source()),
+                in_quotes(key) + " is " + short_number(fraction->get()) + "; expected a whole number");
+            return std::nullopt;
+        }
         wrong_type(key, *node, "a whole number");
         return std::nullopt;
     }
     const auto value = node->as_integer()->get();
-    if (std::abs(static_cast<double>(value)) > 1e6) {
+    if (value < least || value > most) {
         problems_->add(
-            problems_->span_of(*node), "'" + std::string(key) + "' is absurdly large; expected below 1e6");
+            span_of(node->source()), in_quotes(key) + " is " + std::to_string(value) + "; expected " +
+                                         std::to_string(least) + " to " + std::to_string(most));
         return std::nullopt;
     }
-    return Located<int>{static_cast<int>(value), problems_->span_of(*node)};
+    return Located<int>{static_cast<int>(value), span_of(node->source())};
 }
 
 std::optional<Located<bool>> Fields::flag(std::string_view key) {
@@ -134,35 +147,36 @@ std::optional<Located<bool>> Fields::flag(std::string_view key) {
         wrong_type(key, *node, "true or false");
         return std::nullopt;
     }
-    return Located<bool>{node->as_boolean()->get(), problems_->span_of(*node)};
+    return Located<bool>{node->as_boolean()->get(), span_of(node->source())};
 }
 
-std::optional<Located<std::vector<double>>> Fields::numbers(std::string_view key, std::size_t count) {
+std::optional<Located<std::vector<double>>> Fields::numbers(
+    std::string_view key, std::size_t count, std::size_t most) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
-    const std::string expected = count == 3   ? "three numbers"
-                                 : count == 4 ? "four numbers"
-                                              : "a list of numbers";
+    const std::string expected =
+        count != 0 ? in_words(count) + " numbers" : "a list of 1 to " + std::to_string(most) + " numbers";
     const toml::array* list = node->as_array();
     if (list == nullptr) {
         wrong_type(key, *node, expected);
         return std::nullopt;
     }
-    if ((count != 0 && list->size() != count) || list->empty() || list->size() > kLongestList) {
+    const bool wrong_count = count != 0 ? list->size() != count : list->empty() || list->size() > most;
+    if (wrong_count) {
         problems_->add(
-            problems_->span_of(*node), "'" + std::string(key) + "' has " + std::to_string(list->size()) +
-                                           " entries; expected " + expected);
+            span_of(node->source()), in_quotes(key) + " has " + std::to_string(list->size()) +
+                                         (list->size() == 1 ? " entry" : " entries") + "; expected " +
+                                         expected);
         return std::nullopt;
     }
-    Located<std::vector<double>> out{{}, problems_->span_of(*node)};
+    Located<std::vector<double>> out{{}, span_of(node->source())};
     for (const toml::node& entry : *list) {
+        const std::string what = "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key);
         if (!entry.is_number()) {
-            problems_->add(
-                problems_->span_of(entry),
-                "an entry of '" + std::string(key) + "' is " + kind_of(entry) + "; expected a number");
+            problems_->add(span_of(entry.source()), what + " is " + kind_of(entry) + "; expected a number");
             return std::nullopt;
         }
-        const auto value = finite(entry, "an entry of '" + std::string(key) + "'");
+        const auto value = number_in(entry, what);
         if (!value) { return std::nullopt; }
         out.value.push_back(*value);
     }
@@ -177,11 +191,10 @@ std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
 
 std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
     const auto v = vector(key);
-    // shorter than this, normalising loses the direction that was meant
-    if (v && v->value.norm() < 1e-12) {
+    if (v && v->value.norm() < kShortestDirection) {
         problems_->add(
-            v->span,
-            "'" + std::string(key) + "' has length 0; expected a direction, three numbers not all zero");
+            v->span, in_quotes(key) + " has length " + short_number(v->value.norm()) +
+                         "; expected a direction, three numbers not all zero");
         return std::nullopt;
     }
     return v;
@@ -191,19 +204,20 @@ std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::str
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     const toml::array* list = node->as_array();
-    if (list == nullptr || list->size() > kLongestList) {
-        wrong_type(key, *node, "a list of texts");
+    if (list == nullptr) {
+        wrong_type(key, *node, "a list of names");
         return std::nullopt;
     }
-    Located<std::vector<Located<std::string>>> out{{}, problems_->span_of(*node)};
+    Located<std::vector<Located<std::string>>> out{{}, span_of(node->source())};
     for (const toml::node& entry : *list) {
         if (!entry.is_string()) {
             problems_->add(
-                problems_->span_of(entry), "an entry of '" + std::string(key) + "' is " + kind_of(entry) +
-                                               "; expected a text in quotes");
+                span_of(entry.source()), "entry " + std::to_string(out.value.size() + 1) + " of " +
+                                             in_quotes(key) + " is " + kind_of(entry) +
+                                             "; expected a name in quotes");
             return std::nullopt;
         }
-        out.value.push_back({entry.as_string()->get(), problems_->span_of(entry)});
+        out.value.push_back({entry.as_string()->get(), span_of(entry.source())});
     }
     return out;
 }
@@ -212,13 +226,13 @@ std::optional<Fields> Fields::table(std::string_view key) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_table()) {
-        wrong_type(key, *node, "a table { ... }");
+        wrong_type(key, *node, "one table");
         return std::nullopt;
     }
     return Fields(*node->as_table(), std::string(key), *problems_);
 }
 
-std::vector<Fields> Fields::tables(std::string_view key) {
+std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
     const toml::node* node = find(key);
     if (node == nullptr) { return {}; }
     if (node->is_table()) { return {Fields(*node->as_table(), std::string(key), *problems_)}; }
@@ -228,17 +242,17 @@ std::vector<Fields> Fields::tables(std::string_view key) {
         return {};
     }
     std::vector<Fields> out;
-    if (list->size() > kLongestList) {
+    if (list->size() > most) {
         problems_->add(
-            problems_->span_of(*node), "'" + std::string(key) + "' has " + std::to_string(list->size()) +
-                                           " entries; expected at most " + std::to_string(kLongestList));
+            span_of(node->source()), "there are " + std::to_string(list->size()) + " times " +
+                                         in_quotes(key) + "; expected at most " + std::to_string(most));
         return out;
     }
     for (const toml::node& entry : *list) {
         if (!entry.is_table()) {
             problems_->add(
-                problems_->span_of(entry),
-                "an entry of '" + std::string(key) + "' is " + kind_of(entry) + "; expected a table");
+                span_of(entry.source()),
+                "an entry of " + in_quotes(key) + " is " + kind_of(entry) + "; expected a table");
             continue;
         }
         out.emplace_back(*entry.as_table(), std::string(key), *problems_);
@@ -253,7 +267,8 @@ std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<
     if (found == words.end()) {
         problems_->add(
             value->span,
-            "unknown " + std::string(key) + " '" + value->value + "'; expected one of " + comma_list(words),
+            "unknown " + std::string(key) + ' ' + in_quotes(value->value) + "; expected one of " +
+                comma_list(words),
             did_you_mean(value->value, words));
         return std::nullopt;
     }
@@ -264,17 +279,43 @@ std::optional<Located<double>> Fields::angle(std::string_view key) {
     const std::string in_degrees = std::string(key) + "_deg";
     const std::string in_radians = std::string(key) + "_rad";
     if (!at_most_one({in_degrees, in_radians})) { return std::nullopt; }
+    if (!has(in_degrees)) { return number(in_radians); }
     auto value = number(in_degrees);
-    if (value) {
-        value->value *= std::numbers::pi / 180.0;
-        return value;
+    if (value) { value->value *= std::numbers::pi / 180.0; }
+    return value;
+}
+
+const toml::key* Fields::meant_as(std::string_view key) const {
+    const std::vector<std::string> wanted{std::string(key)};
+    const std::string_view bare = key.substr(0, key.find("_deg"));
+    for (const auto& [other, node] : *table_) {
+        const std::string_view word = other.str();
+        const bool other_unit = (key.starts_with(word) && word.size() >= bare.size()) ||
+                                word == wanted[0] + "_deg" || word == wanted[0] + "_rad";
+        if (!known_.contains(word) && (other_unit || !did_you_mean(word, wanted).empty())) { return &other; }
     }
-    return number(in_radians);
+    return nullptr;
 }
 
 void Fields::missing(std::string_view key, std::string_view expected) {
-    SourceSpan where = span();
-    problems_->add(where, what_ + " has no '" + std::string(key) + "'; expected " + std::string(expected));
+    // a misspelt key is one mistake, not a missing and an unknown one
+    if (const toml::key* other = meant_as(key)) {
+        std::string in_radians(key);
+        const std::size_t unit = in_radians.find("_deg");
+        if (unit != std::string::npos) { in_radians.replace(unit, 4, "_rad"); }
+        problems_->add(
+            span_of(other->source()),
+            "unknown key " + in_quotes(other->str()) + " in " + what_ + "; expected " + in_quotes(key) +
+                (in_radians != key && in_radians != other->str() ? " or " + in_quotes(in_radians) : ""),
+            "did you mean " + in_quotes(key) + "?");
+        known_.emplace(other->str());
+        return;
+    }
+    problems_->add(span(), what_ + " has no " + in_quotes(key) + "; expected " + std::string(expected));
+}
+
+void Fields::require(std::string_view key, std::string_view expected) {
+    if (!has(key)) { missing(key, expected); }
 }
 
 bool Fields::at_most_one(const std::vector<std::string>& keys) {
@@ -284,8 +325,8 @@ bool Fields::at_most_one(const std::vector<std::string>& keys) {
     }
     if (present.size() <= 1) { return true; }
     problems_->add(
-        span(present[1]),
-        "'" + present[1] + "' contradicts '" + present[0] + "'; expected only one of " + comma_list(keys));
+        span(present[1]), in_quotes(present[1]) + " beside " + in_quotes(present[0]) +
+                              "; expected only one of " + comma_list(keys));
     return false;
 }
 
@@ -293,10 +334,10 @@ void Fields::finish() {
     const std::vector<std::string> names(known_.begin(), known_.end());
     for (const auto& [key, node] : *table_) {
         if (known_.contains(key.str())) { continue; }
+        if (problems_->is_full()) { return; }
         problems_->add(
-            problems_->span_of(key),
-            "unknown key '" + std::string(key.str()) + "' in " + what_ + "; expected one of " +
-                comma_list(names),
+            span_of(key.source()),
+            "unknown key " + in_quotes(key.str()) + " in " + what_ + "; expected one of " + comma_list(names),
             did_you_mean(key.str(), names));
     }
 }

@@ -9,43 +9,19 @@
 #include <toml++/toml.h>
 
 #include "core/linear.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/problems.hpp"
 
 /// Typed access to a TOML table that collects what is wrong instead of throwing.
 namespace jw {
 
 /// Longest list that is read; absurd sizes are errors, not a long wait.
 inline constexpr std::size_t kLongestList = 10000;
+/// Longest text, in bytes.
+inline constexpr std::size_t kLongestText = 20000;
 /// Largest number that is taken for a length, an angle or a time.
 inline constexpr double kLargestNumber = 1e9;
-
-/// A value with the place where it stands.
-template <class T>
-struct Located {
-    T value{};
-    SourceSpan span;
-};
-
-/// Where errors go.
-class Problems {
-public:
-    Problems(std::string file, std::string_view source) : file_(std::move(file)), source_(source) {}
-
-    void add(const SourceSpan& span, std::string message, std::string hint = {});
-    SourceSpan span_of(const toml::node& node) const;
-    SourceSpan span_of(const toml::key& key) const;
-
-    bool empty() const { return list_.empty(); }
-    /// All of them, by position.
-    std::vector<Diagnostic> take();
-
-private:
-    SourceSpan span_of(const toml::source_region& region) const;
-
-    std::string file_;
-    std::string_view source_;
-    std::vector<Diagnostic> list_;
-};
+/// Shorter than this a vector is no direction: normalising it would enlarge rounding.
+inline constexpr double kShortestDirection = 1e-9;
 
 /// One table. Keys that are read are remembered; `finish` reports the others as unknown.
 class Fields {
@@ -54,25 +30,30 @@ public:
         : table_(&table), what_(std::move(what)), problems_(&problems) {}
 
     bool has(std::string_view key);
-    SourceSpan span() const { return problems_->span_of(*table_); }
+    /// Of the table's header, or of a key's value.
+    SourceSpan span() const { return span_of(table_->source()); }
     SourceSpan span(std::string_view key) const;
     Problems& problems() const { return *problems_; }
+    /// What the table is called in messages: "joint", "joint 'hinge'".
     const std::string& what() const { return what_; }
+    void call(std::string what) { what_ = std::move(what); }
 
     // absent keys give nothing; wrong ones give nothing and a diagnostic
     std::optional<Located<std::string>> text(std::string_view key);
     std::optional<Located<double>> number(std::string_view key);
     std::optional<Located<double>> positive(std::string_view key);
-    std::optional<Located<int>> integer(std::string_view key);
+    std::optional<Located<int>> integer(std::string_view key, int least, int most);
     std::optional<Located<bool>> flag(std::string_view key);
     std::optional<Located<Vec3>> vector(std::string_view key);
     /// A vector that is not zero.
     std::optional<Located<Vec3>> direction(std::string_view key);
-    std::optional<Located<std::vector<double>>> numbers(std::string_view key, std::size_t count = 0);
+    /// `count` numbers, or any number of them up to `most`.
+    std::optional<Located<std::vector<double>>> numbers(
+        std::string_view key, std::size_t count = 0, std::size_t most = kLongestList);
     std::optional<Located<std::vector<Located<std::string>>>> texts(std::string_view key);
     std::optional<Fields> table(std::string_view key);
     /// A list of tables, or one table as a list of one.
-    std::vector<Fields> tables(std::string_view key);
+    std::vector<Fields> tables(std::string_view key, std::size_t most = kLongestList);
     /// Index of the text among `words`.
     std::optional<std::size_t> word(std::string_view key, const std::vector<std::string>& words);
 
@@ -81,6 +62,8 @@ public:
 
     /// Says that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
+    /// The same, unless the key is there (right or wrong).
+    void require(std::string_view key, std::string_view expected);
     /// At most one of the keys may be there.
     bool at_most_one(const std::vector<std::string>& keys);
     /// Reports unknown keys.
@@ -88,8 +71,10 @@ public:
 
 private:
     const toml::node* find(std::string_view key);
+    /// A key not read so far that may stand for `key`: misspelt, or with another unit or none.
+    const toml::key* meant_as(std::string_view key) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
-    std::optional<double> finite(const toml::node& node, std::string_view what);
+    std::optional<double> number_in(const toml::node& node, const std::string& what);
 
     const toml::table* table_;
     std::string what_;

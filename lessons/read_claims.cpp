@@ -1,192 +1,63 @@
 #include <algorithm>
 #include <numbers>
-#include <sstream>
 
+#include "lessons/quantities.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
 
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) { parts.push_back(part); }
-    return parts;
-}
+constexpr std::size_t kMostClaims = 5000;
+constexpr int kLargestCount = 100000;
 
-std::optional<int> axis_of(const std::string& text) {
-    if (text == "x") { return 0; }
-    if (text == "y") { return 1; }
-    if (text == "z") { return 2; }
-    return std::nullopt;
-}
+using Facts = std::vector<std::pair<Fact, SourceSpan>>;
 
-const char* kQuantityForms =
-    "expected JOINT.angle, JOINT.displacement, BODY.x, BODY.e0, BODY.omega.x, BODY.omega_local.x or, with "
-    "'point', BODY.point.x";
-
-/// "hinge.angle", "crank.x", "crank.omega.z" ... -> what to measure and its unit.
-std::optional<std::pair<Quantity, Unit>> quantity_of(
-    Fields& fields, const Located<std::string>& text, const Reading& reading) {
-    const std::vector<std::string> parts = split(text.value, '.');
-    const auto fail = [&](const std::string& message) {
-        fields.problems().add(text.span, message + "; " + kQuantityForms);
-        return std::nullopt;
-    };
-    if (parts.size() < 2) { return fail("'" + text.value + "' is no quantity"); }
-    const Mechanism& mechanism = reading.lesson.mechanism;
-
-    const auto joint = std::ranges::find(mechanism.joints, parts[0], &Joint::name);
-    if (joint != mechanism.joints.end() && parts.size() == 2) {
-        const int index = static_cast<int>(joint - mechanism.joints.begin());
-        MeasureQuantity quantity{ThetaMeasure{}, joint->body_i, joint->body_j, index};
-        if (parts[1] == "angle") {
-            if (joint->type->artificial == 0) { quantity.measure = angle_of(*joint); }
-            return std::pair<Quantity, Unit>(quantity, Unit::radian);
-        }
-        if (parts[1] == "displacement") {
-            quantity.measure = displacement_of(*joint);
-            return std::pair<Quantity, Unit>(quantity, Unit::metre);
-        }
-        return fail("joint '" + parts[0] + "' has no quantity '" + parts[1] + "'");
-    }
-    const auto body = std::ranges::find(mechanism.bodies, parts[0], &Body::name);
-    if (body == mechanism.bodies.end()) {
-        std::vector<std::string> names = reading.body_names();
-        const std::vector<std::string> joints = reading.joint_names();
-        names.insert(names.end(), joints.begin(), joints.end());
+std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
+    const auto t = fields.number("at_s");
+    if (!t) { return std::nullopt; }
+    const auto& motion = lesson.motion;
+    if (!motion || t->value < motion->from || t->value > motion->to) {
         fields.problems().add(
-            text.span, "no body or joint '" + parts[0] + "'; expected one of " + comma_list(names),
-            did_you_mean(parts[0], names));
-        return std::nullopt;
+            t->span, "there is no motion at " + short_number(t->value) +
+                         " s; expected a time between 'from_s' and 'to_s' of [motion]");
     }
-    const int index = static_cast<int>(body - mechanism.bodies.begin());
-    if (parts.size() == 2) {
-        if (const auto axis = axis_of(parts[1])) {
-            return std::pair<Quantity, Unit>(
-                MeasureQuantity{CoordinateMeasure{*axis}, 0, index, -1}, Unit::metre);
-        }
-        if (parts[1].size() == 2 && parts[1][0] == 'e' && parts[1][1] >= '0' && parts[1][1] <= '3') {
-            return std::pair<Quantity, Unit>(
-                MeasureQuantity{CoordinateMeasure{3 + parts[1][1] - '0'}, 0, index, -1}, Unit::none);
-        }
-        return fail("body '" + parts[0] + "' has no quantity '" + parts[1] + "'");
-    }
-    const auto axis = axis_of(parts[2]);
-    if (!axis || parts.size() != 3) { return fail("'" + text.value + "' is no quantity"); }
-    if (parts[1] == "omega" || parts[1] == "omega_local") {
-        return std::pair<Quantity, Unit>(
-            AngularVelocityQuantity{index, parts[1] == "omega_local", *axis}, Unit::radian_per_second);
-    }
-    if (parts[1] == "point") {
-        const auto point = fields.vector("point");
-        return std::pair<Quantity, Unit>(
-            PointQuantity{index, point ? point->value : Vec3::Zero(), *axis}, Unit::metre);
-    }
-    return fail("body '" + parts[0] + "' has no quantity '" + parts[1] + "'");
+    return AtTime{t->value};
 }
 
 std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
     if (!fields.at_most_one({"after", "at_s", "as_given"})) { return std::nullopt; }
-    const Lesson& lesson = reading.lesson;
-    if (const auto t = fields.number("at_s")) {
-        if (lesson.motion && (t->value < lesson.motion->from || t->value > lesson.motion->to)) {
-            fields.problems().add(
-                t->span, "'at_s' lies outside the motion; expected a time from 'from_s' to 'to_s'");
-        }
-        if (!lesson.motion) {
-            fields.problems().add(
-                t->span, "'at_s' without a motion; expected a [motion] table in the lesson");
-        }
-        return AtTime{t->value};
+    if (fields.has("at_s")) { return read_time(fields, reading.lesson); }
+    const AfterAddition everything{static_cast<int>(reading.lesson.order.size())};
+    if (fields.has("after")) {
+        const auto name = fields.text("after");
+        const Named* named = name ? reading.addition(*name) : nullptr;
+        if (named == nullptr) { return std::nullopt; }
+        return AfterAddition{reading.place_of(*named) + 1};
     }
-    if (const auto given = fields.flag("as_given"); given && given->value) { return AsGiven{}; }
-    const auto after = fields.text("after");
-    if (!after) { return AfterAddition{static_cast<int>(lesson.order.size())}; }
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < lesson.order.size(); ++k) {
-        const Addition& a = lesson.order[k];
-        const auto index = static_cast<std::size_t>(a.index);
-        const std::string& name = a.kind == Addition::Kind::joint ? lesson.mechanism.joints[index].name
-                                                                  : lesson.mechanism.drivers[index].name;
-        if (name == after->value) { return AfterAddition{static_cast<int>(k) + 1}; }
-        names.push_back(name);
-    }
-    fields.problems().add(
-        after->span, "no joint or driver '" + after->value + "'; expected one of " + comma_list(names),
-        did_you_mean(after->value, names));
-    return std::nullopt;
+    const auto given = fields.flag("as_given");
+    if (given && given->value) { return AsGiven{}; }
+    return everything;
 }
 
-std::optional<Fact> read_dropped(Fields& fields, const Reading& reading) {
-    const auto text = fields.text("dropped");
-    if (!text) { return std::nullopt; }
-    const std::vector<std::string> parts = split(text->value, ' ');
-    const auto axis = parts.size() == 3 ? axis_of(parts[2]) : std::nullopt;
-    if (!axis || (parts[1] != "p1" && parts[1] != "p2")) {
-        fields.problems().add(
-            text->span, "'" + text->value + "' names no equation; expected \"JOINT p1 x\" or \"JOINT p2 z\"");
-        return std::nullopt;
-    }
-    const auto joint = reading.joint({parts[0], text->span});
-    if (!joint) { return std::nullopt; }
-    const Role role = parts[1] == "p1" ? Role::axes_parallel : Role::distance_parallel;
-    if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(*joint)].type->uses(role)) {
-        fields.problems().add(text->span, "joint '" + parts[0] + "' has no " + parts[1] + " equations");
-        return std::nullopt;
-    }
-    return DroppedClaim{*joint, role, *axis};
-}
-
-std::optional<Fact> read_quantity(Fields& fields, const Reading& reading) {
-    const auto text = fields.text("quantity");
-    if (!text) { return std::nullopt; }
-    QuantityClaim claim;
-    claim.text = text->value;
-    const auto quantity = quantity_of(fields, *text, reading);
-    if (const auto derivative = fields.integer("derivative")) {
-        claim.derivative = derivative->value;
-        if (derivative->value < 0 || derivative->value > 2) {
-            fields.problems().add(derivative->span, "'derivative' is out of range; expected 0, 1 or 2");
-            return std::nullopt;
-        }
-    }
-    if (!fields.at_most_one({"value", "value_deg"})) { return std::nullopt; }
-    claim.in_degrees = fields.has("value_deg");
-    const double factor = claim.in_degrees ? std::numbers::pi / 180.0 : 1.0;
-    const std::string suffix = claim.in_degrees ? "_deg" : "";
-    const auto value = fields.number("value" + suffix);
-    const auto tolerance = fields.positive("tolerance" + suffix);
-    if (!fields.has("value" + suffix)) { fields.missing("value", "the value that the quantity has"); }
-    if (!fields.has("tolerance" + suffix)) { fields.missing("tolerance" + suffix, "how far it may be off"); }
-    if (!quantity || !value || !tolerance) { return std::nullopt; }
-    claim.quantity = quantity->first;
-    claim.unit = quantity->second;
-    claim.value = factor * value->value;
-    claim.tolerance = factor * tolerance->value;
-    return claim;
-}
-
-void read_claim(Fields& fields, Reading& reading) {
-    const auto when = read_moment(fields, reading);
-    std::string why;
-    if (const auto text = fields.text("why")) { why = text->value; }
-    std::vector<std::pair<Fact, SourceSpan>> facts;
-    const auto count = [&](const char* key, Count what) {
-        if (const auto value = fields.integer(key)) {
-            facts.push_back({CountClaim{what, value->value}, value->span});
+void read_counts(Fields& fields, Facts& facts) {
+    const auto count = [&](const char* key, Count what, int least) {
+        if (const auto value = fields.integer(key, least, kLargestCount)) {
+            facts.emplace_back(CountClaim{what, value->value}, value->span);
         }
     };
-    count("rank", Count::rank);
-    count("rows", Count::rows);
-    count("columns", Count::columns);
-    count("dof", Count::dof);
-    count("redundant", Count::redundant);
-    count("mobility_by_counting", Count::mobility_by_counting);
+    count("rank", Count::rank, 0);
+    count("rows", Count::rows, 0);
+    count("columns", Count::columns, 0);
+    count("dof", Count::dof, 0);
+    count("redundant", Count::redundant, 0);
+    count("mobility_by_counting", Count::mobility_by_counting, -kLargestCount);
+}
+
+void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
     const auto bound = [&](const char* key, Bound what) {
         if (const auto value = fields.positive(key)) {
-            facts.push_back({BoundClaim{what, value->value}, value->span});
+            facts.emplace_back(BoundClaim{what, value->value}, value->span);
         }
     };
     bound("residual_below", Bound::residual_below);
@@ -194,31 +65,147 @@ void read_claim(Fields& fields, Reading& reading) {
     bound("condition_above", Bound::condition_above);
     const auto verdict = [&](const char* key, Verdict what) {
         if (const auto value = fields.flag(key)) {
-            facts.push_back({VerdictClaim{what, value->value}, value->span});
+            facts.emplace_back(VerdictClaim{what, value->value}, value->span);
         }
     };
     verdict("change_point", Verdict::change_point);
     verdict("closes", Verdict::closes);
-    if (const auto dropped = read_dropped(fields, reading)) {
-        facts.push_back({*dropped, fields.span("dropped")});
+}
+
+/// "hinge p1 z": the joint's name may have blanks, the last two words are primitive and component.
+void read_dropped(Fields& fields, const Reading& reading, const std::optional<Moment>& when, Facts& facts) {
+    const auto text = fields.text("dropped");
+    if (!text) { return; }
+    const std::string& t = text->value;
+    const std::string ending = t.size() > 5 ? t.substr(t.size() - 5) : "";
+    const auto component = ending.empty() ? std::string::npos : std::string("xyz").find(ending[4]);
+    const bool is_p1 = ending.starts_with(" p1 ");
+    if (component == std::string::npos || (!is_p1 && !ending.starts_with(" p2 "))) {
+        fields.problems().add(
+            text->span, in_quotes(t) + " names no equation; expected \"JOINT p1 x\", p1 or p2 and x, y or z");
+        return;
     }
-    if (const auto quantity = read_quantity(fields, reading)) {
-        facts.push_back({*quantity, fields.span("quantity")});
+    const std::string name = t.substr(0, t.size() - 5);
+    const Named* joint = reading.joint({name, text->span});
+    if (joint == nullptr || !joint->sound) { return; }
+    const Role role = is_p1 ? Role::axes_parallel : Role::distance_parallel;
+    const JointType& type = *reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type;
+    if (!type.uses(role)) {
+        fields.problems().add(
+            text->span, "joint " + in_quotes(name) + " of type " + std::string(type.name) + " has no " +
+                            (is_p1 ? "p1" : "p2") + "; expected a primitive that it is made of");
     }
-    const bool tried = fields.has("dropped") || fields.has("quantity");
-    fields.finish();
-    if (facts.empty() && !tried) {
+    const auto* after = when ? std::get_if<AfterAddition>(&*when) : nullptr;
+    if (after != nullptr && reading.place_of(*joint) >= after->count) {
+        fields.problems().add(
+            text->span, "joint " + in_quotes(name) + " has not been added by then; expected a later 'after'");
+    }
+    facts.emplace_back(DroppedClaim{joint->index, role, static_cast<int>(component)}, text->span);
+}
+
+/// What follows "value" and "tolerance" in their keys, for each way to write the unit.
+std::vector<std::string> endings_of(Unit unit, int derivative) {
+    const bool is_rate = unit == Unit::radian_per_second;
+    if (unit != Unit::radian && !is_rate) { return {""}; }
+    const int order = derivative + (is_rate ? 1 : 0);
+    const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
+    return {"_deg" + per, "_rad" + per};
+}
+
+void read_value(Fields& fields, QuantityClaim& claim) {
+    const std::vector<std::string> endings = endings_of(claim.unit, claim.derivative);
+    std::vector<std::string> keys;
+    for (const std::string& ending : endings) { keys.push_back("value" + ending); }
+    if (!fields.at_most_one(keys)) {
+        for (const std::string& ending : endings) { fields.has("tolerance" + ending); }
+        return;
+    }
+    const bool second = endings.size() > 1 && fields.has(keys[1]);
+    const std::string& ending = endings[second ? 1 : 0];
+    const std::string unit = endings.size() > 1 ? ", in degrees or radians" : "";
+    fields.require("value" + ending, "the value of " + in_quotes(claim.text) + unit);
+    fields.require("tolerance" + ending, "how far it may be off, in the unit of the value");
+    claim.in_degrees = ending.starts_with("_deg");
+    const double factor = claim.in_degrees ? std::numbers::pi / 180.0 : 1.0;
+    if (const auto value = fields.number("value" + ending)) { claim.value = factor * value->value; }
+    if (const auto tolerance = fields.positive("tolerance" + ending)) {
+        claim.tolerance = factor * tolerance->value;
+    }
+}
+
+int read_derivative(
+    Fields& fields, const std::optional<Moment>& when, const std::optional<MeasuredQuantity>& of) {
+    const bool is_rate = of && of->unit == Unit::radian_per_second;
+    const auto derivative = fields.integer("derivative", 0, is_rate ? 1 : 2);
+    if (!derivative) { return 0; }
+    if (derivative->value > 0 && when && !std::holds_alternative<AtTime>(*when)) {
+        fields.problems().add(
+            derivative->span, "nothing moves before the motion; expected 'at_s' beside 'derivative'");
+    }
+    return derivative->value;
+}
+
+void read_measured(Fields& fields, const Reading& reading, const std::optional<Moment>& when, Facts& facts) {
+    const auto text = fields.text("quantity");
+    if (!text) { return; }
+    QuantityClaim claim;
+    claim.text = text->value;
+    const auto quantity = read_quantity(fields, *text, reading);
+    claim.derivative = read_derivative(fields, when, quantity);
+    if (!quantity) {
+        // which keys belong to it is not known: only those that never do are unknown
+        for (const char* ending :
+             {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
+            fields.number(std::string("value") + ending);
+            fields.positive(std::string("tolerance") + ending);
+        }
+        fields.vector("point");
+        return;
+    }
+    claim.quantity = quantity->quantity;
+    claim.unit = quantity->unit;
+    read_value(fields, claim);
+    facts.emplace_back(claim, text->span);
+}
+
+void read_claim(Fields& fields, Reading& reading) {
+    fields.call("the claim");
+    const auto when = read_moment(fields, reading);
+    const auto why = fields.text("why");
+    Facts facts;
+    read_counts(fields, facts);
+    read_bounds_and_verdicts(fields, facts);
+    read_dropped(fields, reading, when, facts);
+    read_measured(fields, reading, when, facts);
+    static const std::vector<std::string> kFacts{
+        "rank",
+        "rows",
+        "columns",
+        "dof",
+        "redundant",
+        "mobility_by_counting",
+        "residual_below",
+        "condition_below",
+        "condition_above",
+        "change_point",
+        "closes",
+        "dropped",
+        "quantity"};
+    if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
-            fields.span(), "the claim says nothing; expected rank, dof, dropped, quantity or another fact");
+            fields.span(), "the claim says nothing; expected one or several of " + comma_list(kFacts));
     }
+    fields.finish();
     if (!when) { return; }
-    for (auto& [fact, span] : facts) { reading.lesson.claims.push_back({*when, fact, span, why}); }
+    for (auto& [fact, span] : facts) {
+        reading.lesson.claims.push_back({*when, fact, span, why ? why->value : ""});
+    }
 }
 
 }  // namespace
 
 void read_claims(Fields& root, Reading& reading) {
-    for (Fields& fields : root.tables("expect")) { read_claim(fields, reading); }
+    for (Fields& fields : root.tables("expect", kMostClaims)) { read_claim(fields, reading); }
 }
 
 }  // namespace jw::reading

@@ -1,4 +1,5 @@
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
 #include "lessons/reading.hpp"
 
@@ -6,192 +7,144 @@ namespace jw::reading {
 
 namespace {
 
-/// Numbers under a key with its unit: plain metres, or degrees or radians where the driver turns something.
-struct Units {
-    bool angle = false;
-
-    std::optional<Located<double>> number(Fields& fields, const std::string& key) const {
-        return angle ? fields.angle(key) : fields.number(key);
-    }
-    std::optional<Located<std::vector<double>>> numbers(Fields& fields, const std::string& key) const {
-        if (!angle) { return fields.numbers(key); }
-        if (!fields.at_most_one({key + "_deg", key + "_rad"})) { return std::nullopt; }
-        auto list = fields.numbers(key + "_deg");
-        if (!list) { return fields.numbers(key + "_rad"); }
-        for (double& value : list->value) { value *= std::numbers::pi / 180.0; }
-        return list;
-    }
-};
-
-void read_harmonic(Fields& fields, const Units& units, TimeFunction& function) {
-    TimeFunction::Harmonic harmonic;
-    const auto amplitude = units.number(fields, "amplitude");
-    const auto frequency = fields.number("frequency_hz");
-    const auto omega = fields.number("omega_rad_per_s");
-    if (!fields.at_most_one({"frequency_hz", "omega_rad_per_s"})) { return; }
-    if (!frequency && !omega) { fields.missing("frequency_hz", "how often a second"); }
-    if (!amplitude) { fields.missing(units.angle ? "amplitude_deg" : "amplitude", "the size of the swing"); }
-    if (const auto phase = fields.angle("phase")) { harmonic.phase = phase->value; }
-    fields.finish();
-    if (amplitude) { harmonic.amplitude = amplitude->value; }
-    if (frequency) { harmonic.omega = 2.0 * std::numbers::pi * frequency->value; }
-    if (omega) { harmonic.omega = omega->value; }
-    function.harmonics.push_back(harmonic);
-}
-
-void read_step(Fields& fields, const Units& units, TimeFunction& function) {
-    TimeFunction::SmoothStep step;
-    const auto from = units.number(fields, "from");
-    const auto to = units.number(fields, "to");
-    const auto start = fields.number("start_s");
-    const auto end = fields.number("end_s");
-    if (!to) { fields.missing(units.angle ? "to_deg" : "to", "the value that it ends at"); }
-    if (!end) { fields.missing("end_s", "the time at which it ends"); }
-    fields.finish();
-    if (from) { step.from = from->value; }
-    if (to) { step.to = to->value; }
-    if (start) { step.start = start->value; }
-    if (end) { step.end = end->value; }
-    if (end && step.end - step.start < 1e-9) {
-        fields.problems().add(end->span, "the step ends before it starts; expected 'end_s' above 'start_s'");
-        return;
-    }
-    function.steps.push_back(step);
-}
-
-TimeFunction read_function(Fields& fields, const Units& units) {
-    TimeFunction function;
-    if (const auto polynomial = units.numbers(fields, "polynomial")) {
-        function.polynomial = polynomial->value;
-    }
-    for (Fields& harmonic : fields.tables("harmonics")) { read_harmonic(harmonic, units, function); }
-    for (Fields& step : fields.tables("step")) { read_step(step, units, function); }
-    const std::string polynomial = units.angle ? "polynomial_deg" : "polynomial";
-    const bool any = fields.has(polynomial) || fields.has("polynomial_rad") || fields.has("harmonics") ||
-                     fields.has("step");
-    if (!any) { fields.missing(polynomial, "a function of time: " + polynomial + ", harmonics or step"); }
-    return function;
-}
+// values of a driver are looked at in so many moments of the motion
+constexpr int kMomentsLookedAt = 200;
 
 enum class What { angle, displacement, distance, coordinate };
 
 /// A driver along a joint: only where the joint leaves that freedom.
-bool place_on_joint(Fields& fields, const Reading& reading, What what, Driver& driver) {
+/// @return the value in the start pose, nothing if it is not known
+std::optional<double> place_on_joint(Fields& fields, const Reading& reading, What what, Driver& driver) {
     const auto name = fields.text("joint");
-    if (!name) {
-        if (!fields.has("joint")) { fields.missing("joint", "the joint whose freedom is driven"); }
-        return false;
-    }
-    const auto index = reading.joint(*name);
-    if (!index) { return false; }
-    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(*index)];
-    const std::string type(joint.type->name);
-    const bool turns = type == "revolute" || type == "cylindrical" || type == "screw";
-    const bool slides = type == "prismatic" || type == "cylindrical" || type == "screw";
-    if (what == What::angle ? !turns : !slides) {
+    fields.require("joint", "the joint whose freedom is driven");
+    const Named* named = name ? reading.joint(*name) : nullptr;
+    if (named == nullptr || !named->sound) { return std::nullopt; }
+    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
+    const auto has = what == What::angle ? has_angle : has_displacement;
+    if (!has(*joint.type)) {
         fields.problems().add(
-            name->span,
-            "joint '" + name->value + "' is " + type + " and leaves no such freedom; expected one of " +
-                (what == What::angle ? "revolute, cylindrical, screw" : "prismatic, cylindrical, screw"));
-        return false;
+            name->span, "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
+                            " has no " + (what == What::angle ? "angle" : "displacement") +
+                            "; expected a joint of type " + types_with(has));
+        return std::nullopt;
     }
-    driver.joint = *index;
+    driver.joint = named->index;
     driver.body_i = joint.body_i;
     driver.body_j = joint.body_j;
+    const BodyPair pair = pair_of(reading, {joint.body_i, joint.body_j, true});
     if (what == What::displacement) {
         driver.measure = displacement_of(joint);
-    } else if (type == "screw") {
-        driver.measure = ThetaMeasure{};
-    } else {
-        driver.measure = angle_of(joint);
+        return start_displacement(pair, joint.geometry);
     }
-    return true;
+    driver.measure = joint.type->artificial > 0 ? Measure(ThetaMeasure{}) : Measure(angle_of(joint));
+    return start_angle(pair, joint.geometry);
 }
 
-bool place_between_points(Fields& fields, const Reading& reading, Driver& driver) {
-    const auto names = fields.texts("bodies");
+std::optional<double> place_between_points(Fields& fields, const Reading& reading, Driver& driver) {
+    const PairIndices indices = read_pair(fields, reading);
+    const BodyPair pair = pair_of(reading, indices);
+    const auto at = fields.vector("at");
+    const auto to = fields.vector("to");
     const auto point_i = fields.vector("point_i");
     const auto point_j = fields.vector("point_j");
-    if (!names || names->value.size() != 2) {
-        fields.problems().add(
-            fields.span(), "a distance driver needs 'bodies'; expected two names of bodies");
-        return false;
-    }
-    const auto i = reading.body(names->value[0]);
-    const auto j = reading.body(names->value[1]);
-    if (!i || !j) { return false; }
-    if (*i == *j) {
-        fields.problems().add(
-            names->value[1].span, "both bodies are the same; expected two different bodies");
-        return false;
-    }
-    driver.body_i = *i;
-    driver.body_j = *j;
-    driver.measure = SquaredDistanceMeasure{
+    fields.at_most_one({"at", "point_i"});
+    fields.at_most_one({"to", "point_j"});
+    SquaredDistanceMeasure measure{
         point_i ? point_i->value : Vec3::Zero(), point_j ? point_j->value : Vec3::Zero()};
-    return true;
+    if (at) { measure.P_i_local = pair.point_i(at->value); }
+    if (to) { measure.P_j_local = pair.point_j(to->value); }
+    driver.body_i = indices.i;
+    driver.body_j = indices.j;
+    driver.measure = measure;
+    if (!indices.sound) { return std::nullopt; }
+    return pair.d(measure.P_i_local, measure.P_j_local).norm();
 }
 
-bool place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
+std::optional<double> place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
     const auto name = fields.text("body");
-    if (!fields.has("body")) { fields.missing("body", "the body whose coordinate is driven"); }
+    fields.require("body", "the body whose coordinate is driven");
     const auto coordinate = fields.word("coordinate", {"x", "y", "z", "e0", "e1", "e2", "e3"});
-    if (!fields.has("coordinate")) { fields.missing("coordinate", "one of x, y, z, e0, e1, e2, e3"); }
-    if (!name || !coordinate) { return false; }
-    const auto body = reading.body(*name);
-    if (!body) { return false; }
-    if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(*body)].fixed) {
-        fields.problems().add(name->span, "body '" + name->value + "' is fixed; expected one that moves");
-        return false;
+    fields.require("coordinate", "one of x, y, z, e0, e1, e2, e3");
+    const Named* named = name ? reading.body(*name) : nullptr;
+    if (named == nullptr || !coordinate) { return std::nullopt; }
+    const Body& body = reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)];
+    if (body.fixed) {
+        fields.problems().add(
+            name->span, "body " + in_quotes(name->value) + " is fixed; expected one that moves");
     }
     driver.body_i = 0;
-    driver.body_j = *body;
+    driver.body_j = named->index;
     driver.measure = CoordinateMeasure{static_cast<int>(*coordinate)};
-    return true;
+    const auto k = static_cast<Eigen::Index>(*coordinate);
+    return k < 3 ? body.r(k) : body.p(k - 3);
+}
+
+std::optional<double> place(Fields& fields, const Reading& reading, What what, Driver& driver) {
+    switch (what) {
+        case What::angle:
+        case What::displacement: return place_on_joint(fields, reading, what, driver);
+        case What::distance: return place_between_points(fields, reading, driver);
+        case What::coordinate: return place_on_body(fields, reading, driver);
+    }
+    return std::nullopt;
+}
+
+/// Values that no machine has: overflow, or a distance below zero.
+void check_values(Fields& fields, const MotionPlan& motion, const Driver& driver) {
+    const bool distance = std::holds_alternative<SquaredDistanceMeasure>(driver.measure);
+    for (int k = 0; k <= kMomentsLookedAt; ++k) {
+        const double t = motion.from + (motion.to - motion.from) * k / kMomentsLookedAt;
+        const TimeFunction::Value value = driver.function.at(t);
+        const bool finite =
+            std::isfinite(value.f) && std::isfinite(value.f_dot) && std::isfinite(value.f_ddot);
+        const std::string place = fields.what() + " reaches " + short_number(value.f) +
+                                  " at t = " + short_number(t) + " s; expected ";
+        if (!finite || std::abs(value.f) > kLargestNumber) {
+            fields.problems().add(fields.span(), place + "at most 1e9 in size");
+            return;
+        }
+        if (distance && value.f < 0.0) {
+            fields.problems().add(fields.span(), place + "a distance, which is never negative");
+            return;
+        }
+    }
 }
 
 void read_driver(Fields& fields, Reading& reading) {
+    const int errors = reading.problems->errors_count();
+    std::vector<Driver>& drivers = reading.lesson.mechanism.drivers;
+    const int index = static_cast<int>(drivers.size());
     Driver driver;
-    const auto name = fields.text("name");
-    if (!fields.has("name")) { fields.missing("name", "a name for the driver"); }
-    if (name) { driver.name = name->value; }
-    const auto taken = [&](const std::string& other) { return name && other == name->value; };
-    bool twice = false;
-    for (const Driver& other : reading.lesson.mechanism.drivers) { twice = twice || taken(other.name); }
-    for (const Joint& other : reading.lesson.mechanism.joints) { twice = twice || taken(other.name); }
-    if (twice) {
-        reading.problems->add(
-            name->span,
-            "'" + driver.name + "' is there twice; expected a name of its own for each joint and driver");
+    driver.measure = ThetaMeasure{};
+    driver.name = reading.declare(fields, Named::Kind::driver, index);
+    const auto words = fields.text("text");
+    const auto from_start = fields.flag("from_start");
+    const auto what = fields.word("quantity", {"angle", "displacement", "distance", "coordinate"});
+    fields.require("quantity", "one of angle, displacement, distance, coordinate");
+    if (what) {
+        const auto start = place(fields, reading, static_cast<What>(*what), driver);
+        driver.function = read_time_function(fields, static_cast<What>(*what) == What::angle);
+        if (from_start && from_start->value && start) {
+            driver.function.polynomial.resize(std::max<std::size_t>(1, driver.function.polynomial.size()));
+            driver.function.polynomial[0] += *start;
+        }
+        fields.finish();
+        // without a motion everything happens at t = 0
+        const MotionPlan at_rest{0.0, 0.0, 1.0, 1};
+        if (start && reading.problems->errors_count() == errors) {
+            check_values(fields, reading.lesson.motion.value_or(at_rest), driver);
+        }
     }
-    std::string words;
-    if (const auto text = fields.text("text")) { words = text->value; }
-    const auto kind = fields.word("quantity", {"angle", "displacement", "distance", "coordinate"});
-    if (!fields.has("quantity")) {
-        fields.missing("quantity", "one of angle, displacement, distance, coordinate");
-    }
-    if (!kind) { return; }
-    const What what = static_cast<What>(*kind);
-    bool placed = false;
-    switch (what) {
-        case What::angle:
-        case What::displacement: placed = place_on_joint(fields, reading, what, driver); break;
-        case What::distance: placed = place_between_points(fields, reading, driver); break;
-        case What::coordinate: placed = place_on_body(fields, reading, driver); break;
-    }
-    driver.function = read_function(fields, Units{what == What::angle});
-    if (placed) { fields.finish(); }
-    if (!placed) { return; }
-    reading.lesson.order.push_back(
-        {Addition::Kind::driver, static_cast<int>(reading.lesson.mechanism.drivers.size())});
-    reading.lesson.mechanism.drivers.push_back(driver);
-    reading.lesson.step_texts.drivers.push_back(words);
+    if (reading.problems->errors_count() > errors) { reading.distrust(driver.name); }
+    reading.lesson.order.push_back({Addition::Kind::driver, index});
+    reading.lesson.step_texts.drivers.push_back(words ? words->value : "");
+    drivers.push_back(std::move(driver));
 }
 
 }  // namespace
 
 void read_drivers(Fields& root, Reading& reading) {
-    for (Fields& fields : root.tables("driver")) { read_driver(fields, reading); }
+    for (Fields& fields : root.tables("driver", kMostDrivers)) { read_driver(fields, reading); }
 }
 
 }  // namespace jw::reading

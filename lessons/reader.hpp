@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "lessons/diagnostics.hpp"
 #include "lessons/lesson.hpp"
@@ -10,7 +10,8 @@
 /// Lesson files: TOML as described in docs/writing-a-lesson.md.
 namespace jw {
 
-/// A lesson, or everything that is wrong with the file. Never both, never neither.
+/// A lesson, or everything that is wrong with the file: with a lesson there are at most warnings, without
+/// one there is at least one error.
 struct ReadResult {
     std::optional<Lesson> lesson;
     std::vector<Diagnostic> diagnostics;  ///< by position
@@ -23,8 +24,5 @@ struct ReadResult {
 /// Never throws for bad input.
 ReadResult read_lesson(std::string source, std::string file_name);
 ReadResult read_lesson_file(const std::filesystem::path& path);
-
-/// Lesson files below a folder, sorted.
-std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& folder);
 
 }  // namespace jw

@@ -1,32 +1,112 @@
 #pragma once
 
+#include <map>
+
 #include "lessons/fields.hpp"
 #include "lessons/lesson.hpp"
 
 /// Parts of the reader: each turns one kind of table into its part of a Lesson.
 namespace jw::reading {
 
+// more than any lecture shows; matrices of this size still fit into a small machine
+inline constexpr std::size_t kMostBodies = 500;
+inline constexpr std::size_t kMostJoints = 1000;
+inline constexpr std::size_t kMostDrivers = 500;
+
+/// What a name of the lesson stands for.
+struct Named {
+    enum class Kind { body, joint, driver };
+    Kind kind = Kind::body;
+    int index = 0;
+    SourceSpan span;    ///< of its name
+    bool sound = true;  ///< false: its own table is wrong, so nothing is concluded from it
+};
+
 struct Reading {
     Lesson lesson;
     Problems* problems = nullptr;
+    std::map<std::string, Named, std::less<>> names;
 
-    std::vector<std::string> body_names() const;
-    std::vector<std::string> joint_names() const;
-    /// Index of a body or joint; reports an unknown name.
-    std::optional<int> body(const Located<std::string>& name) const;
-    std::optional<int> joint(const Located<std::string>& name) const;
+    /// Reads the key `name` and gives it to the entry `index` of its kind. Empty if there is none.
+    std::string declare(Fields& fields, Named::Kind kind, int index);
+    /// Marks the thing of that name as not to be trusted.
+    void distrust(const std::string& name);
+
+    /// What a name refers to; reports a name that is unknown or of another kind.
+    const Named* body(const Located<std::string>& name) const;
+    const Named* joint(const Located<std::string>& name) const;
+    /// A joint or a driver.
+    const Named* addition(const Located<std::string>& name) const;
+    /// Place of an addition in the order, 0 for the first.
+    int place_of(const Named& addition) const;
+
+private:
+    using Kinds = std::vector<Named::Kind>;
+    const Named* find(const Located<std::string>& name, const Kinds& kinds) const;
 };
 
+/// "body", "joint", "driver".
+const char* word_for(Named::Kind kind);
+
+void read_head(Fields& root, Lesson& lesson);
+void read_motion(Fields& root, Lesson& lesson);
+void read_camera(Fields& root, Lesson& lesson);
 void read_bodies(Fields& root, Reading& reading);
 void read_joints(Fields& root, Reading& reading);
 void read_drivers(Fields& root, Reading& reading);
-/// Claims; after joints and drivers and the order of additions.
+/// Order of additions and texts of steps; after joints and drivers.
+void read_order(Fields& root, Reading& reading);
+void read_steps(Fields& root, Reading& reading);
+/// Claims; after the order.
 void read_claims(Fields& root, Reading& reading);
 
+/// Key `shape`, one or several.
+std::vector<Shape> read_shapes(Fields& fields);
 /// Colour by palette name or "#rrggbb".
 std::optional<Colour> read_colour(Fields& fields);
+/// Key `axes`: columns are the axes of a frame, orthonormal and right-handed.
+std::optional<Mat3> read_frame(Fields& fields);
+/// The function of time of a driver; an angle has its unit in the keys.
+TimeFunction read_time_function(Fields& fields, bool angle);
 
 /// R as the columns of the body's axes in the global frame (p normalised).
 Mat3 rotation_of(const Body& body);
+
+// Freedoms that a joint leaves and that can be driven or claimed.
+bool has_angle(const JointType& type);
+bool has_displacement(const JointType& type);
+/// Names of the joint types for which `has` holds.
+std::string types_with(bool (*has)(const JointType&));
+
+/// The two bodies of a joint or driver and the way from the global frame at the start pose to theirs.
+struct BodyPair {
+    const Body* i;
+    const Body* j;
+    bool sound = true;  ///< false: the poses are not known
+
+    Vec3 point_i(const Vec3& global) const { return rotation_of(*i).transpose() * (global - i->r); }
+    Vec3 point_j(const Vec3& global) const { return rotation_of(*j).transpose() * (global - j->r); }
+    Vec3 vector_i(const Vec3& global) const { return rotation_of(*i).transpose() * global; }
+    Vec3 vector_j(const Vec3& global) const { return rotation_of(*j).transpose() * global; }
+    /// d at the start pose, global [m].
+    Vec3 d(const Vec3& P_i_local, const Vec3& P_j_local) const {
+        return j->r + rotation_of(*j) * P_j_local - i->r - rotation_of(*i) * P_i_local;
+    }
+};
+
+/// Key `bodies`: two different ones, not both fixed.
+struct PairIndices {
+    int i = 0;
+    int j = 0;
+    bool sound = false;
+};
+PairIndices read_pair(Fields& fields, const Reading& reading);
+BodyPair pair_of(const Reading& reading, const PairIndices& indices);
+
+/// Vectors of a joint whose type and bodies are known.
+void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
+/// Relative angle u_i to u_j and displacement s_i·d at the start pose.
+double start_angle(const BodyPair& pair, const JointGeometry& geometry);
+double start_displacement(const BodyPair& pair, const JointGeometry& geometry);
 
 }  // namespace jw::reading

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// cosines of perpendicular vectors as typed with four digits (0.06 deg)
+constexpr double kPerpendicular = 1e-3;
+// two points closer than this have no distance worth keeping [m]
+constexpr double kSmallestLength = 1e-9;
+
+/// Which vectors the primitives of a type use.
+struct Needs {
+    explicit Needs(const JointType& type)
+        : two_points(!type.uses(Role::same_point)),
+          points(
+              type.uses(Role::same_point) || type.uses(Role::distance_parallel) ||
+              type.uses(Role::distance_perpendicular) || type.uses(Role::length)),
+          arms(type.uses(Role::axes_perpendicular)),
+          axis_j(type.uses(Role::axes_parallel) || arms),
+          axis(axis_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular)),
+          sides(type.uses(Role::sides_perpendicular) || has_angle(type)) {}
+
+    bool two_points;  ///< the points of i and j need not coincide
+    bool points;
+    bool arms;    ///< axes of the two bodies are perpendicular, not parallel
+    bool axis_j;  ///< a vector in body j too
+    bool axis;
+    bool sides;
+};
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
+}
+
+bool is_perpendicular(const Vec3& a, const Vec3& b) {
+    return std::abs(a.normalized().dot(b.normalized())) <= kPerpendicular;
+}
+
+/// Either the global key or both local ones. @return false after saying what is wrong
+bool one_way(
+    Fields& fields, const std::string& global, const std::vector<std::string>& local,
+    const std::string& what) {
+    bool all = true;
+    for (const std::string& key : local) {
+        if (!fields.at_most_one({global, key})) { return false; }
+        all = all && fields.has(key);
+    }
+    if (fields.has(global) || all) { return true; }
+    const auto absent = std::ranges::find_if(local, [&](const auto& key) { return !fields.has(key); });
+    const bool none = std::ranges::none_of(local, [&](const auto& key) { return fields.has(key); });
+    std::string locals;
+    for (const std::string& key : local) { locals += (locals.empty() ? "" : " and ") + in_quotes(key); }
+    fields.missing(
+        none ? global : *absent, what + ": " + in_quotes(global) + " (global, at the start pose) or " +
+                                     locals +
+                                     (local.size() > 1 ? " (in the bodies)" : " (in the first body)"));
+    return false;
+}
+
+void read_points(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const Needs needs(type);
+    const auto at = fields.vector("at");
+    const auto to = needs.two_points ? fields.vector("to") : std::nullopt;
+    const auto point_i = fields.vector("point_i");
+    const auto point_j = fields.vector("point_j");
+    if (!one_way(fields, "at", {"point_i", "point_j"}, "a point, three numbers in m")) { return; }
+    if (needs.two_points && fields.has("to") && !fields.has("at")) {
+        fields.problems().add(
+            fields.span("to"), "'to' without 'at'; expected both or 'point_i' and 'point_j'");
+        return;
+    }
+    if (at) {
+        g.P_i_local = pair.point_i(at->value);
+        g.P_j_local = pair.point_j(to ? to->value : at->value);
+        if (type.uses(Role::length)) { fields.require("to", "the point of the second body, global, in m"); }
+    }
+    if (point_i) { g.P_i_local = point_i->value; }
+    if (point_j) { g.P_j_local = point_j->value; }
+}
+
+void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, JointGeometry& g) {
+    fields.require("axis2", "the arm of the second body, global, perpendicular to 'axis'");
+    const auto axis2 = fields.direction("axis2");
+    if (!axis2) { return; }
+    g.s_j_local = pair.vector_j(axis2->value.normalized());
+    if (!is_perpendicular(axis.value, axis2->value)) {
+        fields.problems().add(
+            axis2->span,
+            "'axis' and 'axis2' make an angle of " +
+                short_number(degrees_between(axis.value, axis2->value), 4) + " deg; expected 90 deg",
+            "a start that is not assembled is given by 'axis_i' and 'axis_j'");
+    }
+}
+
+/// @return whether the axes are known
+bool read_axes(Fields& fields, const BodyPair& pair, const Needs& needs, JointGeometry& g) {
+    const int errors = fields.problems().errors_count();
+    const auto axis = fields.direction("axis");
+    const auto axis_i = fields.direction("axis_i");
+    const auto axis_j = needs.axis_j ? fields.direction("axis_j") : std::nullopt;
+    const std::vector<std::string> local =
+        needs.axis_j ? std::vector<std::string>{"axis_i", "axis_j"} : std::vector<std::string>{"axis_i"};
+    if (needs.arms) { fields.has("axis2"); }
+    if (!one_way(fields, "axis", local, "an axis, three numbers")) { return false; }
+    if (axis) {
+        g.s_i_local = pair.vector_i(axis->value.normalized());
+        g.s_j_local = pair.vector_j(axis->value.normalized());
+        if (needs.arms) { read_arms(fields, pair, *axis, g); }
+    } else if (needs.arms && !fields.has("axis") && fields.has("axis2")) {
+        fields.problems().add(
+            fields.span("axis2"), "'axis2' without 'axis'; expected both or 'axis_i' and 'axis_j'");
+    }
+    if (axis_i) { g.s_i_local = axis_i->value; }
+    if (axis_j) { g.s_j_local = axis_j->value; }
+    return fields.problems().errors_count() == errors;
+}
+
+/// A side vector must be perpendicular to the axis of its body: an error where the angle is measured from
+/// it; for the h of n1 only odd, the equation as typed still means something.
+void check_side(
+    Fields& fields, const std::string& key, const Located<Vec3>& side, const Vec3& axis, bool must_be) {
+    if (is_perpendicular(side.value, axis)) { return; }
+    const std::string message = in_quotes(key) + " makes an angle of " +
+                                short_number(degrees_between(side.value, axis), 4) +
+                                " deg with the axis; expected 90 deg";
+    const Vec3 s = axis.normalized();
+    const Vec3 across = side.value - side.value.dot(s) * s;
+    const std::string hint = across.norm() < kShortestDirection
+                                 ? ""
+                                 : "perpendicular: " + key + " = [" + short_number(across.x()) + ", " +
+                                       short_number(across.y()) + ", " + short_number(across.z()) + "]";
+    if (must_be) {
+        fields.problems().add(side.span, message, hint);
+    } else {
+        fields.problems().warn(side.span, message, hint);
+    }
+}
+
+/// Sides from one global direction u: u_i = u_j, h_j = axis × u, once the axis of j has been turned onto
+/// that of i the shortest way (no turn at all where the start is assembled).
+void set_sides(const BodyPair& pair, const Vec3& u, JointGeometry& g) {
+    const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
+    const Vec3 axis_j = rotation_of(*pair.j) * g.s_j_local.normalized();
+    const Mat3 back = Eigen::Quaterniond::FromTwoVectors(axis, axis_j).toRotationMatrix();
+    g.u_i_local = pair.vector_i(u);
+    g.u_j_local = pair.vector_j(back * u);
+    g.h_i_local = g.u_i_local;
+    g.h_j_local = pair.vector_j(back * axis.cross(u));
+}
+
+void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const auto side = fields.direction("side");
+    const auto side_i = fields.direction("side_i");
+    const auto side_j = fields.direction("side_j");
+    const bool any = fields.has("side") || fields.has("side_i") || fields.has("side_j");
+    if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
+
+    const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
+    if (!side_i || !side_j) {
+        const Vec3 u = side ? side->value.normalized() : perpendicular_to(axis);
+        if (side) { check_side(fields, "side", *side, axis, true); }
+        set_sides(pair, u, g);
+        return;
+    }
+    check_side(fields, "side_i", *side_i, g.s_i_local, has_angle(type));
+    check_side(fields, "side_j", *side_j, g.s_j_local, has_angle(type));
+    // h as typed: its length scales the equation; u is a direction
+    g.h_i_local = side_i->value;
+    g.h_j_local = side_j->value;
+    g.u_i_local = side_i->value.normalized();
+    g.u_j_local = side_j->value.normalized();
+}
+
+void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
+    fields.require("pitch", "the advance in one turn [m], negative for a left-hand thread");
+    if (const auto pitch = fields.number("pitch")) { g.alpha = pitch->value / (2.0 * std::numbers::pi); }
+    if (const auto form = fields.word("angle_row", {"rotation", "cosine", "sine"})) {
+        g.screw_angle_form = static_cast<ScrewAngleForm>(*form);
+    }
+    // the start pose lies on the thread unless the author says otherwise
+    g.d_0 = start_displacement(pair, g);
+    g.theta_0 = start_angle(pair, g);
+    if (const auto d_0 = fields.number("d_0")) { g.d_0 = d_0->value; }
+    if (const auto theta_0 = fields.angle("theta_0")) { g.theta_0 = theta_0->value; }
+}
+
+void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointGeometry& g) {
+    const auto length = fields.positive("length");
+    if (length) { g.length = length->value; }
+    if (fields.has("length") || !points_known || !pair.sound) { return; }
+    g.length = pair.d(g.P_i_local, g.P_j_local).norm();
+    if (g.length < kSmallestLength) {
+        fields.problems().add(
+            fields.span(), fields.what() + ": the two points coincide; expected a distance above 0",
+            "for a spherical joint use type = \"spherical\"");
+    }
+}
+
+}  // namespace
+
+double start_angle(const BodyPair& pair, const JointGeometry& g) {
+    Joint joint;
+    joint.geometry = g;
+    joint.body_j = 1;
+    return relative_angle(joint, State{{pair.i->r, pair.j->r}, {pair.i->p, pair.j->p}, {}});
+}
+
+double start_displacement(const BodyPair& pair, const JointGeometry& g) {
+    return pair.d(g.P_i_local, g.P_j_local).dot(rotation_of(*pair.i) * g.s_i_local.normalized());
+}
+
+void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
+    const JointType& type = *joint.type;
+    const Needs needs(type);
+    JointGeometry& g = joint.geometry;
+    const int errors = fields.problems().errors_count();
+    if (needs.points) { read_points(fields, pair, type, g); }
+    if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
+    const bool axes_known = needs.axis && read_axes(fields, pair, needs, g);
+    if (needs.sides && axes_known) {
+        read_sides(fields, pair, type, g);
+    } else if (needs.sides) {
+        for (const char* key : {"side", "side_i", "side_j"}) { fields.direction(key); }
+    }
+    if (type.uses(Role::screw_advance)) { read_screw(fields, pair, g); }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "lessons/diagnostics.hpp"
+
+/// Collecting what is wrong with a lesson.
+namespace jw {
+
+/// A value with the place where it stands.
+template <class T>
+struct Located {
+    T value{};
+    SourceSpan span;
+};
+
+/// Where errors go.
+class Problems {
+public:
+    explicit Problems(std::string file) : file_(std::move(file)) {}
+
+    void add(const SourceSpan& span, std::string message, std::string hint = {});
+    /// A warning does not keep the lesson from being read.
+    void warn(const SourceSpan& span, std::string message, std::string hint = {});
+
+    int errors_count() const { return errors_count_; }
+    /// Nobody reads so many: looking for more is not worth the time.
+    bool is_full() const { return list_.size() >= kMostProblems; }
+    /// All of them, by position.
+    std::vector<Diagnostic> take();
+
+private:
+    std::string file_;
+    std::vector<Diagnostic> list_;
+    int errors_count_ = 0;
+};
+
+SourceSpan span_of(const toml::source_region& region);
+
+}  // namespace jw

@@ -1,0 +1,65 @@
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// a camera this close to looking along `up` has no upright picture (0.06 deg)
+constexpr double kAlongUp = 1e-3;
+constexpr int kMostSteps = 100000;
+
+}  // namespace
+
+void read_head(Fields& root, Lesson& lesson) {
+    const auto take = [&](const char* key, std::string& into) {
+        if (const auto text = root.text(key)) { into = text->value; }
+        while (into.ends_with('\n')) { into.pop_back(); }
+    };
+    take("title", lesson.title);
+    root.require("title", "what the lesson is called");
+    take("chapter", lesson.chapter);
+    take("source", lesson.source);
+    take("text", lesson.text);
+    const auto choice = root.word("coordinates", {"rp", "rp-modified", "omega-local", "omega-global"});
+    if (choice) { lesson.coordinates = static_cast<CoordinateChoice>(*choice); }
+}
+
+void read_motion(Fields& root, Lesson& lesson) {
+    auto fields = root.table("motion");
+    if (!fields) { return; }
+    MotionPlan plan;
+    if (const auto from = fields->number("from_s")) { plan.from = from->value; }
+    fields->require("to_s", "the time at which the motion ends");
+    if (const auto to = fields->number("to_s")) {
+        plan.to = to->value;
+        if (plan.to <= plan.from) {
+            root.problems().add(
+                to->span, "the motion ends at " + short_number(plan.to) + " s and starts at " +
+                              short_number(plan.from) + " s; expected 'to_s' above 'from_s'");
+        }
+    }
+    plan.duration = plan.to - plan.from;
+    if (const auto duration = fields->positive("duration_s")) { plan.duration = duration->value; }
+    if (const auto steps = fields->integer("steps", 1, kMostSteps)) { plan.steps = steps->value; }
+    fields->finish();
+    lesson.motion = plan;
+}
+
+void read_camera(Fields& root, Lesson& lesson) {
+    auto fields = root.table("camera");
+    if (!fields) { return; }
+    CameraWish& camera = lesson.camera;
+    if (const auto from = fields->direction("from")) { camera.from = from->value.normalized(); }
+    if (const auto target = fields->vector("target")) { camera.target = target->value; }
+    if (const auto distance = fields->positive("distance")) { camera.distance = distance->value; }
+    if (const auto up = fields->direction("up")) { camera.up = up->value.normalized(); }
+    if (const auto flat = fields->flag("orthographic")) { camera.orthographic = flat->value; }
+    fields->finish();
+    if (camera.from && camera.from->cross(camera.up.value_or(Vec3::UnitZ())).norm() < kAlongUp) {
+        root.problems().add(
+            fields->span("from"), "the camera looks along 'up'; expected another direction",
+            camera.up ? "" : "'up' is z; give another one, for example up = [0, 1, 0]");
+    }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+constexpr std::size_t kMostShapes = 100;
+// shorter rods and thinner boxes cannot be seen and have no direction
+constexpr double kSmallestSize = 1e-9;
+// cosines of axes as typed with three digits
+constexpr double kOrthonormal = 1e-3;
+
+const std::vector<std::string> kShapeKinds{"box", "cylinder", "sphere", "rod"};
+
+std::optional<Shape> read_box(Fields& fields) {
+    const auto size = fields.vector("size");
+    fields.require("size", "three edge lengths in m");
+    Box box;
+    if (const auto at = fields.vector("at")) { box.centre = at->value; }
+    if (const auto axes = read_frame(fields)) { box.axes = *axes; }
+    fields.finish();
+    if (!size) { return std::nullopt; }
+    box.size = size->value;
+    if (box.size.minCoeff() < kSmallestSize) {
+        fields.problems().add(
+            size->span, "'size' has an edge of " + short_number(box.size.minCoeff()) +
+                            "; expected three lengths above 0");
+    }
+    return box;
+}
+
+std::optional<Shape> read_sphere(Fields& fields) {
+    const auto radius = fields.positive("radius");
+    fields.require("radius", "a radius in m");
+    Sphere sphere;
+    if (const auto at = fields.vector("at")) { sphere.centre = at->value; }
+    fields.finish();
+    if (!radius) { return std::nullopt; }
+    sphere.radius = radius->value;
+    return sphere;
+}
+
+template <class Bar>
+std::optional<Shape> read_bar(Fields& fields) {
+    const auto from = fields.vector("from");
+    const auto to = fields.vector("to");
+    const auto radius = fields.positive("radius");
+    fields.require("from", "a point of the body, three numbers in m");
+    fields.require("to", "a point of the body, three numbers in m");
+    fields.require("radius", "a radius in m");
+    fields.finish();
+    if (!from || !to || !radius) { return std::nullopt; }
+    if ((from->value - to->value).norm() < kSmallestSize) {
+        fields.problems().add(to->span, "'to' equals 'from'; expected two different points");
+    }
+    return Bar{from->value, to->value, radius->value};
+}
+
+std::optional<Shape> read_shape(Fields& fields) {
+    if (!fields.at_most_one(kShapeKinds)) { return std::nullopt; }
+    std::optional<Shape> shape;
+    if (auto box = fields.table("box")) { shape = read_box(*box); }
+    if (auto sphere = fields.table("sphere")) { shape = read_sphere(*sphere); }
+    if (auto cylinder = fields.table("cylinder")) { shape = read_bar<Cylinder>(*cylinder); }
+    if (auto rod = fields.table("rod")) { shape = read_bar<Rod>(*rod); }
+    const int errors = fields.problems().errors_count();
+    fields.finish();
+    const auto is_there = [&](const std::string& kind) { return fields.has(kind); };
+    // an unknown key has been reported as such: most likely it is the form, misspelt
+    if (std::ranges::none_of(kShapeKinds, is_there) && fields.problems().errors_count() == errors) {
+        fields.problems().add(
+            fields.span(), "the shape names no form; expected one of " + comma_list(kShapeKinds));
+    }
+    return shape;
+}
+
+/// x kept, y turned in their plane, z across both: exactly orthonormal.
+Mat3 made_exact(const Mat3& axes) {
+    Mat3 A;
+    A.col(0) = axes.col(0).normalized();
+    A.col(2) = A.col(0).cross(axes.col(1)).normalized();
+    A.col(1) = A.col(2).cross(A.col(0));
+    return A;
+}
+
+}  // namespace
+
+std::vector<Shape> read_shapes(Fields& fields) {
+    std::vector<Shape> shapes;
+    for (Fields& shape_fields : fields.tables("shape", kMostShapes)) {
+        if (const auto shape = read_shape(shape_fields)) { shapes.push_back(*shape); }
+    }
+    return shapes;
+}
+
+std::optional<Mat3> read_frame(Fields& fields) {
+    auto axes = fields.table("axes");
+    if (!axes) { return std::nullopt; }
+    const int errors = fields.problems().errors_count();
+    std::array<std::optional<Located<Vec3>>, 3> given{
+        axes->direction("x"), axes->direction("y"), axes->direction("z")};
+    axes->finish();
+    if (fields.problems().errors_count() > errors) { return std::nullopt; }
+
+    Mat3 A;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (given[k]) { A.col(static_cast<int>(k)) = given[k]->value.normalized(); }
+    }
+    const auto count = std::ranges::count_if(given, [](const auto& axis) { return axis.has_value(); });
+    if (count < 2) {
+        fields.problems().add(
+            axes->span(), "'axes' has fewer than two axes; expected two or three of x, y, z");
+        return std::nullopt;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int next = (static_cast<int>(k) + 1) % 3;
+        const int last = (static_cast<int>(k) + 2) % 3;
+        if (!given[k]) { A.col(static_cast<int>(k)) = A.col(next).cross(A.col(last)); }
+    }
+    // an axis left out has the length of the cross product; the cosines below judge the other two
+    const double xy = A.col(0).dot(A.col(1));
+    const double yz = A.col(1).dot(A.col(2));
+    const double zx = A.col(2).dot(A.col(0));
+    if (std::max({std::abs(xy), std::abs(yz), std::abs(zx)}) > kOrthonormal) {
+        fields.problems().add(
+            axes->span(), "the axes are not perpendicular: x·y = " + short_number(xy, 4) +
+                              ", y·z = " + short_number(yz, 4) + ", z·x = " + short_number(zx, 4) +
+                              " for unit axes; expected at most 0.001");
+        return std::nullopt;
+    }
+    if (A.determinant() < 0.0) {
+        fields.problems().add(axes->span(), "the axes are left-handed; expected x × y = z");
+        return std::nullopt;
+    }
+    return made_exact(A);
+}
+
+std::optional<Colour> read_colour(Fields& fields) {
+    const auto text = fields.text("colour");
+    if (!text) { return std::nullopt; }
+    const std::vector<std::string> names{"blue",   "orange",    "green",  "sky",
+                                         "yellow", "vermilion", "purple", "steel"};
+    constexpr std::array<std::uint32_t, 8> values{0x2F78B7, 0xE08E1A, 0x1F9A76, 0x5FB3E0,
+                                                  0xE3C93C, 0xCF5A1C, 0xB9709E, 0x8A94A0};
+    const auto colour_of = [](std::uint32_t rgb) {
+        return Colour{((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0};
+    };
+    const auto found = std::ranges::find(names, text->value);
+    if (found != names.end()) { return colour_of(values[static_cast<std::size_t>(found - names.begin())]); }
+    const std::string& t = text->value;
+    if (t.size() == 7 && t[0] == '#' &&
+        t.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
+        return colour_of(static_cast<std::uint32_t>(std::stoul(t.substr(1), nullptr, 16)));
+    }
+    fields.problems().add(
+        text->span,
+        "unknown colour " + in_quotes(t) + "; expected \"#rrggbb\" or one of " + comma_list(names),
+        did_you_mean(t, names));
+    return std::nullopt;
+}
+
+}  // namespace jw::reading

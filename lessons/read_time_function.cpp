@@ -1,0 +1,99 @@
+#include <numbers>
+
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// more coefficients or parts than this are data, not a lesson
+constexpr std::size_t kMostCoefficients = 50;
+constexpr std::size_t kMostParts = 100;
+// a shorter step has accelerations beyond all reason [s]
+constexpr double kShortestStep = 1e-6;
+
+/// Keys of a function's values: plain for a length, "_deg" or "_rad" for an angle.
+struct ValueKeys {
+    bool angle = false;
+
+    std::string name(const std::string& key) const { return angle ? key + "_deg" : key; }
+    std::optional<Located<double>> number(Fields& fields, const std::string& key) const {
+        return angle ? fields.angle(key) : fields.number(key);
+    }
+    void require(Fields& fields, const std::string& key, const char* expected) const {
+        if (!angle || !fields.has(key + "_rad")) { fields.require(name(key), expected); }
+    }
+};
+
+void read_polynomial(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    const auto take = [&](const std::string& key, double factor) {
+        if (const auto list = fields.numbers(key, 0, kMostCoefficients)) {
+            for (const double c : list->value) { function.polynomial.push_back(factor * c); }
+        }
+    };
+    if (!keys.angle) {
+        take("polynomial", 1.0);
+    } else if (fields.at_most_one({"polynomial_deg", "polynomial_rad"})) {
+        take("polynomial_deg", std::numbers::pi / 180.0);
+        take("polynomial_rad", 1.0);
+    }
+}
+
+void read_harmonic(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    TimeFunction::Harmonic harmonic;
+    fields.call("the harmonic");
+    keys.require(fields, "amplitude", "the size of the swing");
+    if (const auto amplitude = keys.number(fields, "amplitude")) { harmonic.amplitude = amplitude->value; }
+    const auto frequency = fields.number("frequency_hz");
+    const auto omega = fields.number("omega_rad_per_s");
+    fields.at_most_one({"frequency_hz", "omega_rad_per_s"});
+    if (!fields.has("omega_rad_per_s")) { fields.require("frequency_hz", "how often a second it swings"); }
+    if (const auto phase = fields.angle("phase")) { harmonic.phase = phase->value; }
+    fields.finish();
+    if (frequency) { harmonic.omega = 2.0 * std::numbers::pi * frequency->value; }
+    if (omega) { harmonic.omega = omega->value; }
+    function.harmonics.push_back(harmonic);
+}
+
+void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    TimeFunction::SmoothStep step;
+    fields.call("the step");
+    keys.require(fields, "to", "the value at which it ends");
+    fields.require("end_s", "the time at which it ends");
+    if (const auto from = keys.number(fields, "from")) { step.from = from->value; }
+    if (const auto to = keys.number(fields, "to")) { step.to = to->value; }
+    if (const auto start = fields.number("start_s")) { step.start = start->value; }
+    const auto end = fields.number("end_s");
+    fields.finish();
+    if (!end) { return; }
+    step.end = end->value;
+    if (step.end - step.start < kShortestStep) {
+        fields.problems().add(
+            end->span, "the step ends at " + short_number(step.end) + " s and starts at " +
+                           short_number(step.start) + " s; expected 'end_s' above 'start_s'");
+        return;
+    }
+    function.steps.push_back(step);
+}
+
+}  // namespace
+
+TimeFunction read_time_function(Fields& fields, bool angle) {
+    const ValueKeys keys{angle};
+    TimeFunction function;
+    read_polynomial(fields, keys, function);
+    for (Fields& harmonic : fields.tables("harmonics", kMostParts)) {
+        read_harmonic(harmonic, keys, function);
+    }
+    for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
+    const bool any = fields.has(keys.name("polynomial")) || (angle && fields.has("polynomial_rad")) ||
+                     fields.has("harmonics") || fields.has("step");
+    if (!any) {
+        fields.missing(
+            keys.name("polynomial"),
+            "a function of time: " + keys.name("polynomial") + ", harmonics or step");
+    }
+    return function;
+}
+
+}  // namespace jw::reading

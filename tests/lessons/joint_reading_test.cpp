@@ -1,0 +1,161 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/lessons/support.hpp"
+
+using namespace jw;
+using test::lesson_of;
+using test::with_two_bodies;
+
+namespace {
+
+// a few roundings of numbers of size 1 to 10
+constexpr double kRounding = 1e-14;
+
+bool is_near(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
+
+/// A joint between `base` (global frame) and `arm` (at (1, 2, 3), its x axis along global y).
+Joint joint_with(const std::string& keys) {
+    const Lesson lesson =
+        lesson_of(with_two_bodies("[[joint]]\nname = \"j\"\nbodies = [\"base\", \"arm\"]\n" + keys + "\n"));
+    REQUIRE(lesson.mechanism.joints.size() == 1);
+    return lesson.mechanism.joints[0];
+}
+
+}  // namespace
+
+TEST_CASE("Global points and axes become local ones", "[lessons][reading]") {
+    const JointGeometry g =
+        joint_with("type = \"revolute\"\nat = [4, 6, 3]\naxis = [0, 3, 4]\nside = [2, 0, 0]").geometry;
+    CHECK(is_near(g.P_i_local, Vec3(4, 6, 3)));
+    CHECK(is_near(g.P_j_local, Vec3(4, -3, 0)));
+    CHECK(is_near(g.s_i_local, Vec3(0, 0.6, 0.8)));
+    CHECK(is_near(g.s_j_local, Vec3(0.6, 0, 0.8)));
+    // u_i = u_j = side, h_j = axis × side
+    CHECK(is_near(g.u_i_local, Vec3(1, 0, 0)));
+    CHECK(is_near(g.u_j_local, Vec3(0, -1, 0)));
+    CHECK(is_near(g.h_i_local, Vec3(1, 0, 0)));
+    CHECK(is_near(g.h_j_local, Vec3(0.8, 0, -0.6)));
+}
+
+TEST_CASE("Local points and vectors are used exactly as typed", "[lessons][reading]") {
+    const JointGeometry g =
+        joint_with(
+            "type = \"prismatic\"\npoint_i = [0.1, 0.2, 0.3]\npoint_j = [-0.7, 0, 11]\naxis_i = [0, 0, 7]\n"
+            "axis_j = [0, 0.3, 0]\nside_i = [2, 0, 0]\nside_j = [0, 0, 0.1]")
+            .geometry;
+    CHECK(g.P_i_local == Vec3(0.1, 0.2, 0.3));
+    CHECK(g.P_j_local == Vec3(-0.7, 0, 11));
+    CHECK(g.s_i_local == Vec3(0, 0, 7));
+    CHECK(g.s_j_local == Vec3(0, 0.3, 0));
+    CHECK(g.h_i_local == Vec3(2, 0, 0));
+    CHECK(g.h_j_local == Vec3(0, 0, 0.1));
+    CHECK(is_near(g.u_j_local, Vec3(0, 0, 1)));
+}
+
+TEST_CASE("A global point goes with local axes", "[lessons][reading]") {
+    const JointGeometry g =
+        joint_with("type = \"revolute\"\nat = [1, 2, 3]\naxis_i = [0, 0, 2]\naxis_j = [0, 0, 5]").geometry;
+    CHECK(is_near(g.P_i_local, Vec3(1, 2, 3)));
+    CHECK(is_near(g.P_j_local, Vec3::Zero()));
+    CHECK(g.s_j_local == Vec3(0, 0, 5));
+}
+
+TEST_CASE("Without a side the start pose has angle 0 and perpendicular h", "[lessons][reading]") {
+    const auto axes = GENERATE(
+        "axis = [1, 2, -2]", "axis = [0, 0, -1]", "axis_i = [0, 0, 1]\naxis_j = [0, 0, 3]",
+        // anti-parallel and oblique starts: after the shortest turn onto each other
+        "axis_i = [1, 0, 0]\naxis_j = [0, 1, 0]");
+    CAPTURE(axes);
+    const Lesson lesson = lesson_of(with_two_bodies(
+        "[[joint]]\nname = \"j\"\ntype = \"cylindrical\"\nbodies = [\"base\", \"arm\"]\nat = [0, 0, 0]\n" +
+        std::string(axes) + "\n"));
+    const Joint& joint = lesson.mechanism.joints[0];
+    CHECK(std::abs(relative_angle(joint, start_state(lesson.mechanism))) < kRounding);
+    CHECK(std::abs(joint.geometry.u_i_local.dot(joint.geometry.s_i_local)) < kRounding);
+    CHECK(std::abs(joint.geometry.h_j_local.dot(joint.geometry.u_j_local)) < kRounding);
+    CHECK(std::abs(joint.geometry.h_j_local.dot(joint.geometry.s_j_local)) < kRounding);
+}
+
+TEST_CASE("A universal joint takes its two arms globally or locally", "[lessons][reading]") {
+    const JointGeometry global =
+        joint_with("type = \"universal\"\nat = [0, 0, 0]\naxis = [3, 0, 0]\naxis2 = [0, 2, 0]").geometry;
+    CHECK(is_near(global.s_i_local, Vec3(1, 0, 0)));
+    CHECK(is_near(global.s_j_local, Vec3(1, 0, 0)));
+    const JointGeometry local =
+        joint_with("type = \"universal\"\nat = [0, 0, 0]\naxis_i = [3, 0, 0]\naxis_j = [0, 2, 1]").geometry;
+    CHECK(local.s_i_local == Vec3(3, 0, 0));
+    CHECK(local.s_j_local == Vec3(0, 2, 1));
+}
+
+TEST_CASE("A screw starts on its thread unless the lesson says otherwise", "[lessons][reading]") {
+    const std::string nut =
+        "type = \"screw\"\nat = [0, 0, 0]\nto = [0, 0, 0.5]\naxis = [0, 0, 1]\npitch = -0.01\n";
+    const JointGeometry g = joint_with(nut).geometry;
+    CHECK(g.alpha == Approx(-0.01 / (2.0 * std::numbers::pi)).margin(1e-17));
+    CHECK(g.d_0 == Approx(0.5).margin(kRounding));
+    CHECK(std::abs(g.theta_0) < kRounding);
+    CHECK(g.screw_angle_form == ScrewAngleForm::rotation);
+
+    const JointGeometry told =
+        joint_with(nut + "d_0 = 0.25\ntheta_0_deg = 30\nangle_row = \"cosine\"").geometry;
+    CHECK(told.d_0 == 0.25);
+    CHECK(told.theta_0 == Approx(std::numbers::pi / 6).margin(kRounding));
+    CHECK(told.screw_angle_form == ScrewAngleForm::cosine);
+    CHECK(joint_with(nut + "theta_0_rad = 7").geometry.theta_0 == 7.0);
+    CHECK(joint_with(nut + "angle_row = \"sine\"").geometry.screw_angle_form == ScrewAngleForm::sine);
+    // sides a quarter turn apart: that is θ0
+    const JointGeometry quarter =
+        joint_with(
+            "type = \"screw\"\nat = [0, 0, 0]\naxis_i = [0, 0, 1]\naxis_j = [0, 0, 1]\nside_i = [1, 0, 0]\n"
+            "side_j = [1, 0, 0]\npitch = 1")
+            .geometry;
+    CHECK(quarter.theta_0 == Approx(std::numbers::pi / 2).margin(kRounding));
+}
+
+TEST_CASE("A distance is given or measured at the start pose", "[lessons][reading]") {
+    CHECK(joint_with("type = \"distance\"\nat = [0, 0, 0]\nto = [3, 0, 4]").geometry.length == 5.0);
+    CHECK(
+        joint_with("type = \"distance\"\nat = [0, 0, 0]\nto = [3, 0, 4]\nlength = 2").geometry.length == 2.0);
+    const JointGeometry local =
+        joint_with("type = \"distance\"\npoint_i = [1, 2, 0]\npoint_j = [0, 0, 1]").geometry;
+    CHECK(local.length == Approx(4.0).margin(kRounding));
+}
+
+TEST_CASE("n2 and p2 join two points and need the first body's axis only", "[lessons][reading]") {
+    const auto type = GENERATE("n2", "p2");
+    const JointGeometry g =
+        joint_with("type = \"" + std::string(type) + "\"\nat = [0, 0, 0]\nto = [1, 2, 4]\naxis_i = [0, 0, 2]")
+            .geometry;
+    CHECK(is_near(g.P_i_local, Vec3::Zero()));
+    CHECK(is_near(g.P_j_local, Vec3(0, 0, 1)));
+    CHECK(g.s_i_local == Vec3(0, 0, 2));
+}
+
+TEST_CASE("Every joint type can be read, with its number of equations", "[lessons][reading]") {
+    for (const JointType& type : kJointTypes) {
+        CAPTURE(type.name);
+        std::string keys = "type = \"" + std::string(type.name) + "\"\n";
+        const bool arms = type.uses(Role::axes_perpendicular);
+        const bool axis = arms || type.uses(Role::axes_parallel) || type.uses(Role::distance_parallel) ||
+                          type.uses(Role::distance_perpendicular);
+        if (axis) { keys += "axis = [0, 0, 1]\n"; }
+        if (arms) { keys += "axis2 = [1, 0, 0]\n"; }
+        if (type.name != "p1" && type.name != "n1") { keys += "at = [0, 0, 0]\n"; }
+        if (type.uses(Role::length)) { keys += "to = [0, 0, 1]\n"; }
+        if (type.uses(Role::screw_advance)) { keys += "pitch = 1\n"; }
+        CHECK(joint_with(keys).type == &type);
+    }
+}
+
+TEST_CASE("The form of parallel equations is read by name", "[lessons][reading]") {
+    const std::string hinge = "type = \"revolute\"\nat = [0, 0, 0]\naxis = [0, 0, 1]\nparallel = ";
+    CHECK(joint_with(hinge + "\"rule\"").parallel_form == ParallelForm::rule);
+    CHECK(joint_with(hinge + "\"drop x\"").parallel_form == ParallelForm::drop_x);
+    CHECK(joint_with(hinge + "\"drop y\"").parallel_form == ParallelForm::drop_y);
+    CHECK(joint_with(hinge + "\"drop z\"").parallel_form == ParallelForm::drop_z);
+    CHECK(joint_with(hinge + "\"all three\"").parallel_form == ParallelForm::all_three);
+    CHECK(joint_with(hinge + "\"pair\"").parallel_form == ParallelForm::pair);
+}
