@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/system.hpp"
+
+/// Names of rows, columns and equations as people read them; the only place where provenance becomes text.
+namespace jw {
+
+/// Formula markup: `@s` a bold letter, `~s` a bold letter with a tilde, `_` and `^` take one character or a
+/// {group}; single letters are italic, everything else upright.
+struct EquationText {
+    std::string primitive;  ///< "p1"
+    std::string formula;    ///< markup
+    std::string plain;      ///< the same in one line of Unicode
+    std::string unit;       ///< "m", "m²" or "-"
+};
+
+std::string name_of_role(Role role, ParallelForm form);
+EquationText equation_text(const System& system, const Constraint& constraint);
+EquationText driver_text(const Driver& driver);
+
+/// "hinge · p1 · y"
+std::string row_label(const System& system, int row);
+/// Short form for the margin of a matrix: "p1 y".
+std::string short_row_label(const System& system, int row);
+/// "x", "y", "z", or "1", "2" for the two rows of a pair; empty for a single equation.
+std::string component_name(const Constraint& constraint, int component);
+
+struct ColumnName {
+    std::string owner;       ///< body or joint
+    std::string coordinate;  ///< "x", "e0", "omega_local.x", "theta"
+    std::string symbol;      ///< "x", "e₀", "ω′x", "θ"
+};
+std::vector<ColumnName> column_names(const System& system, CoordinateChoice choice);
+
+/// One line of Unicode for formula markup.
+std::string plain_of(const std::string& markup);
+
+const char* name_of_choice(CoordinateChoice choice);  ///< "rp-modified", as on the command line
+const char* name_of_form(ParallelForm form);          ///< "drop x", as in a lesson
+const char* axis_name(int component);                 ///< "x", "y", "z"
+
+}  // namespace jw

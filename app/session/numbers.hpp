@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/linear.hpp"
+
+/// Numbers as people read them.
+namespace jw {
+
+/// Up to `digits` significant digits, "0" for anything below 1e-15; no exponent between 1e-3 and 1e5.
+std::string number_text(double value, int digits = 4);
+/// "1.2e-07": for residuals and singular values.
+std::string small_text(double value);
+/// "(0.5, 0, -1)"
+std::string vector_text(const Vec3& v, int digits = 4);
+/// "1 equation", "3 equations"
+std::string count_text(int count, const std::string& singular, const std::string& plural = {});
+
+}  // namespace jw

@@ -1,0 +1,146 @@
+#include "app/session/story.hpp"
+
+namespace jw {
+
+Selection selection_of(const Lesson& lesson, int count) {
+    Selection selection;
+    for (int k = 0; k < count; ++k) {
+        const Addition& a = lesson.order[static_cast<std::size_t>(k)];
+        (a.kind == Addition::Kind::joint ? selection.joints : selection.drivers).push_back(a.index);
+    }
+    return selection;
+}
+
+std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
+    if (step.additions == 0 || step.kind == Step::Kind::motion) { return std::nullopt; }
+    return lesson.order[static_cast<std::size_t>(step.additions - 1)];
+}
+
+Story::Story(const Lesson& lesson, const Progress& progress) : lesson_(&lesson) {
+    start_time_ = lesson.motion ? lesson.motion->from : 0.0;
+    state_ = start_state(lesson.mechanism);
+    tell_bodies();
+    for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {
+        if (!tell_addition(count)) { return; }
+    }
+    if (lesson.motion && !lesson.mechanism.drivers.empty()) { tell_motion(progress); }
+}
+
+const Step* Story::failure() const {
+    const Step& last = steps_.back();
+    return last.failure ? &last : nullptr;
+}
+
+int Story::last_assembled() const {
+    int index = 0;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+        if (steps_[k].kind != Step::Kind::motion) { index = static_cast<int>(k); }
+    }
+    return index;
+}
+
+std::shared_ptr<const RankReport> Story::rank_of(const System& system, const State& state, double t) const {
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(state, t);
+    return std::make_shared<RankReport>(analyse_rank(system, assembler.jacobian(), assembler.phi()));
+}
+
+void Story::tell_bodies() {
+    system_ = std::make_shared<System>(lesson_->mechanism, Selection{});
+    Step step;
+    step.kind = Step::Kind::bodies;
+    step.system = system_;
+    step.t = start_time_;
+    step.state = state_;
+    step.velocity = start_motion(lesson_->mechanism);
+    step.acceleration = zero_motion(lesson_->mechanism);
+    rank_ = rank_of(*system_, state_, start_time_);
+    step.rank = rank_;
+    steps_.push_back(std::move(step));
+}
+
+bool Story::tell_addition(int count) {
+    auto system = std::make_shared<System>(lesson_->mechanism, selection_of(*lesson_, count));
+    system->inherit_rows(*system_);
+    const std::shared_ptr<const System> before = system_;
+    system->choose_rows(state_);
+    system_ = system;
+
+    Step step = steps_.front();
+    step.kind = Step::Kind::equations;
+    step.additions = count;
+    step.system = system_;
+    step.state = state_;
+    step.rank_before = rank_;
+    step.rank = nullptr;
+    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    for (std::size_t k = 0; added.kind == Addition::Kind::joint && k < system->constraints().size(); ++k) {
+        const Constraint& c = system->constraints()[k];
+        if (c.joint == added.index && is_parallel(c.role)) {
+            step.choices.push_back(explain_choice(*system, static_cast<int>(k), state_, -1));
+        }
+    }
+    steps_.push_back(step);
+
+    // each iteration a step of its own
+    step.kind = Step::Kind::iteration;
+    const PositionObserver observer = [&](const PositionEvent& event, const State& state) {
+        step.events.push_back(event);
+        const auto* newton = std::get_if<NewtonStep>(&event);
+        if (newton != nullptr && newton->converged) { return; }
+        step.state = state;
+        steps_.push_back(step);
+    };
+    const PositionOutcome outcome = with_choice(lesson_->coordinates, [&](auto choice) {
+        return solve_position<decltype(choice)>(*system_, state_, start_time_, observer);
+    });
+
+    step.state = state_;
+    if (!outcome.ok()) {
+        step.kind = Step::Kind::failed;
+        step.failure = outcome.failure;
+        step.rank = rank_of(*system_, state_, start_time_);
+        steps_.push_back(std::move(step));
+        return false;
+    }
+    // the choice of rows never changes inside a solve; a new one is made at the solution
+    auto settled = std::make_shared<System>(*system_);
+    if (settled->choose_rows(state_)) { system_ = settled; }
+    step.kind = Step::Kind::assembled;
+    step.system = system_;
+    rank_ = rank_of(*system_, state_, start_time_);
+    step.rank = rank_;
+    steps_.push_back(std::move(step));
+    return true;
+}
+
+void Story::tell_motion(const Progress& progress) {
+    System system = *system_;
+    MotionTracker tracker(system, state_, start_time_);
+    std::shared_ptr<const System> shared = system_;
+    const MotionPlan& plan = *lesson_->motion;
+    for (int k = 0; k <= plan.steps; ++k) {
+        const double t = plan.from + (plan.to - plan.from) * k / plan.steps;
+        const bool ok = k == 0 || tracker.advance_to(t);
+        const MotionFrame& frame = tracker.frame();
+        if (frame.rows_switched) { shared = std::make_shared<System>(system); }
+        Step step;
+        step.kind = Step::Kind::motion;
+        step.additions = static_cast<int>(lesson_->order.size());
+        step.system = shared;
+        step.t = frame.t;
+        step.state = frame.state;
+        step.velocity = frame.velocity;
+        step.acceleration = frame.acceleration;
+        step.rows_switched = frame.rows_switched;
+        step.change_point = frame.change_point;
+        step.velocity_verdict = frame.velocity_verdict;
+        step.acceleration_verdict = frame.acceleration_verdict;
+        if (!ok) { step.failure = tracker.failure(); }
+        steps_.push_back(std::move(step));
+        if (!ok) { return; }
+        if (progress) { progress(static_cast<double>(k) / plan.steps); }
+    }
+}
+
+}  // namespace jw

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/motion_tracker.hpp"
+#include "core/rank.hpp"
+#include "lessons/lesson.hpp"
+
+/// A lesson as a sequence of steps: the free bodies; for each joint its equations, the Newton iterations that
+/// close what has been added so far, and the verdict; each driver likewise; then the motion.
+namespace jw {
+
+struct Step {
+    enum class Kind {
+        bodies,     ///< nothing but coordinates
+        equations,  ///< a joint or driver is added: its equations at the start estimate, the choice of rows
+        iteration,  ///< one Newton iteration, or a wrong branch left
+        assembled,  ///< closed: rank before and after, freedoms, redundant equations
+        failed,     ///< could not be closed; the last good pose is kept and the story ends
+        motion,     ///< a moment of the motion
+    };
+    Kind kind = Kind::bodies;
+    int additions = 0;  ///< joints and drivers present
+    std::shared_ptr<const System> system;
+    double t = 0.0;
+    State state;
+    Motion velocity;                 ///< motion only; else the lesson's own
+    Motion acceleration;             ///< motion only
+    std::vector<RowChoice> choices;  ///< equations: of the joint's p1 and p2, in the order of its primitives
+    std::vector<PositionEvent> events;  ///< iteration and later: what happened in this solve so far
+    std::shared_ptr<const RankReport> rank_before;  ///< before the addition, at its pose
+    std::shared_ptr<const RankReport> rank;         ///< assembled, failed
+    std::optional<PositionFailure> failure;
+    bool rows_switched = false;  ///< motion: a p1 / p2 choice changed on the way here
+    bool change_point = false;   ///< motion
+    LinearVerdict velocity_verdict;
+    LinearVerdict acceleration_verdict;
+};
+
+/// The joint or driver that a step is about, if any.
+std::optional<Addition> subject_of(const Lesson& lesson, const Step& step);
+
+/// The first `count` entries of the lesson's order.
+Selection selection_of(const Lesson& lesson, int count);
+
+class Story {
+public:
+    using Progress = std::function<void(double fraction)>;
+
+    /// Tells the lesson up to and including its motion. `lesson` must outlive the story.
+    explicit Story(const Lesson& lesson, const Progress& progress = {});
+
+    const Lesson& lesson() const { return *lesson_; }
+    const std::vector<Step>& steps() const { return steps_; }
+    /// Set if the story ended early.
+    const Step* failure() const;
+    /// Index of the step at which everything that is to be added first is: the last before the motion.
+    int last_assembled() const;
+
+private:
+    void tell_bodies();
+    bool tell_addition(int count);
+    void tell_motion(const Progress& progress);
+    std::shared_ptr<const RankReport> rank_of(const System& system, const State& state, double t) const;
+
+    const Lesson* lesson_;
+    double start_time_ = 0.0;
+    std::shared_ptr<const System> system_;
+    State state_;
+    std::shared_ptr<const RankReport> rank_;
+    std::vector<Step> steps_;
+};
+
+}  // namespace jw

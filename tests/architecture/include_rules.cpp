@@ -1,0 +1,91 @@
+#include "tests/architecture/include_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <span>
+
+namespace jw::architecture {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+/// What a folder may include besides the standard library. A name that ends in '/' stands for all below it.
+struct FolderRule {
+    std::string_view folder;
+    Names allowed;
+};
+
+constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
+constexpr std::array<std::string_view, 4> kLessons{"core/", "lessons/", "Eigen/", "toml++/"};
+constexpr std::array<std::string_view, 10> kRender{
+    "render/",      "Eigen/",    "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
+    "libdeflate.h", "stb_image", "imgui.h",        "fcntl.h",     "unistd.h"};
+// of render only plain values: what there is to draw and from where it is looked at
+constexpr std::array<std::string_view, 9> kSession{"app/session/",       "core/",
+                                                   "lessons/",           "Eigen/",
+                                                   "render/scene.hpp",   "render/camera.hpp",
+                                                   "render/framing.hpp", "render/palette.hpp",
+                                                   "nlohmann/"};
+constexpr std::array<std::string_view, 8> kPanels{"app/panels/",        "app/session/", "core/",
+                                                  "lessons/",           "Eigen/",       "render/fonts.hpp",
+                                                  "render/palette.hpp", "imgui.h"};
+
+// the first folder that fits counts
+constexpr std::array kFolders{
+    FolderRule{"core/", kCore}, FolderRule{"lessons/", kLessons}, FolderRule{"render/", kRender},
+    FolderRule{"app/session/", kSession}, FolderRule{"app/panels/", kPanels}};
+
+/// A library that only a few files may know, so that it can be replaced there.
+struct LibraryRule {
+    std::string_view library;
+    std::string_view known_to;  ///< regular expression over paths
+};
+
+constexpr std::array kLibraries{
+    LibraryRule{"GL/osmesa.h", "render/offscreen\\.cpp"},
+    LibraryRule{"GL/glcorearb.h", "render/gl_functions\\.hpp"},
+    LibraryRule{"GLFW/", "app/window\\.[ch]pp"},
+    LibraryRule{"ft2build.h", "render/font_face\\.cpp"},
+    LibraryRule{"imgui.h", "render/(fonts|imgui_backend)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+    LibraryRule{"libdeflate.h", "render/png\\.cpp"},
+    LibraryRule{"toml++/", "lessons/.*"},
+};
+
+bool covers(std::string_view rule, std::string_view name) {
+    return rule.ends_with(".h") || rule.ends_with(".hpp") ? name == rule : name.starts_with(rule);
+}
+
+bool is_standard(std::string_view name) { return name.find_first_of("./") == std::string_view::npos; }
+
+}  // namespace
+
+std::optional<std::string> included_by(const std::string& line) {
+    static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)re");
+    std::smatch match;
+    if (!std::regex_match(line, match, include)) { return std::nullopt; }
+    return match[1].str();
+}
+
+std::optional<std::string> objection(std::string_view path, std::string_view name) {
+    if (is_standard(name)) { return std::nullopt; }
+
+    // a library behind its own file
+    for (const LibraryRule& rule : kLibraries) {
+        const std::regex known_to{std::string(rule.known_to)};
+        if (covers(rule.library, name) && !std::regex_match(path.begin(), path.end(), known_to)) {
+            return std::string(name) + " is known only to " + std::string(rule.known_to);
+        }
+    }
+
+    // a folder knows only those below it
+    const auto folder =
+        std::ranges::find_if(kFolders, [&](const FolderRule& rule) { return path.starts_with(rule.folder); });
+    if (folder == kFolders.end()) { return std::nullopt; }
+    if (std::ranges::any_of(folder->allowed, [&](std::string_view rule) { return covers(rule, name); })) {
+        return std::nullopt;
+    }
+    return std::string(folder->folder) + " does not know " + std::string(name);
+}
+
+}  // namespace jw::architecture

@@ -1,0 +1,52 @@
+#include <catch2/catch.hpp>
+
+#include "tests/architecture/include_rules.hpp"
+#include "tests/architecture/project_tree.hpp"
+
+namespace jw::architecture {
+
+TEST_CASE("Every include goes down the order of the folders", "[architecture]") {
+    int includes_count = 0;
+    for (const SourceFile& file : project_files()) {
+        if (!is_cpp(file)) { continue; }
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const auto name = included_by(file.lines[i]);
+            if (!name) { continue; }
+            ++includes_count;
+            if (const auto reason = objection(file.path, *name)) {
+                FAIL_CHECK(file.path << ':' << i + 1 << ": " << *reason);
+            }
+        }
+    }
+    CHECK(includes_count > 0);  // a wrong root would pass without having looked at anything
+}
+
+TEST_CASE("Includes against the order of the folders are objected to", "[architecture]") {
+    CHECK(objection("core/rank.cpp", "lessons/lesson.hpp"));
+    CHECK(objection("core/rank.cpp", "toml++/toml.h"));
+    CHECK(objection("lessons/reader.cpp", "app/session/story.hpp"));
+    CHECK(objection("render/scene_renderer.cpp", "core/mechanism.hpp"));
+    CHECK(objection("render/scene_renderer.cpp", "GL/osmesa.h"));
+    CHECK(objection("app/session/story.cpp", "render/scene_renderer.hpp"));
+    CHECK(objection("app/session/story.cpp", "imgui.h"));
+    CHECK(objection("app/panels/rows_panel.cpp", "GL/gl.h"));
+    CHECK(objection("app/panels/rows_panel.cpp", "GLFW/glfw3.h"));
+    CHECK(objection("app/commands/render.cpp", "GL/osmesa.h"));
+}
+
+TEST_CASE("Includes in the order of the folders are not objected to", "[architecture]") {
+    CHECK_FALSE(objection("core/rank.cpp", "Eigen/SVD"));
+    CHECK_FALSE(objection("lessons/reader.cpp", "core/mechanism.hpp"));
+    CHECK_FALSE(objection("lessons/toml_text.cpp", "toml++/toml.h"));
+    CHECK_FALSE(objection("app/session/story.cpp", "render/scene.hpp"));
+    CHECK_FALSE(objection("app/commands/render.cpp", "render/offscreen.hpp"));
+    CHECK_FALSE(objection("core/rank.cpp", "vector"));
+}
+
+TEST_CASE("The name of an include is read from its line", "[architecture]") {
+    CHECK(included_by("#include \"core/rank.hpp\"") == "core/rank.hpp");
+    CHECK(included_by("  # include <vector>  // why") == "vector");
+    CHECK_FALSE(included_by("// #include <vector>"));
+}
+
+}  // namespace jw::architecture

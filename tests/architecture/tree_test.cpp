@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <regex>
+
+#include <catch2/catch.hpp>
+
+#include "tests/architecture/project_tree.hpp"
+
+namespace jw::architecture {
+namespace {
+
+/// Every line of the project that `pattern` is found in, as "path:line: text".
+std::vector<std::string> lines_with(const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (const SourceFile& file : project_files()) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            if (!std::regex_search(file.lines[i], pattern)) { continue; }
+            found.push_back(file.path + ':' + std::to_string(i + 1) + ": " + file.lines[i]);
+        }
+    }
+    return found;
+}
+
+// a path begins where no path goes on: "a/work" and "$root/build" are none
+const std::regex machine_path(R"re((^|[^A-Za-z0-9_.)}/-])/(work|root|home)(/|["'`\s]|$))re");
+// in two halves, or this line would be found
+const std::regex unfinished(
+    "\\b(TO"
+    "DO|FIX"
+    "ME|HA"
+    "CK)\\b");
+
+}  // namespace
+
+TEST_CASE("No source file is longer than 400 lines", "[architecture]") {
+    for (const SourceFile& file : project_files()) {
+        if (!is_cpp(file)) { continue; }
+        CAPTURE(file.path);
+        CHECK(file.lines.size() <= 400);
+    }
+}
+
+TEST_CASE("No file names a folder of somebody's machine", "[architecture]") {
+    CHECK(lines_with(machine_path) == std::vector<std::string>{});
+    CHECK(std::regex_search(
+        "open(\"/"
+        "home/ada/x\")",
+        machine_path));
+    CHECK_FALSE(std::regex_search("see docs/work/x and \"$root/build\"", machine_path));
+}
+
+TEST_CASE("Nothing is left marked as unfinished", "[architecture]") {
+    CHECK(lines_with(unfinished) == std::vector<std::string>{});
+    CHECK(std::regex_search(
+        "// TO"
+        "DO later",
+        unfinished));
+}
+
+TEST_CASE("Every header is included once", "[architecture]") {
+    for (const SourceFile& file : project_files()) {
+        if (!file.path.ends_with(".hpp")) { continue; }
+        CAPTURE(file.path);
+        CHECK(std::ranges::count(file.lines, "#pragma once") == 1);
+    }
+}
+
+}  // namespace jw::architecture
