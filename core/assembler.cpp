@@ -249,18 +249,34 @@ template class Assembler<OmegaGlobal>;
 
 namespace {
 
-BodyKinematics<OmegaLocal> kinematics_of(const State& state, const Motion& motion, int b) {
+BodyKinematics<OmegaLocal> kinematics_of(const State& state, int b) {
     BodyKinematics<OmegaLocal> body;
     body.r = state.r[at(b)];
     body.p = state.p[at(b)];
     body.A = OmegaLocal::rotation(body.p);
     body.G = G_of(body.p);
+    return body;
+}
+
+BodyKinematics<OmegaLocal> kinematics_of(const State& state, const Motion& motion, int b) {
+    BodyKinematics<OmegaLocal> body = kinematics_of(state, b);
     body.r_dot = motion.r_dot[at(b)];
     OmegaLocal::set_motion(body, motion.omega_local[at(b)]);
     return body;
 }
 
 }  // namespace
+
+VectorX values_of(const Constraint& constraint, const State& state) {
+    const auto i = kinematics_of(state, constraint.body_i);
+    const auto j = kinematics_of(state, constraint.body_j);
+    return std::visit(
+        [&](const auto& primitive) -> VectorX {
+            return equations<Content::jacobian>(primitive, i, j, theta_of(constraint.theta, state, nullptr))
+                .value;
+        },
+        constraint.primitive);
+}
 
 Measured evaluate_measure(
     const Measure& measure, int body_i, int body_j, int theta, const State& state, const Motion& velocity,

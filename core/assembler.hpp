@@ -68,6 +68,9 @@ private:
     VectorX gamma_;
 };
 
+/// Φ of all equations of a constraint at `state`, the dropped one included.
+VectorX values_of(const Constraint& constraint, const State& state);
+
 /// Value, rate and acceleration of a measure between two bodies (θ for a screw) at given motion.
 struct Measured {
     double value = 0.0;

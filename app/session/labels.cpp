@@ -196,6 +196,21 @@ std::string short_row_label(const System& system, int row) {
     return "pᵀp";
 }
 
+std::string row_owner(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const Mechanism& mechanism = system.mechanism();
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint:
+            return mechanism.joints[static_cast<std::size_t>(constraint_of(system, origin).joint)].name;
+        case RowOrigin::Kind::driver: {
+            const DriverConstraint& d = system.drivers()[static_cast<std::size_t>(origin.index)];
+            return mechanism.drivers[static_cast<std::size_t>(d.driver)].name;
+        }
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return mechanism.bodies[static_cast<std::size_t>(origin.index)].name;
+}
+
 std::string row_label(const System& system, int row) {
     const RowOrigin origin = system.origin(row);
     const Mechanism& mechanism = system.mechanism();

@@ -23,6 +23,8 @@ EquationText driver_text(const Driver& driver);
 
 /// "hinge · p1 · y"
 std::string row_label(const System& system, int row);
+/// The joint, driver or body that a row belongs to.
+std::string row_owner(const System& system, int row);
 /// Short form for the margin of a matrix: "p1 y".
 std::string short_row_label(const System& system, int row);
 /// "x", "y", "z", or "1", "2" for the two rows of a pair; empty for a single equation.

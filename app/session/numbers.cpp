@@ -20,6 +20,15 @@ std::string number_text(double value, int digits) {
     return text;
 }
 
+std::string fixed_text(double value, int decimals) {
+    if (!std::isfinite(value)) { return number_text(value); }
+    // no "-0.000"
+    const double unit = std::pow(10.0, -decimals);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 0.5 * unit ? 0.0 : value);
+    return text;
+}
+
 std::string small_text(double value) {
     if (!std::isfinite(value)) { return number_text(value); }
     if (value == 0.0) { return "0"; }

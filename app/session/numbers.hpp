@@ -9,6 +9,8 @@ namespace jw {
 
 /// Up to `digits` significant digits, "0" for anything below 1e-15; no exponent between 1e-3 and 1e5.
 std::string number_text(double value, int digits = 4);
+/// Always `decimals` of them, for numbers that change from picture to picture.
+std::string fixed_text(double value, int decimals);
 /// "1.2e-07": for residuals and singular values.
 std::string small_text(double value);
 /// "(0.5, 0, -1)"

@@ -16,14 +16,15 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     return lesson.order[static_cast<std::size_t>(step.additions - 1)];
 }
 
-Story::Story(const Lesson& lesson, const Progress& progress) : lesson_(&lesson) {
+Story::Story(const Lesson& lesson, const StoryOptions& options) : lesson_(&lesson) {
     start_time_ = lesson.motion ? lesson.motion->from : 0.0;
     state_ = start_state(lesson.mechanism);
     tell_bodies();
     for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {
         if (!tell_addition(count)) { return; }
     }
-    if (lesson.motion && !lesson.mechanism.drivers.empty()) { tell_motion(progress); }
+    if (options.with_motion && lesson.motion) { tell_motion(options); }
+    find_featured_joint();
 }
 
 const Step* Story::failure() const {
@@ -39,10 +40,27 @@ int Story::last_assembled() const {
     return index;
 }
 
-std::shared_ptr<const RankReport> Story::rank_of(const System& system, const State& state, double t) const {
+RankReport rank_of(const System& system, const State& state, double t) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);
-    return std::make_shared<RankReport>(analyse_rank(system, assembler.jacobian(), assembler.phi()));
+    return analyse_rank(system, assembler.jacobian(), assembler.phi());
+}
+
+void Story::find_featured_joint() {
+    if (lesson_->mechanism.joints.size() == 1) { featured_joint_ = 0; }
+    const System* last = nullptr;
+    for (const Step& step : steps_) {
+        if (step.kind != Step::Kind::motion) { continue; }
+        if (last != nullptr && last != step.system.get()) {
+            for (std::size_t k = 0; k < last->constraints().size(); ++k) {
+                const Constraint& now = step.system->constraints()[k];
+                if (now.dropped == last->constraints()[k].dropped) { continue; }
+                featured_joint_ = now.joint;
+                return;
+            }
+        }
+        last = step.system.get();
+    }
 }
 
 void Story::tell_bodies() {
@@ -54,7 +72,7 @@ void Story::tell_bodies() {
     step.state = state_;
     step.velocity = start_motion(lesson_->mechanism);
     step.acceleration = zero_motion(lesson_->mechanism);
-    rank_ = rank_of(*system_, state_, start_time_);
+    rank_ = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
     step.rank = rank_;
     steps_.push_back(std::move(step));
 }
@@ -99,7 +117,7 @@ bool Story::tell_addition(int count) {
     if (!outcome.ok()) {
         step.kind = Step::Kind::failed;
         step.failure = outcome.failure;
-        step.rank = rank_of(*system_, state_, start_time_);
+        step.rank = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
         steps_.push_back(std::move(step));
         return false;
     }
@@ -108,19 +126,20 @@ bool Story::tell_addition(int count) {
     if (settled->choose_rows(state_)) { system_ = settled; }
     step.kind = Step::Kind::assembled;
     step.system = system_;
-    rank_ = rank_of(*system_, state_, start_time_);
+    rank_ = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
     step.rank = rank_;
     steps_.push_back(std::move(step));
     return true;
 }
 
-void Story::tell_motion(const Progress& progress) {
+void Story::tell_motion(const StoryOptions& options) {
     System system = *system_;
     MotionTracker tracker(system, state_, start_time_);
     std::shared_ptr<const System> shared = system_;
     const MotionPlan& plan = *lesson_->motion;
-    for (int k = 0; k <= plan.steps; ++k) {
-        const double t = plan.from + (plan.to - plan.from) * k / plan.steps;
+    const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
+    for (int k = 0; k <= intervals; ++k) {
+        const double t = plan.from + (plan.to - plan.from) * k / intervals;
         const bool ok = k == 0 || tracker.advance_to(t);
         const MotionFrame& frame = tracker.frame();
         if (frame.rows_switched) { shared = std::make_shared<System>(system); }
@@ -139,7 +158,7 @@ void Story::tell_motion(const Progress& progress) {
         if (!ok) { step.failure = tracker.failure(); }
         steps_.push_back(std::move(step));
         if (!ok) { return; }
-        if (progress) { progress(static_cast<double>(k) / plan.steps); }
+        if (options.progress) { options.progress(static_cast<double>(k) / intervals); }
     }
 }
 

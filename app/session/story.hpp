@@ -44,12 +44,16 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step);
 /// The first `count` entries of the lesson's order.
 Selection selection_of(const Lesson& lesson, int count);
 
+struct StoryOptions {
+    bool with_motion = true;
+    int intervals = 0;  ///< of the motion; 0: as many as the lesson says
+    std::function<void(double fraction)> progress;
+};
+
 class Story {
 public:
-    using Progress = std::function<void(double fraction)>;
-
     /// Tells the lesson up to and including its motion. `lesson` must outlive the story.
-    explicit Story(const Lesson& lesson, const Progress& progress = {});
+    explicit Story(const Lesson& lesson, const StoryOptions& options = {});
 
     const Lesson& lesson() const { return *lesson_; }
     const std::vector<Step>& steps() const { return steps_; }
@@ -57,12 +61,15 @@ public:
     const Step* failure() const;
     /// Index of the step at which everything that is to be added first is: the last before the motion.
     int last_assembled() const;
+    /// The joint whose equations are of interest while everything moves: the first whose choice of p1 / p2
+    /// rows changes, or the only one; -1 if there is none.
+    int featured_joint() const { return featured_joint_; }
 
 private:
     void tell_bodies();
     bool tell_addition(int count);
-    void tell_motion(const Progress& progress);
-    std::shared_ptr<const RankReport> rank_of(const System& system, const State& state, double t) const;
+    void tell_motion(const StoryOptions& options);
+    void find_featured_joint();
 
     const Lesson* lesson_;
     double start_time_ = 0.0;
@@ -70,6 +77,10 @@ private:
     State state_;
     std::shared_ptr<const RankReport> rank_;
     std::vector<Step> steps_;
+    int featured_joint_ = -1;
 };
+
+/// Verdict on a pose.
+RankReport rank_of(const System& system, const State& state, double t);
 
 }  // namespace jw

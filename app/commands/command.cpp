@@ -1,0 +1,35 @@
+#include "app/commands/command.hpp"
+
+#include <cmath>
+
+#include "lessons/reader.hpp"
+
+namespace jw {
+
+Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
+    ReadResult read = read_lesson_file(path);
+    if (!read.lesson) { throw CommandError(Exit::bad_input, read.report()); }
+    if (!read.diagnostics.empty()) { streams.err << read.report(); }
+    return std::move(*read.lesson);
+}
+
+ProgressBar::ProgressBar(const Streams& streams, std::string what)
+    : streams_(&streams), what_(std::move(what)) {}
+
+ProgressBar::~ProgressBar() {
+    if (shown_ >= 0) { streams_->err << "\r\033[K" << std::flush; }
+}
+
+void ProgressBar::show(double fraction) {
+    if (!streams_->err_is_terminal) { return; }
+    const int percent = static_cast<int>(std::lround(100.0 * fraction));
+    if (percent == shown_) { return; }
+    shown_ = percent;
+    constexpr int width = 30;
+    const int filled = width * percent / 100;
+    streams_->err << "\r" << what_ << " [";
+    for (int k = 0; k < width; ++k) { streams_->err << (k < filled ? "#" : "."); }
+    streams_->err << "] " << percent << " %" << std::flush;
+}
+
+}  // namespace jw

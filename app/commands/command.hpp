@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "lessons/lesson.hpp"
+
+/// What all commands share.
+namespace jw {
+
+/// Exit status of the program.
+enum class Exit {
+    done = 0,
+    check_failed = 1,
+    bad_input = 2,  ///< bad usage, a lesson with mistakes, a folder that cannot be written
+    numerics = 3,   ///< the numerics could not do it
+};
+
+/// Ends a command; `what()` goes to standard error as it is.
+class CommandError : public std::runtime_error {
+public:
+    CommandError(Exit exit, const std::string& message) : std::runtime_error(message), exit_(exit) {}
+    Exit exit() const { return exit_; }
+
+private:
+    Exit exit_;
+};
+
+/// Where a command writes; tests give their own.
+struct Streams {
+    std::ostream& out;
+    std::ostream& err;
+    bool err_is_terminal = false;
+};
+
+/// The lesson in `path`; warnings go to `streams.err`.
+/// @throws CommandError (bad_input) with all diagnostics of the file
+Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
+
+/// A bar on a terminal, nothing elsewhere; gone when it is destroyed.
+class ProgressBar {
+public:
+    ProgressBar(const Streams& streams, std::string what);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void show(double fraction);
+
+private:
+    const Streams* streams_;
+    std::string what_;
+    int shown_ = -1;
+};
+
+/// Colours and emphasis for the terminal; nothing where output is piped or NO_COLOR is set.
+struct TextStyle {
+    bool coloured = false;
+    std::string bold(const std::string& text) const { return wrapped("1", text); }
+    std::string soft(const std::string& text) const { return wrapped("2", text); }
+    std::string good(const std::string& text) const { return wrapped("32", text); }
+    std::string bad(const std::string& text) const { return wrapped("31;1", text); }
+
+private:
+    std::string wrapped(const char* code, const std::string& text) const {
+        return coloured ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
+    }
+};
+
+}  // namespace jw

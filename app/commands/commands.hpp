@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "app/commands/command.hpp"
+
+namespace CLI {
+class App;
+}
+
+/// The commands of the program, one per file. Each adds its options to `app`; when the command line names it,
+/// `run` is set to what it does.
+namespace jw {
+
+using Run = std::function<Exit()>;
+
+void add_list(CLI::App& app, const Streams& streams, Run& run);
+void add_check(CLI::App& app, const Streams& streams, Run& run);
+void add_step(CLI::App& app, const Streams& streams, Run& run);
+void add_inspect(CLI::App& app, const Streams& streams, Run& run);
+void add_solve(CLI::App& app, const Streams& streams, Run& run);
+void add_render(CLI::App& app, const Streams& streams, Run& run);
+
+}  // namespace jw

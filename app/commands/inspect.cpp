@@ -1,0 +1,101 @@
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <optional>
+
+#include "app/commands/commands.hpp"
+#include "app/session/describe_inspection.hpp"
+#include "app/session/json.hpp"
+#include "app/session/labels.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::optional<int> step;
+    std::optional<double> time;
+    bool as_given = false;
+    std::string coordinates;
+    std::string format = "text";
+};
+
+CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
+    for (const CoordinateChoice choice :
+         {CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
+          CoordinateChoice::omega_local, CoordinateChoice::omega_global}) {
+        if (name == name_of_choice(choice)) { return choice; }
+    }
+    return lesson.coordinates;
+}
+
+Inspection inspected(const Options& options, const Lesson& lesson) {
+    const CoordinateChoice choice = choice_of(options.coordinates, lesson);
+    if (options.as_given) { return inspect_as_given(lesson, choice); }
+    if (options.time) {
+        if (!std::isfinite(*options.time)) {
+            throw CommandError(
+                Exit::bad_input, "jointwise: error: --time is not finite; expected a time in s");
+        }
+        return inspect_time(lesson, *options.time, choice);
+    }
+    const Story story(lesson, {.with_motion = options.step.has_value(), .intervals = 0, .progress = {}});
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    if (!options.step) {
+        if (const Step* failed = story.failure()) {
+            throw not_reached(lesson, *failed->system, *failed->failure, failed->t);
+        }
+    }
+    if (options.step && *options.step > last) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --step " + std::to_string(*options.step) +
+                                 ": the lesson has steps 0 to " + std::to_string(last));
+    }
+    return inspect_step(story, options.step.value_or(last), choice);
+}
+
+Exit inspect(const Options& options, const Streams& streams) {
+    const Lesson lesson = lesson_of(options.file, streams);
+    const Inspection inspection = inspected(options, lesson);
+    if (options.format == "json") {
+        streams.out << json_of(inspection, lesson).dump(1) << '\n';
+    } else {
+        streams.out << describe(inspection, lesson);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand(
+        "inspect", "every number of the equations at one moment; default: all put together");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    auto* step =
+        command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
+            ->check(CLI::NonNegativeNumber)
+            ->type_name("N");
+    auto* time = command->add_option("--time", options->time, "a time of the motion [s]")->type_name("T");
+    auto* given =
+        command->add_flag("--as-given", options->as_given, "the state in the file, nothing assembled");
+    step->excludes(time)->excludes(given);
+    time->excludes(given);
+    command
+        ->add_option(
+            "--coordinates", options->coordinates,
+            "rp, rp-modified, omega-local or omega-global; default: the lesson's")
+        ->check(CLI::IsMember({"rp", "rp-modified", "omega-local", "omega-global"}))
+        ->type_name("CHOICE");
+    command->add_option("--format", options->format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->type_name("FORMAT");
+    command->footer(
+        "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
+        "json");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return inspect(*options, streams); }; });
+}
+
+}  // namespace jw

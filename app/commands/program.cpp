@@ -1,0 +1,81 @@
+#include "app/commands/program.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <new>
+
+#include "app/commands/commands.hpp"
+#include "app/session/inspection.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr const char* kDescription =
+    "Jointwise: spatial kinematics of constrained rigid bodies, joint by joint.\n"
+    "A lesson file becomes a mechanism; its equations Phi, the Jacobian and its rank are shown as text, "
+    "JSON\n"
+    "and pictures.";
+
+constexpr const char* kFooter =
+    "Example: jointwise step lessons/catalogue/loops/four-bar.toml\n"
+    "Exit status: 0 done, 1 a check failed, 2 bad usage or input, 3 the numerics could not do it.\n"
+    "'jointwise COMMAND --help' has an example of each command.";
+
+int status(Exit exit) { return static_cast<int>(exit); }
+
+/// CLI11 says only that a command is required.
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments.front().starts_with('-')) { return {}; }
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) { names.push_back(command->get_name()); }
+    if (std::ranges::find(names, arguments.front()) != names.end()) { return {}; }
+    std::string hint = did_you_mean(arguments.front(), names);
+    return "jointwise: error: no command " + in_quotes(arguments.front()) + "; expected one of " +
+           comma_list(names) + "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Streams& streams) {
+    CLI::App app(kDescription, "jointwise");
+    app.footer(kFooter);
+    app.set_version_flag("--version", std::string("jointwise ") + JW_VERSION);
+    app.require_subcommand(1);
+    app.failure_message([](const CLI::App* self, const CLI::Error& error) {
+        // the command that was meant, if the line got that far
+        const std::vector<CLI::App*> commands = self->get_subcommands();
+        const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
+        return "jointwise: error: " + std::string(error.what()) + "\nhint: jointwise " + command + "--help\n";
+    });
+    Run run;
+    for (const auto add : {add_list, add_check, add_step, add_inspect, add_solve}) { add(app, streams, run); }
+    if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {
+        streams.err << complaint;
+        return status(Exit::bad_input);
+    }
+
+    try {
+        // CLI11 takes arguments from the back
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        return status(run());
+    } catch (const CLI::ParseError& error) {
+        const bool asked = error.get_exit_code() == 0;  // --help, --version
+        app.exit(error, streams.out, streams.err);
+        return asked ? 0 : status(Exit::bad_input);
+    } catch (const CommandError& error) {
+        streams.err << error.what();
+        if (const std::string text = error.what(); !text.ends_with('\n')) { streams.err << '\n'; }
+        return status(error.exit());
+    } catch (const PoseNotReached& error) {
+        streams.err << error.what() << '\n';
+        return status(Exit::numerics);
+    } catch (const std::bad_alloc&) {
+        streams.err << "jointwise: error: out of memory\n";
+        return status(Exit::numerics);
+    }
+}
+
+}  // namespace jw

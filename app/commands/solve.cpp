@@ -1,0 +1,153 @@
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "app/commands/commands.hpp"
+#include "app/session/json.hpp"
+#include "app/session/solution.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::string analysis = "position";
+    std::optional<double> from;
+    std::optional<double> to;
+    std::optional<double> step;
+    std::string format = "csv";
+};
+
+// a table of more rows than this is a slip of a decimal point
+constexpr double kMostRows = 1e6;
+
+CommandError bad_option(const std::string& message) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise solve --help");
+}
+
+SweepPlan plan_of(const Options& options, const Lesson& lesson) {
+    const MotionPlan lesson_plan = lesson.motion.value_or(MotionPlan{});
+    SweepPlan plan;
+    plan.analysis = options.analysis == "position"
+                        ? Analysis::position
+                        : (options.analysis == "velocity" ? Analysis::velocity : Analysis::acceleration);
+    plan.from = options.from.value_or(lesson_plan.from);
+    plan.to = options.to.value_or(std::max(lesson_plan.to, plan.from));
+    plan.step = options.step.value_or((lesson_plan.to - lesson_plan.from) / lesson_plan.steps);
+    if (!std::isfinite(plan.from) || !std::isfinite(plan.to) || !std::isfinite(plan.step)) {
+        throw bad_option("--from, --to and --step must be finite numbers");
+    }
+    if (plan.to < plan.from) { throw bad_option("--to is before --from; expected a time at or after it"); }
+    if (plan.step <= 0.0) { throw bad_option("--step is not positive; expected a time in s"); }
+    if ((plan.to - plan.from) / plan.step > kMostRows) {
+        throw bad_option("--step is so small that there would be more than a million rows");
+    }
+    return plan;
+}
+
+/// The shortest text that reads back as the same number.
+std::string exact(double value) {
+    char text[32];
+    const auto result = std::to_chars(text, text + sizeof text, value);
+    return {text, result.ptr};
+}
+
+/// A name as a field of CSV (RFC 4180).
+std::string field(const std::string& name) {
+    if (name.find_first_of(",\"\n") == std::string::npos) { return name; }
+    std::string quoted = "\"";
+    for (const char c : name) { quoted += c == '"' ? std::string("\"\"") : std::string(1, c); }
+    return quoted + '"';
+}
+
+void write_csv(const Sweep& sweep, std::ostream& out) {
+    for (const std::string& column : sweep.columns) { out << field(column) << ','; }
+    out << "unique,consistent,change_point\n";
+    for (const SweepRow& row : sweep.rows) {
+        for (const double value : row.values) { out << exact(value) << ','; }
+        out << row.unique << ',' << row.consistent << ',' << row.change_point << '\n';
+    }
+}
+
+void write_json(const Sweep& sweep, const Lesson& lesson, const Options& options, std::ostream& out) {
+    Json rows = Json::array();
+    for (const SweepRow& row : sweep.rows) {
+        rows.push_back(
+            {{"values", row.values},
+             {"unique", row.unique},
+             {"consistent", row.consistent},
+             {"change_point", row.change_point}});
+    }
+    const Json json{
+        {"format", "jointwise solve"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"analysis", options.analysis},
+        {"columns", sweep.columns},
+        {"rows", rows},
+        {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
+    out << json.dump(1) << '\n';
+}
+
+void warn(const Sweep& sweep, Analysis analysis, const Streams& streams) {
+    if (analysis == Analysis::position) { return; }
+    const bool unique = std::ranges::all_of(sweep.rows, &SweepRow::unique);
+    const bool consistent = std::ranges::all_of(sweep.rows, &SweepRow::consistent);
+    if (!unique) {
+        streams.err
+            << "jointwise: note: not everything is driven; where 'unique' is 0 the velocities are the ones "
+               "nearest to those before, the accelerations the shortest\n";
+    }
+    if (!consistent) {
+        streams.err << "jointwise: warning: equations contradict each other where 'consistent' is 0\n";
+    }
+}
+
+Exit solve_command(const Options& options, const Streams& streams) {
+    const Lesson lesson = lesson_of(options.file, streams);
+    const SweepPlan plan = plan_of(options, lesson);
+    Sweep sweep;
+    {
+        ProgressBar bar(streams, "solving");
+        sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
+    }
+    if (options.format == "json") {
+        write_json(sweep, lesson, options, streams.out);
+    } else {
+        write_csv(sweep, streams.out);
+    }
+    warn(sweep, plan.analysis, streams);
+    if (sweep.failure.empty()) { return Exit::done; }
+    streams.err << sweep.failure << '\n';
+    return Exit::numerics;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command =
+        app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
+        ->check(CLI::IsMember({"position", "velocity", "acceleration"}))
+        ->type_name("WHAT");
+    command->add_option("--from", options->from, "first time [s]; default: the lesson's")->type_name("T");
+    command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");
+    command->add_option("--step", options->step, "interval [s]; default: the lesson's")->type_name("T");
+    command->add_option("--format", options->format, "csv or json")
+        ->check(CLI::IsMember({"csv", "json"}))
+        ->type_name("FORMAT");
+    command->footer(
+        "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
+        "--to 1 "
+        "--step 0.1");
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return solve_command(*options, streams); };
+    });
+}
+
+}  // namespace jw

@@ -1,0 +1,78 @@
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.hpp"
+#include "app/session/describe.hpp"
+#include "app/session/json.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    int until = -1;
+    std::string format = "text";
+};
+
+constexpr int kWidth = 100;
+/// Moments of the motion that are told; all of them are in the JSON.
+constexpr int kMoments = 9;
+
+/// The steps that text shows: everything before the motion, and some moments of it.
+std::vector<int> told_steps(const Story& story, int until) {
+    std::vector<int> all;
+    std::vector<int> motion;
+    for (int k = 0; k <= until; ++k) {
+        (story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::motion ? motion : all).push_back(k);
+    }
+    const int count = static_cast<int>(motion.size());
+    for (int k = 0; k < kMoments && count > 0; ++k) {
+        const int index = motion[static_cast<std::size_t>(k * (count - 1) / (kMoments - 1))];
+        if (all.empty() || all.back() != index) { all.push_back(index); }
+    }
+    return all;
+}
+
+Exit step(const Options& options, const Streams& streams) {
+    const Lesson lesson = lesson_of(options.file, streams);
+    ProgressBar bar(streams, "following the motion");
+    const Story story(lesson, {.progress = [&](double fraction) { bar.show(fraction); }});
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    const int until = options.until < 0 ? last : options.until;
+    if (until > last) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --until " + std::to_string(until) +
+                                 ": the lesson has steps 0 to " + std::to_string(last));
+    }
+    const Exit exit = story.failure() != nullptr && until == last ? Exit::numerics : Exit::done;
+    if (options.format == "json") {
+        streams.out << json_of(story, until).dump(1) << '\n';
+        return exit;
+    }
+    streams.out << lesson.title << '\n';
+    if (!lesson.source.empty()) { streams.out << lesson.source << '\n'; }
+    streams.out << '\n';
+    for (const int k : told_steps(story, until)) {
+        streams.out << describe(view_of(story, k), kWidth) << '\n';
+    }
+    return exit;
+}
+
+}  // namespace
+
+void add_step(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("step", "tell a lesson joint by joint");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    command->add_option("--until", options->until, "last step to show")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N");
+    command->add_option("--format", options->format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->type_name("FORMAT");
+    command->footer("Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return step(*options, streams); }; });
+}
+
+}  // namespace jw

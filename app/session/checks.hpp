@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/lesson.hpp"
+
+/// Proves the claims of a lesson.
+namespace jw {
+
+struct ClaimResult {
+    const Claim* claim = nullptr;
+    bool holds = false;
+    std::string moment;    ///< "after D", "at 0.25 s", "as given"
+    std::string subject;   ///< "rank", "slider.x", "condition"
+    std::string expected;  ///< "17", "0.458257569496 m ± 1e-09 m", "below 1e-12"
+    std::string found;     ///< "17", or why it could not be found
+};
+
+/// One result per claim, in the order of the file. The numerics failing is a claim that does not hold, unless
+/// the claim is `closes = false`. `lesson` must outlive the results.
+std::vector<ClaimResult> check_claims(const Lesson& lesson);
+
+}  // namespace jw

@@ -1,0 +1,192 @@
+#include "app/session/describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+using Table = std::vector<std::vector<std::string>>;
+
+/// Columns as wide as their widest entry, two spaces apart; the first is left-aligned, the others right.
+std::string table_text(const Table& table, int indent) {
+    std::vector<int> widths;
+    for (const auto& row : table) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            widths[k] = std::max(widths[k], displayed_width(row[k]));
+        }
+    }
+    std::string text;
+    for (const auto& row : table) {
+        std::string line(static_cast<std::size_t>(indent), ' ');
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            line += (k == 0 ? "" : "  ") + padded(row[k], widths[k], k > 0);
+        }
+        while (line.ends_with(' ')) { line.pop_back(); }
+        text += line + '\n';
+    }
+    return text;
+}
+
+std::string status_text(EquationRow::Status status) {
+    switch (status) {
+        case EquationRow::Status::kept: return "kept";
+        case EquationRow::Status::dropped: return "left out";
+        case EquationRow::Status::redundant: break;
+    }
+    return "repeats others";
+}
+
+std::string equations_text(const View& view, int width) {
+    std::string text;
+    for (const EquationGroup& group : view.equations) {
+        text += "  " + group.plain + '\n';
+        for (const EquationRow& row : group.rows) {
+            text += "      " + padded(row.component, 2) + padded(small_text(row.value), 10, true) + " " +
+                    padded(group.unit == "-" ? "" : group.unit, 4) + status_text(row.status) + '\n';
+        }
+        if (group.choice) {
+            Table table{{"", "x", "y", "z"}, {"|sᵢ|"}, {"condition without it"}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                table[1].push_back(number_text(group.choice->axis_size[k], 3));
+                table[2].push_back(number_text(group.choice->pair_condition[k], 3));
+            }
+            text += table_text(table, 6) + "      " + wrapped(group.choice->reason, width - 6, 6) + '\n';
+        }
+    }
+    return text;
+}
+
+std::string newton_text(const View& view) {
+    Table table{{"", "‖Φ‖", "largest", "‖Δq‖", "turn", "rank", "equation"}};
+    for (const NewtonRow& row : view.newton) {
+        table.push_back(
+            {std::to_string(row.iteration), small_text(row.phi_norm), small_text(row.largest_value),
+             row.stepped ? small_text(row.delta_norm) : "",
+             row.stepped ? number_text(row.turn_deg * row.fraction, 3) + "°" : "",
+             row.stepped ? std::to_string(row.rank) : "",
+             row.largest_row + (row.note.empty() ? "" : "   " + row.note)});
+    }
+    return table_text(table, 2);
+}
+
+std::string rank_text(const View& view, int width) {
+    const RankView& rank = view.rank;
+    std::string text = "  " + count_text(rank.rows, "equation") + ", " + count_text(rank.columns, "column") +
+                       " (r, ω′), rank " + std::to_string(rank.rank) + ", " +
+                       count_text(rank.dof, "freedom", "freedoms") + ", " +
+                       count_text(rank.rows - rank.rank, "redundant equation") + ", mobility by counting " +
+                       std::to_string(rank.mobility_by_counting) + '\n';
+    if (!rank.singular_values.empty()) {
+        std::string values = "singular values:";
+        for (const double s : rank.singular_values) { values += " " + number_text(s, 3); }
+        text += "  " + wrapped(values + "; zero up to " + small_text(rank.threshold), width - 2, 4) + '\n';
+    }
+    if (rank.near_singular) {
+        text += "  The smallest one that counts is small against the others: near a singular position.\n";
+    }
+    for (const std::string& combination : rank.combinations) {
+        text += "  redundant: " + wrapped(combination, width - 13, 13) + '\n';
+    }
+    for (const std::string& motion : rank.free_motions) {
+        text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
+    }
+    return text;
+}
+
+/// Rounding of a solution of size 1 in m and degrees is shown as what it is: nothing.
+std::string clean_text(double value) {
+    constexpr double kRounding = 1e-10;
+    return number_text(std::abs(value) < kRounding ? 0.0 : value, 6);
+}
+
+std::string motion_text(const View& view) {
+    Table quantities{{"quantity", "value", "rate", "acceleration", ""}};
+    for (const QuantityMotion& q : view.quantities) {
+        quantities.push_back(
+            {q.name, clean_text(q.value), clean_text(q.rate), clean_text(q.acceleration),
+             (q.unit == "-" ? "" : q.unit) + (q.driven ? " driven" : "")});
+    }
+    Table bodies{{"body", "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
+    for (const BodyMotion& b : view.bodies) {
+        bodies.push_back({b.body, vector_text(b.r), vector_text(b.r_dot), vector_text(b.omega)});
+    }
+    return (view.quantities.empty() ? "" : table_text(quantities, 2)) + table_text(bodies, 2);
+}
+
+}  // namespace
+
+int displayed_width(const std::string& text) {
+    int count = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto c = static_cast<unsigned char>(text[k]);
+        if ((c & 0xC0U) == 0x80U) { continue; }
+        const bool combining =
+            c == 0xCC || (c == 0xCD && k + 1 < text.size() && static_cast<unsigned char>(text[k + 1]) < 0xB0);
+        count += combining ? 0 : 1;
+    }
+    return count;
+}
+
+std::string padded(const std::string& text, int width, bool right) {
+    const int missing = width - displayed_width(text);
+    if (missing <= 0) { return text; }
+    const std::string spaces(static_cast<std::size_t>(missing), ' ');
+    return right ? spaces + text : text + spaces;
+}
+
+std::string wrapped(const std::string& text, int width, int indent) {
+    std::string out;
+    int column = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const int length = displayed_width(word);
+        if (column > 0 && column + 1 + length > width) {
+            out += '\n' + std::string(static_cast<std::size_t>(indent), ' ');
+            column = 0;
+        }
+        if (column > 0) {
+            out += ' ';
+            ++column;
+        }
+        out += word;
+        column += length;
+    }
+    return out;
+}
+
+std::string describe(const View& view, int width) {
+    std::string text = "[" + std::to_string(view.step) + "] " + view.title;
+    if (view.kind == Step::Kind::iteration) { text += " · iteration"; }
+    if (view.kind == Step::Kind::assembled) { text += " · put together"; }
+    text += '\n' + std::string("  ") + wrapped(view.sentence, width - 2, 2) + '\n';
+    if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&
+        view.kind != Step::Kind::assembled) {
+        text += "  » " + wrapped(view.author_text, width - 4, 4) + '\n';
+    }
+    switch (view.kind) {
+        case Step::Kind::bodies:
+        case Step::Kind::iteration: break;
+        case Step::Kind::equations: text += equations_text(view, width); break;
+        case Step::Kind::assembled: text += newton_text(view) + rank_text(view, width); break;
+        case Step::Kind::failed:
+            text += "  " + wrapped(view.failure, width - 2, 2) + '\n' + newton_text(view);
+            break;
+        case Step::Kind::motion:
+            text += motion_text(view);
+            if (!view.velocity_note.empty()) {
+                text += "  " + wrapped(view.velocity_note, width - 2, 2) + '\n';
+            }
+            if (!view.failure.empty()) { text += "  " + wrapped(view.failure, width - 2, 2) + '\n'; }
+            break;
+    }
+    return text;
+}
+
+}  // namespace jw

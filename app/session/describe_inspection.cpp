@@ -1,0 +1,149 @@
+#include "app/session/describe_inspection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/describe.hpp"
+#include "app/session/explanations.hpp"
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
+#include "app/session/view_equations.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kEntryWidth = 10;
+
+std::string entry_text(double value) {
+    // an empty place is seen at once; a zero that is only rounding is no zero
+    return value == 0.0 ? "·" : number_text(value, 4);
+}
+
+std::vector<std::string> labels_of(const Inspection& inspection) {
+    std::vector<std::string> labels;
+    for (int row = 0; row < static_cast<int>(inspection.phi.size()); ++row) {
+        labels.push_back(row_label(*inspection.system, row));
+    }
+    return labels;
+}
+
+int widest_of(const std::vector<std::string>& labels) {
+    int widest = 4;
+    for (const std::string& label : labels) { widest = std::max(widest, displayed_width(label)); }
+    return widest;
+}
+
+std::string right_sides(const Inspection& inspection, const std::vector<std::string>& labels, int widest) {
+    std::string text = "  " + padded("", 3) + padded("", widest) + padded("Φ", 13, true) +
+                       padded("ν", 13, true) + padded("γ", 13, true) + '\n';
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        text += "  " + padded(std::to_string(k), 3) + padded(labels[k], widest) +
+                padded(number_text(inspection.phi(row), 6), 13, true) +
+                padded(number_text(inspection.nu(row), 6), 13, true) +
+                padded(number_text(inspection.gamma(row), 6), 13, true) + '\n';
+    }
+    return text;
+}
+
+/// Φq in blocks of columns that fit the width, owner by owner, without the rows that are zero there.
+std::string matrix_text(
+    const Inspection& inspection, const std::vector<std::string>& labels, int widest, int width) {
+    const std::vector<ColumnName> names = column_names(*inspection.system, inspection.choice);
+    const auto fitting = static_cast<std::size_t>(std::max(1, (width - widest - 5) / kEntryWidth));
+    std::string text;
+    for (std::size_t first = 0; first < names.size();) {
+        std::size_t end = first;
+        while (end < names.size() && end - first < fitting && names[end].owner == names[first].owner) {
+            ++end;
+        }
+        const auto block = inspection.jacobian.middleCols(
+            static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end - first));
+        text += "\n  Φq, columns of " + names[first].owner + "\n  " + padded("", widest + 3);
+        for (std::size_t k = first; k < end; ++k) { text += padded(names[k].symbol, kEntryWidth, true); }
+        text += '\n';
+        for (std::size_t row = 0; row < labels.size(); ++row) {
+            if ((block.row(static_cast<Eigen::Index>(row)).array() == 0.0).all()) { continue; }
+            text += "  " + padded(std::to_string(row), 3) + padded(labels[row], widest);
+            for (std::size_t k = first; k < end; ++k) {
+                const double value =
+                    inspection.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+                text += padded(entry_text(value), kEntryWidth, true);
+            }
+            text += '\n';
+        }
+        first = end;
+    }
+    return text;
+}
+
+std::string values_text(const VectorX& values) {
+    std::string text;
+    for (const double value : values) { text += (text.empty() ? "" : " ") + number_text(value, 4); }
+    return text.empty() ? "none" : text;
+}
+
+std::string choices_text(const Inspection& inspection, int width) {
+    std::string text;
+    const System& system = *inspection.system;
+    for (std::size_t k = 0; k < system.constraints().size(); ++k) {
+        const Constraint& c = system.constraints()[k];
+        if (!is_parallel(c.role)) { continue; }
+        const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        const ChoiceView view =
+            choice_view_of(explain_choice(system, static_cast<int>(k), inspection.state, -1));
+        text += "  " +
+                wrapped(
+                    joint.name + " · " + name_of_role(c.role, joint.parallel_form) + ": " + view.reason,
+                    width - 2, 4) +
+                '\n';
+    }
+    return text;
+}
+
+std::string rank_lines(const Inspection& inspection, int width) {
+    const RankReport& rank = inspection.rank;
+    const System& system = *inspection.system;
+    std::string text = "  rank " + std::to_string(rank.rank) + " of " + count_text(rank.rows, "equation") +
+                       " and " + count_text(rank.columns, "column") +
+                       " (r, ω′): " + count_text(rank.dof, "freedom", "freedoms") + ", " +
+                       count_text(rank.redundant(), "redundant equation") + ", mobility by counting " +
+                       std::to_string(rank.mobility_by_counting) + '\n';
+    if (!rank.assembled) {
+        text += "  The largest scaled residual is " + small_text(rank.residual) +
+                ": not assembled, so this is the rank of the matrix only.\n";
+    }
+    text += "  " +
+            wrapped(
+                "singular values (r, ω′): " + values_text(rank.singular_values) + "; zero up to " +
+                    small_text(rank.threshold),
+                width - 2, 4) +
+            '\n';
+    text += "  " +
+            wrapped("singular values of Φq above: " + values_text(inspection.singular_values), width - 2, 4) +
+            '\n';
+    for (const RedundantRow& row : rank.redundant_rows) {
+        text += "  redundant: " + wrapped(combination_text(system, row), width - 13, 13) + '\n';
+    }
+    for (const std::string& motion : free_motion_texts(system, rank.free_motions)) {
+        text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string describe(const Inspection& inspection, const Lesson& lesson, int width) {
+    const std::vector<std::string> labels = labels_of(inspection);
+    const int widest = widest_of(labels) + 1;
+    std::string text = lesson.title + " · " + inspection.moment + " · coordinates " +
+                       name_of_choice(inspection.choice) + "\n\n";
+    text += right_sides(inspection, labels, widest);
+    text += matrix_text(inspection, labels, widest, width);
+    const std::string choices = choices_text(inspection, width);
+    if (!choices.empty()) { text += '\n' + choices; }
+    return text + '\n' + rank_lines(inspection, width);
+}
+
+}  // namespace jw

@@ -1,0 +1,123 @@
+#include "app/session/explanations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+std::string cause_text(const System& system, const PositionFailure& failure) {
+    switch (failure.cause) {
+        case FailureCause::cannot_close:
+            return "The parts cannot meet: the closest fit still leaves this gap. Check lengths and points "
+                   "of "
+                   "this joint and of those before it, or what a driver asks for.";
+        case FailureCause::wrong_branch:
+            return "Only solutions on a wrong branch were found" +
+                   (failure.branch ? ": " + branch_text(system, *failure.branch) : "") +
+                   ". Give a start pose nearer to the intended one.";
+        case FailureCause::singular:
+            return "The way there leads through a singular position, where equations lose their "
+                   "independence. "
+                   "Start on the intended side of it, or drive another coordinate.";
+        case FailureCause::no_convergence: break;
+    }
+    return "Newton-Raphson did not settle and no contradiction was found. A start pose nearer to the "
+           "solution "
+           "or a slower driver may help.";
+}
+
+}  // namespace
+
+std::string branch_text(const System& system, const WrongBranch& wrong) {
+    const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
+    const std::string joint = "joint " + system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
+    switch (wrong.kind) {
+        case WrongBranch::Kind::anti_parallel:
+            return "the axes sᵢ and sⱼ of " + joint + " point in opposite directions (cosine " +
+                   number_text(wrong.measure, 3) + ")";
+        case WrongBranch::Kind::half_turn:
+            return "the side vectors of " + joint + " are half a turn away from where they started";
+        case WrongBranch::Kind::screw_angle: break;
+    }
+    return "θ of " + joint + " is half a turn off the angle between its bodies";
+}
+
+std::string failure_text(const System& system, const PositionFailure& failure, double t) {
+    return row_label(system, failure.row) + " is off by " + small_text(failure.value) +
+           " at t = " + number_text(t) + " s after " + count_text(failure.iterations, "iteration") +
+           " (largest scaled residual " + small_text(failure.residual) + "). " + cause_text(system, failure);
+}
+
+std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms) {
+    std::string text = row_label(system, redundant.row) + " = ";
+    if (redundant.terms.empty()) { return text + "0: it says nothing here"; }
+    for (std::size_t k = 0; k < redundant.terms.size(); ++k) {
+        if (k == most_terms) { return text + " + " + std::to_string(redundant.terms.size() - k) + " more"; }
+        const RedundantRow::Term& term = redundant.terms[k];
+        const double size = std::abs(term.coefficient);
+        const bool negative = term.coefficient < 0.0;
+        text += k == 0 ? (negative ? "−" : "") : (negative ? " − " : " + ");
+        if (std::abs(size - 1.0) > 1e-9) { text += number_text(size, 3) + " "; }
+        text += row_label(system, term.row);
+    }
+    return text;
+}
+
+std::string free_motion_text(const System& system, const FreeMotion& motion) {
+    constexpr double kNothing = 1e-9;  // rounding of the elimination that made the basis
+    const std::vector<ColumnName> names = column_names(system, CoordinateChoice::omega_local);
+    std::vector<std::string> owners;
+    bool only_turns = true;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (std::abs(motion(static_cast<Eigen::Index>(k))) < kNothing) { continue; }
+        if (std::ranges::find(owners, names[k].owner) == owners.end()) { owners.push_back(names[k].owner); }
+        only_turns = only_turns && names[k].coordinate.starts_with("omega");
+    }
+    std::string text;
+    for (const std::string& owner : owners) {
+        std::string entries;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const double value = motion(static_cast<Eigen::Index>(k));
+            if (names[k].owner != owner || std::abs(value) < kNothing) { continue; }
+            entries += (entries.empty() ? "" : ", ") + names[k].symbol + " " + number_text(value, 3);
+        }
+        text += (text.empty() ? "" : "; ") + owner + ": " + entries;
+    }
+    if (owners.size() == 1 && only_turns) { return text + " (it turns on its own)"; }
+    return text;
+}
+
+std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions) {
+    std::vector<std::string> texts;
+    std::vector<bool> held(system.mechanism().bodies.size(), false);
+    const auto hold = [&](int body) { held[static_cast<std::size_t>(body)] = true; };
+    for (const Constraint& c : system.constraints()) {
+        hold(c.body_i);
+        hold(c.body_j);
+    }
+    for (const DriverConstraint& d : system.drivers()) {
+        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_i);
+        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_j);
+    }
+    std::string free;
+    for (const int body : system.moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        if (!held[b]) { free += (free.empty() ? "" : ", ") + system.mechanism().bodies[b].name; }
+    }
+    for (const FreeMotion& motion : motions) {
+        const bool of_free_body = std::ranges::any_of(system.moving_bodies(), [&](int body) {
+            return !held[static_cast<std::size_t>(body)] &&
+                   !motion.segment<6>(system.body_column(body, 3)).isZero();
+        });
+        if (!of_free_body) { texts.push_back(free_motion_text(system, motion)); }
+    }
+    if (!free.empty()) { texts.push_back(free + ": all six, nothing holds it yet"); }
+    return texts;
+}
+
+}  // namespace jw

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/position.hpp"
+#include "core/rank.hpp"
+
+/// Outcomes of the numerics in words: failures, wrong branches, redundant rows, free motions.
+namespace jw {
+
+/// Which joint and row, when, how far off, the likely cause, and what to do.
+std::string failure_text(const System& system, const PositionFailure& failure, double t);
+
+/// "joint D closed with sᵢ and sⱼ in opposite directions (cosine -1)"
+std::string branch_text(const System& system, const WrongBranch& wrong);
+
+/// "D · p1 · x = −1 A · p1 · x + 0.5 B · s · y", at most `most_terms` of them.
+std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms = 6);
+
+/// "rod: ω′x 1 (it turns on its own)", or the bodies and columns that take part.
+std::string free_motion_text(const System& system, const FreeMotion& motion);
+
+/// One per free motion, but a single one for bodies that no equation holds.
+std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions);
+
+}  // namespace jw

@@ -1,0 +1,83 @@
+#include "app/session/inspection.hpp"
+
+#include "app/session/explanations.hpp"
+#include "app/session/numbers.hpp"
+#include "core/assembler.hpp"
+
+namespace jw {
+
+namespace {
+
+/// Fills in the numbers of system, state, velocity and t.
+void evaluate(Inspection& inspection) {
+    with_choice(inspection.choice, [&](auto c) {
+        Assembler<decltype(c)> assembler(*inspection.system);
+        assembler.assemble_phi_and_jacobian(inspection.state, inspection.t);
+        assembler.assemble_nu(inspection.t);
+        assembler.assemble_gamma(inspection.state, inspection.velocity, inspection.t);
+        inspection.phi = assembler.phi();
+        inspection.jacobian = assembler.jacobian();
+        inspection.nu = assembler.nu();
+        inspection.gamma = assembler.gamma();
+    });
+    inspection.singular_values = singular_values_of(inspection.jacobian);
+    inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
+}
+
+double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
+
+}  // namespace
+
+PoseNotReached not_reached(
+    const Lesson& lesson, const System& system, const PositionFailure& failure, double t) {
+    return PoseNotReached(lesson.file_name + ": " + failure_text(system, failure, t));
+}
+
+Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) {
+    const Step& step = story.steps().at(static_cast<std::size_t>(index));
+    Inspection inspection;
+    inspection.moment = "step " + std::to_string(index);
+    inspection.step = index;
+    inspection.choice = choice;
+    inspection.system = step.system;
+    inspection.state = step.state;
+    inspection.velocity = step.velocity;
+    inspection.t = step.t;
+    evaluate(inspection);
+    return inspection;
+}
+
+Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
+    Inspection inspection;
+    inspection.moment = "as given";
+    inspection.choice = choice;
+    inspection.state = start_state(lesson.mechanism);
+    inspection.velocity = start_motion(lesson.mechanism);
+    inspection.t = start_time(lesson);
+    auto system = std::make_shared<System>(
+        lesson.mechanism, selection_of(lesson, static_cast<int>(lesson.order.size())));
+    system->choose_rows(inspection.state);
+    inspection.system = system;
+    evaluate(inspection);
+    return inspection;
+}
+
+Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice) {
+    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Step& last = story.steps().back();
+    if (last.failure) { throw not_reached(lesson, *last.system, *last.failure, last.t); }
+    auto system = std::make_shared<System>(*last.system);
+    MotionTracker tracker(*system, last.state, start_time(lesson));
+    if (!tracker.advance_to(t)) { throw not_reached(lesson, *system, *tracker.failure(), tracker.frame().t); }
+    Inspection inspection;
+    inspection.moment = "t = " + number_text(t, 9) + " s";
+    inspection.choice = choice;
+    inspection.system = system;
+    inspection.state = tracker.frame().state;
+    inspection.velocity = tracker.frame().velocity;
+    inspection.t = t;
+    evaluate(inspection);
+    return inspection;
+}
+
+}  // namespace jw

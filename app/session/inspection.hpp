@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/session/story.hpp"
+
+/// Every number of a system at one moment, in the coordinates that were asked for.
+namespace jw {
+
+struct Inspection {
+    std::string moment;  ///< "step 7", "t = 0.25 s", "as given"
+    int step = -1;       ///< -1 unless a step was asked for
+    CoordinateChoice choice = CoordinateChoice::omega_local;
+    std::shared_ptr<const System> system;
+    State state;
+    Motion velocity;  ///< that γ belongs to
+    double t = 0.0;
+    VectorX phi;
+    MatrixX jacobian;
+    VectorX nu;
+    VectorX gamma;
+    VectorX singular_values;  ///< of `jacobian` as it stands
+    RankReport rank;          ///< kinematic, whatever the coordinates
+};
+
+/// At a step of the story; γ belongs to the file's velocities before the motion and to the motion's in it.
+/// @throws std::out_of_range if there is no such step
+Inspection inspect_step(const Story& story, int index, CoordinateChoice choice);
+
+/// The state of the file, all joints and drivers present, nothing assembled; γ belongs to the file's
+/// velocities.
+Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice);
+
+/// Assembled, and followed through the motion to time `t`.
+/// @throws PoseNotReached
+Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice);
+
+/// The numerics could not find a pose; `what()` says why.
+class PoseNotReached : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Why the story ended early, with the lesson's file name; to be thrown.
+PoseNotReached not_reached(
+    const Lesson& lesson, const System& system, const PositionFailure& failure, double t);
+
+}  // namespace jw

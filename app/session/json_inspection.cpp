@@ -1,0 +1,212 @@
+#include <cmath>
+
+#include "app/session/json.hpp"
+#include "app/session/labels.hpp"
+#include "app/session/view_equations.hpp"
+
+namespace jw {
+
+namespace {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// The data of a primitive, with the names of primitives.hpp.
+struct PrimitiveJson {
+    Json operator()(const N1& c) const {
+        return {{"s_i_local", json_of(c.s_i_local)}, {"s_j_local", json_of(c.s_j_local)}};
+    }
+    Json operator()(const N2& c) const { return with_points(c.s_i_local, c.B_i_local, c.B_j_local); }
+    Json operator()(const P1& c) const {
+        return {{"s_i_local", json_of(c.s_i_local)}, {"s_j_local", json_of(c.s_j_local)}};
+    }
+    Json operator()(const P2& c) const { return with_points(c.s_i_local, c.B_i_local, c.B_j_local); }
+    Json operator()(const S& c) const {
+        return {{"P_i_local", json_of(c.P_i_local)}, {"P_j_local", json_of(c.P_j_local)}};
+    }
+    Json operator()(const Distance& c) const {
+        return {
+            {"P_i_local", json_of(c.P_i_local)},
+            {"P_j_local", json_of(c.P_j_local)},
+            {"length", number(c.length)}};
+    }
+    Json operator()(const N1Pair& c) const {
+        return {
+            {"a_i_local", json_of(c.a_i_local)},
+            {"b_i_local", json_of(c.b_i_local)},
+            {"s_j_local", json_of(c.s_j_local)}};
+    }
+    Json operator()(const N2Pair& c) const {
+        return {
+            {"a_i_local", json_of(c.a_i_local)},
+            {"b_i_local", json_of(c.b_i_local)},
+            {"B_i_local", json_of(c.B_i_local)},
+            {"B_j_local", json_of(c.B_j_local)}};
+    }
+    Json operator()(const ScrewAdvance& c) const {
+        Json json = with_points(c.s_i_local, c.B_i_local, c.B_j_local);
+        json["alpha"] = number(c.alpha);
+        json["d_0"] = number(c.d_0);
+        json["theta_0"] = number(c.theta_0);
+        return json;
+    }
+    Json operator()(const ScrewAngle& c) const {
+        constexpr const char* forms[] = {"rotation", "cosine", "sine"};
+        return {
+            {"s_i_local", json_of(c.s_i_local)},
+            {"u_i_local", json_of(c.u_i_local)},
+            {"u_j_local", json_of(c.u_j_local)},
+            {"form", forms[static_cast<int>(c.form)]}};
+    }
+
+private:
+    static Json with_points(const Vec3& s_i_local, const Vec3& B_i_local, const Vec3& B_j_local) {
+        return {
+            {"s_i_local", json_of(s_i_local)},
+            {"B_i_local", json_of(B_i_local)},
+            {"B_j_local", json_of(B_j_local)}};
+    }
+};
+
+const char* measure_name(const Measure& measure) {
+    constexpr const char* names[] = {"angle", "displacement", "squared distance", "coordinate", "theta"};
+    return names[measure.index()];
+}
+
+Json constraints_of(const System& system) {
+    const Mechanism& mechanism = system.mechanism();
+    Json list = Json::array();
+    for (const Constraint& c : system.constraints()) {
+        const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
+        Json entry{
+            {"joint", joint.name},
+            {"type", joint.type->name},
+            {"primitive", name_of_role(c.role, joint.parallel_form)},
+            {"formula", equation_text(system, c).plain},
+            {"body_i", mechanism.bodies[static_cast<std::size_t>(c.body_i)].name},
+            {"body_j", mechanism.bodies[static_cast<std::size_t>(c.body_j)].name},
+            {"first_row", c.first_row},
+            {"equations", c.equations},
+            {"dropped", c.dropped < 0 ? Json() : Json(axis_name(c.dropped))},
+            {"unit", number(c.unit)}};
+        entry["data"] = std::visit(PrimitiveJson{}, c.primitive);
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+Json drivers_of(const System& system, double t) {
+    const Mechanism& mechanism = system.mechanism();
+    Json list = Json::array();
+    for (const DriverConstraint& d : system.drivers()) {
+        const Driver& driver = mechanism.drivers[static_cast<std::size_t>(d.driver)];
+        const TimeFunction::Value target = target_of(driver.measure, driver.function, t);
+        list.push_back(
+            {{"name", driver.name},
+             {"measure", measure_name(driver.measure)},
+             {"body_i", mechanism.bodies[static_cast<std::size_t>(driver.body_i)].name},
+             {"body_j", mechanism.bodies[static_cast<std::size_t>(driver.body_j)].name},
+             {"joint", driver.joint < 0
+                           ? Json()
+                           : Json(mechanism.joints[static_cast<std::size_t>(driver.joint)].name)},
+             {"row", d.row},
+             {"target", number(target.f)},
+             {"target_dot", number(target.f_dot)},
+             {"target_ddot", number(target.f_ddot)}});
+    }
+    return list;
+}
+
+Json choices_of(const System& system, const State& state) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < system.constraints().size(); ++k) {
+        const Constraint& c = system.constraints()[k];
+        if (!is_parallel(c.role)) { continue; }
+        const RowChoice choice = explain_choice(system, static_cast<int>(k), state, -1);
+        const ChoiceView view = choice_view_of(choice);
+        Json conditions = Json::array();
+        for (const double condition : choice.pair_condition) { conditions.push_back(number(condition)); }
+        const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        list.push_back(
+            {{"joint", joint.name},
+             {"primitive", name_of_role(c.role, joint.parallel_form)},
+             {"form", view.form},
+             {"dropped", c.dropped < 0 ? Json() : Json(axis_name(c.dropped))},
+             {"s_i", json_of(choice.s_i)},
+             {"condition_without_xyz", conditions},
+             {"condition", number(choice.form_condition)},
+             {"reason", view.reason}});
+    }
+    return list;
+}
+
+Json rows_of(const Inspection& inspection) {
+    const System& system = *inspection.system;
+    Json list = Json::array();
+    for (int row = 0; row < static_cast<int>(inspection.phi.size()); ++row) {
+        const RowOrigin origin = system.origin(row);
+        Json component;
+        if (origin.kind == RowOrigin::Kind::constraint) {
+            const std::string name = component_name(
+                system.constraints()[static_cast<std::size_t>(origin.index)], origin.component);
+            if (!name.empty()) { component = name; }
+        }
+        list.push_back(
+            {{"label", row_label(system, row)},
+             {"owner", row_owner(system, row)},
+             {"component", component},
+             {"phi", number(inspection.phi(row))},
+             {"nu", number(inspection.nu(row))},
+             {"gamma", number(inspection.gamma(row))}});
+    }
+    return list;
+}
+
+Json thetas_of(const System& system, const State& state, const Motion& velocity) {
+    const Mechanism& mechanism = system.mechanism();
+    const std::vector<int> thetas = mechanism.theta_indices();
+    Json list = Json::array();
+    for (std::size_t k = 0; k < thetas.size(); ++k) {
+        if (thetas[k] < 0) { continue; }
+        const auto theta = static_cast<std::size_t>(thetas[k]);
+        list.push_back(
+            {{"joint", mechanism.joints[k].name},
+             {"theta", number(state.theta[theta])},
+             {"theta_dot", number(velocity.theta_dot[theta])}});
+    }
+    return list;
+}
+
+}  // namespace
+
+Json json_of(const Inspection& inspection, const Lesson& lesson) {
+    const System& system = *inspection.system;
+    Json columns = Json::array();
+    for (const ColumnName& name : column_names(system, inspection.choice)) {
+        columns.push_back({{"owner", name.owner}, {"coordinate", name.coordinate}});
+    }
+    return {
+        {"format", "jointwise inspect"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"moment", inspection.moment},
+        {"step", inspection.step < 0 ? Json() : Json(inspection.step)},
+        {"time_s", number(inspection.t)},
+        {"coordinates", name_of_choice(inspection.choice)},
+        {"length_unit_m", number(system.length_unit())},
+        {"bodies", json_of(lesson.mechanism, inspection.state, inspection.velocity)},
+        {"artificial_coordinates", thetas_of(system, inspection.state, inspection.velocity)},
+        {"constraints", constraints_of(system)},
+        {"drivers", drivers_of(system, inspection.t)},
+        {"rows", rows_of(inspection)},
+        {"columns", columns},
+        {"phi", json_of(inspection.phi)},
+        {"jacobian", json_of(inspection.jacobian)},
+        {"nu", json_of(inspection.nu)},
+        {"gamma", json_of(inspection.gamma)},
+        {"singular_values", json_of(inspection.singular_values)},
+        {"rank", json_of(inspection.rank, system)},
+        {"choices", choices_of(system, inspection.state)},
+    };
+}
+
+}  // namespace jw

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/session/view.hpp"
+
+/// What a person would measure on a mechanism in motion: angles and displacements of joints, drivers.
+namespace jw {
+
+/// Drivers first, then the angles and displacements of joints that are not driven.
+std::vector<QuantityMotion> quantities_of(const Step& step);
+
+/// "pivot.angle" of a joint or of what a driver drives.
+std::string driver_quantity_name(const Mechanism& mechanism, const Driver& driver);
+
+}  // namespace jw

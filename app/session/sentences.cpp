@@ -1,0 +1,254 @@
+#include "app/session/sentences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/session/explanations.hpp"
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kDegree = 180.0 / std::numbers::pi;
+// rounding of a pose whose joints were given by one global point and axis
+constexpr double kHolds = 1e-12;
+
+const Joint& joint_at(const Mechanism& mechanism, int index) {
+    return mechanism.joints[static_cast<std::size_t>(index)];
+}
+
+const std::string& body_name(const Mechanism& mechanism, int index) {
+    return mechanism.bodies[static_cast<std::size_t>(index)].name;
+}
+
+/// "Joint D" or "Driver crank drive"
+std::string subject_name(const Lesson& lesson, const Addition& subject) {
+    const auto k = static_cast<std::size_t>(subject.index);
+    return subject.kind == Addition::Kind::joint ? "Joint " + lesson.mechanism.joints[k].name
+                                                 : "Driver " + lesson.mechanism.drivers[k].name;
+}
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& items) {
+    std::string text;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        text += k == 0 ? "" : (k + 1 == items.size() ? " and " : ", ");
+        text += items[k];
+    }
+    return text;
+}
+
+std::string number_word(int n) {
+    constexpr std::array words{"no", "one", "two", "three", "four", "five", "six"};
+    return n >= 0 && n < 7 ? words[static_cast<std::size_t>(n)] : std::to_string(n);
+}
+
+/// "s 3, p1 2 of 3"
+std::string counts_by_primitive(const System& system, int joint) {
+    std::string text;
+    for (const Constraint& c : system.constraints()) {
+        if (c.joint != joint) { continue; }
+        const int kept = c.equations - (c.dropped >= 0 ? 1 : 0);
+        text += (text.empty() ? "" : ", ") + std::to_string(kept);
+        if (kept < c.equations) { text += " of " + std::to_string(c.equations); }
+        text += " from " + name_of_role(c.role, joint_at(system.mechanism(), joint).parallel_form);
+    }
+    return text;
+}
+
+/// Rows of the joint or driver.
+std::vector<int> rows_of(const System& system, const Addition& subject) {
+    std::vector<int> rows;
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const auto k = static_cast<std::size_t>(origin.index);
+        const bool own = origin.kind == RowOrigin::Kind::driver
+                             ? subject == Addition{Addition::Kind::driver, system.drivers()[k].driver}
+                             : subject == Addition{Addition::Kind::joint, system.constraints()[k].joint};
+        if (own) { rows.push_back(row); }
+    }
+    return rows;
+}
+
+std::string bodies_sentence(const Lesson& lesson, const Step& step) {
+    const Mechanism& m = lesson.mechanism;
+    const int moving = m.moving_bodies_count();
+    if (moving == 0) { return "No body can move: there are no coordinates."; }
+    std::vector<std::string> names;
+    for (const int b : step.system->moving_bodies()) {
+        if (names.size() < 8) { names.push_back(body_name(m, b)); }
+    }
+    if (moving > static_cast<int>(names.size())) {
+        names.push_back(std::to_string(moving - static_cast<int>(names.size())) + " more");
+    }
+    return count_text(moving, "body is free", "bodies are free") + ": " + listed(names) + ". That is " +
+           std::to_string(7 * moving) + " coordinates (r, p) with " +
+           count_text(moving, "equation", "equations") + " pᵀp = 1 among them, so " +
+           std::to_string(6 * moving) + " freedoms; as velocities, " + std::to_string(6 * moving) +
+           " columns (r, ω′).";
+}
+
+std::string equations_sentence(const Lesson& lesson, const Step& step, const Addition& subject) {
+    const System& system = *step.system;
+    const std::vector<int> rows = rows_of(system, subject);
+    std::string text =
+        subject_name(lesson, subject) + " brings " + count_text(static_cast<int>(rows.size()), "equation");
+    if (subject.kind == Addition::Kind::joint) {
+        text += " (" + counts_by_primitive(system, subject.index) + ")";
+        if (joint_at(lesson.mechanism, subject.index).type->artificial > 0) {
+            text += " and an artificial coordinate θ";
+        }
+    }
+    text += ", " + std::to_string(system.rows()) + " in all. At the start estimate ";
+
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(step.state, step.t);
+    const auto size = [&](int row) { return std::abs(assembler.phi()(row)); };
+    const int largest = *std::ranges::max_element(rows, {}, size);
+    if (size(largest) < kHolds) { return text + "they hold already."; }
+    return text + "the largest is " + row_label(system, largest) + " = " +
+           number_text(assembler.phi()(largest), 3) + ".";
+}
+
+std::string newton_sentence(const System& system, const NewtonStep& newton) {
+    std::string text = "Iteration " + std::to_string(newton.iteration + 1) +
+                       " starts from ‖Φ‖ = " + small_text(newton.phi_norm) + "; the largest equation is " +
+                       row_label(system, newton.largest_row) + " = " + small_text(newton.largest_value) +
+                       ". The step Φq Δq = −Φ has length " + small_text(newton.delta_norm);
+    if (newton.turn > 0.0) {
+        text += " and turns no body by more than " + number_text(newton.fraction * newton.turn * kDegree, 3) +
+                "°";
+    }
+    if (newton.fraction < 1.0) {
+        text += " (limited: " + number_text(100.0 * newton.fraction, 2) + " % of the full step)";
+    }
+    return text + ".";
+}
+
+std::string iteration_sentence(const Step& step) {
+    if (const auto* newton = std::get_if<NewtonStep>(&step.events.back())) {
+        return newton_sentence(*step.system, *newton);
+    }
+    const auto& wrong = std::get<WrongBranch>(step.events.back());
+    return "All equations hold, but on the wrong branch: " + branch_text(*step.system, wrong) +
+           ". That is turned by half a turn, and Newton-Raphson starts again from there.";
+}
+
+std::string closing_text(const Step& step) {
+    int iterations = 0;
+    double residual = 0.0;
+    for (const PositionEvent& event : step.events) {
+        if (const auto* newton = std::get_if<NewtonStep>(&event)) {
+            iterations += newton->converged ? 0 : 1;
+            residual = newton->residual;
+        }
+    }
+    if (iterations == 0) { return "Everything holds already: no iteration was needed."; }
+    return count_text(iterations, "Newton iteration") + " closed it; the largest |Φ| left is " +
+           small_text(residual) + ".";
+}
+
+/// Owners of the equations that a redundant row repeats, in the order of addition.
+std::string repeated_owners(const System& system, const std::vector<RedundantRow>& redundant) {
+    std::vector<std::string> owners;
+    for (const RedundantRow& r : redundant) {
+        const std::string self = row_owner(system, r.row);
+        for (const RedundantRow::Term& term : r.terms) {
+            const std::string owner = row_owner(system, term.row);
+            if (owner != self && std::ranges::find(owners, owner) == owners.end()) {
+                owners.push_back(owner);
+            }
+        }
+    }
+    if (owners.size() > 6) { return "the equations before"; }
+    return owners.empty() ? "itself" : listed(owners);
+}
+
+std::string freedoms_text(int dof) {
+    if (dof == 0) { return "No freedom is left: the pose is determined."; }
+    return count_text(dof, "freedom is left", "freedoms are left") + ".";
+}
+
+std::string assembled_sentence(
+    const Lesson& lesson, const Step& step, const Addition& subject, const RankReport& rank) {
+    const int before = step.rank_before ? step.rank_before->rank : 0;
+    const int redundant_before = step.rank_before ? step.rank_before->redundant() : 0;
+    const auto count = static_cast<int>(rows_of(*step.system, subject).size());
+    const int grown = rank.rank - before;
+    const int repeating = rank.redundant() - redundant_before;
+    std::string text = subject_name(lesson, subject) + " adds " + count_text(count, "equation") +
+                       ", the rank grows by " + std::to_string(grown) + " (" + std::to_string(before) +
+                       " → " + std::to_string(rank.rank) + ")";
+    if (repeating > 0) {
+        text += ": " + number_word(repeating) + (repeating == 1 ? " repeats" : " repeat") + " what " +
+                repeated_owners(*step.system, rank.redundant_rows) + " already say" +
+                (repeated_owners(*step.system, rank.redundant_rows).find(" and ") == std::string::npos ? "s"
+                                                                                                       : "");
+    }
+    return text + ". " + freedoms_text(rank.dof) + " " + closing_text(step);
+}
+
+std::string motion_sentence(const Lesson& lesson, const Step& step, const RankReport& rank) {
+    std::string text = "t = " + fixed_text(step.t, 3) + " s: ";
+    const Mechanism& m = lesson.mechanism;
+    if (step.change_point) {
+        text +=
+            "a change point. The rank is " + std::to_string(rank.rank) + " of " +
+            std::to_string(rank.columns) +
+            " columns here, or nearly so: branches meet, and the motion goes on along the tangent on which "
+            "it came.";
+        return text;
+    }
+    text += "rank " + std::to_string(rank.rank) + " of " + std::to_string(rank.columns) + " columns";
+    if (rank.dof == 0) {
+        text += ", so positions, velocities and accelerations are determined";
+    } else if (m.drivers.empty()) {
+        text += "; nothing is driven, so nothing moves";
+    } else {
+        text += "; " + count_text(rank.dof, "freedom") + " not driven: the velocities shown are the ones " +
+                "nearest to those before, the accelerations the shortest";
+    }
+    text += ".";
+    if (step.rows_switched) { text += " The choice of p1 and p2 equations has changed here."; }
+    return text;
+}
+
+}  // namespace
+
+std::string title_of(const Lesson& lesson, const Step& step) {
+    if (step.kind == Step::Kind::bodies) { return "The free bodies"; }
+    if (step.kind == Step::Kind::motion) { return step.failure ? "The motion ends" : "The motion"; }
+    const std::optional<Addition> subject = subject_of(lesson, step);
+    const Mechanism& m = lesson.mechanism;
+    std::string title = subject_name(lesson, *subject);
+    if (subject->kind == Addition::Kind::joint) {
+        const Joint& joint = joint_at(m, subject->index);
+        title += " · " + std::string(joint.type->name) + " · " + body_name(m, joint.body_i) + " – " +
+                 body_name(m, joint.body_j);
+    }
+    return title;
+}
+
+std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport& rank) {
+    const std::optional<Addition> subject = subject_of(lesson, step);
+    switch (step.kind) {
+        case Step::Kind::bodies: return bodies_sentence(lesson, step);
+        case Step::Kind::equations: return equations_sentence(lesson, step, *subject);
+        case Step::Kind::iteration: return iteration_sentence(step);
+        case Step::Kind::assembled: return assembled_sentence(lesson, step, *subject, rank);
+        case Step::Kind::failed:
+            return subject_name(lesson, *subject) + " cannot be closed. The last good pose is kept.";
+        case Step::Kind::motion: break;
+    }
+    if (step.failure) {
+        return "The motion cannot be followed beyond t = " + number_text(step.t) +
+               " s. This is the last good pose.";
+    }
+    return motion_sentence(lesson, step, rank);
+}
+
+}  // namespace jw

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/story.hpp"
+
+/// What happened in a step, in words and with the real numbers.
+namespace jw {
+
+/// "Joint C · revolute · coupler – rocker"
+std::string title_of(const Lesson& lesson, const Step& step);
+
+/// @param rank of the step's pose
+std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport& rank);
+
+}  // namespace jw

@@ -1,0 +1,120 @@
+#include "app/session/solution.hpp"
+
+#include <cmath>
+
+#include "app/session/explanations.hpp"
+#include "core/assembler.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a step: a last interval shorter than this is the rounding of the sum
+
+void add_vector(std::vector<std::string>& columns, const std::string& prefix) {
+    for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
+}
+
+std::vector<std::string> columns_of(const System& system, Analysis analysis) {
+    std::vector<std::string> columns{"time_s"};
+    const Mechanism& mechanism = system.mechanism();
+    for (const int b : system.moving_bodies()) {
+        const std::string& name = mechanism.bodies[static_cast<std::size_t>(b)].name;
+        add_vector(columns, name + ".");
+        for (const char* e : {"e0", "e1", "e2", "e3"}) { columns.push_back(name + "." + e); }
+        if (analysis != Analysis::position) {
+            add_vector(columns, name + ".r_dot.");
+            add_vector(columns, name + ".omega_local.");
+        }
+        if (analysis == Analysis::acceleration) {
+            add_vector(columns, name + ".r_ddot.");
+            add_vector(columns, name + ".omega_local_dot.");
+        }
+    }
+    const std::vector<int> thetas = mechanism.theta_indices();
+    for (const int j : system.selection().joints) {
+        const auto k = static_cast<std::size_t>(j);
+        if (thetas[k] < 0) { continue; }
+        columns.push_back(mechanism.joints[k].name + ".theta");
+        if (analysis != Analysis::position) { columns.push_back(mechanism.joints[k].name + ".theta_dot"); }
+        if (analysis == Analysis::acceleration) {
+            columns.push_back(mechanism.joints[k].name + ".theta_ddot");
+        }
+    }
+    columns.push_back("residual");
+    return columns;
+}
+
+SweepRow row_of(const System& system, const MotionFrame& frame, Analysis analysis) {
+    SweepRow row;
+    const auto add = [&](const auto& v) { row.values.insert(row.values.end(), v.begin(), v.end()); };
+    row.values.push_back(frame.t);
+    for (const int body : system.moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        add(frame.state.r[b]);
+        add(frame.state.p[b]);
+        if (analysis != Analysis::position) {
+            add(frame.velocity.r_dot[b]);
+            add(frame.velocity.omega_local[b]);
+        }
+        if (analysis == Analysis::acceleration) {
+            add(frame.acceleration.r_dot[b]);
+            add(frame.acceleration.omega_local[b]);
+        }
+    }
+    const std::vector<int> thetas = system.mechanism().theta_indices();
+    for (const int j : system.selection().joints) {
+        if (thetas[static_cast<std::size_t>(j)] < 0) { continue; }
+        const auto theta = static_cast<std::size_t>(thetas[static_cast<std::size_t>(j)]);
+        row.values.push_back(frame.state.theta[theta]);
+        if (analysis != Analysis::position) { row.values.push_back(frame.velocity.theta_dot[theta]); }
+        if (analysis == Analysis::acceleration) { row.values.push_back(frame.acceleration.theta_dot[theta]); }
+    }
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(frame.state, frame.t);
+    row.values.push_back(assembler.phi().size() > 0 ? assembler.phi().cwiseAbs().maxCoeff() : 0.0);
+
+    row.change_point = frame.change_point;
+    if (analysis == Analysis::position) { return row; }
+    row.unique = frame.velocity_verdict.unique;
+    row.consistent = frame.velocity_verdict.consistent;
+    if (analysis == Analysis::acceleration) {
+        row.consistent = row.consistent && frame.acceleration_verdict.consistent;
+    }
+    return row;
+}
+
+}  // namespace
+
+std::vector<double> times_of(const SweepPlan& plan) {
+    std::vector<double> times;
+    const auto whole = static_cast<long>(std::floor((plan.to - plan.from) / plan.step + kRounding));
+    // products, not sums: the rounding of the last time is that of one multiplication
+    for (long k = 0; k <= whole; ++k) { times.push_back(plan.from + static_cast<double>(k) * plan.step); }
+    if (plan.to - times.back() > kRounding * plan.step) { times.push_back(plan.to); }
+    return times;
+}
+
+Sweep solve_sweep(
+    const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {
+    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Step& last = story.steps().back();
+    if (last.failure) { throw not_reached(lesson, *last.system, *last.failure, last.t); }
+
+    System system = *last.system;
+    MotionTracker tracker(system, last.state, last.t, plan.analysis == Analysis::acceleration);
+    Sweep sweep;
+    sweep.columns = columns_of(system, plan.analysis);
+    const std::vector<double> times = times_of(plan);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        if (!tracker.advance_to(times[k])) {
+            sweep.failure = not_reached(lesson, system, *tracker.failure(), tracker.frame().t).what();
+            return sweep;
+        }
+        sweep.rows.push_back(row_of(system, tracker.frame(), plan.analysis));
+        if (progress) { progress(static_cast<double>(k + 1) / static_cast<double>(times.size())); }
+    }
+    return sweep;
+}
+
+}  // namespace jw

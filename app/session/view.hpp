@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/story.hpp"
+
+/// What a step shows, as plain values: the terminal, the JSON, the panels and the pictures all come from
+/// here, so a number shown in two places is computed once. Formula markup as in labels.hpp.
+namespace jw {
+
+struct EquationRow {
+    enum class Status { kept, dropped, redundant };
+    std::string component;  ///< "x", empty for a single equation
+    double value = 0.0;     ///< Φ, as it is
+    int row = -1;           ///< of the system, -1 if dropped
+    Status status = Status::kept;
+};
+
+/// Which of the three equations of p1 / p2 are kept, and why.
+struct ChoiceView {
+    std::string form;                   ///< "rule", "drop x", ...
+    std::array<double, 3> axis_size{};  ///< |s_x|, |s_y|, |s_z| of the unit global axis s_i
+    std::array<double, 3>
+        pair_condition{};         ///< of the two rows left when x, y, z is dropped; may be infinite
+    int dropped = -1;             ///< 0, 1, 2; -1: none
+    bool switched = false;        ///< another one than before
+    double form_condition = 0.0;  ///< of the rows in use
+    std::string reason;           ///< one sentence
+};
+
+/// The equations of one primitive of the joint (or of the driver) that the step is about.
+struct EquationGroup {
+    std::string primitive;  ///< "p1"
+    std::string formula;    ///< markup
+    std::string plain;      ///< one line of Unicode
+    std::string unit;       ///< "m", "m²", "rad" or "-"
+    std::vector<EquationRow> rows;
+    std::optional<ChoiceView> choice;  ///< p1 and p2 only
+};
+
+struct MatrixView {
+    struct Row {
+        std::string owner;       ///< joint, driver or body (normalisation)
+        std::string label;       ///< "p1 y"
+        bool redundant = false;  ///< repeats others
+        bool subject = false;    ///< belongs to the joint or driver of the step
+    };
+    struct Column {
+        std::string owner;   ///< body, or joint for θ
+        std::string symbol;  ///< "x", "e₀", "ω′x", "θ"
+    };
+    CoordinateChoice choice = CoordinateChoice::omega_local;
+    std::vector<Row> rows;
+    std::vector<Column> columns;
+    MatrixX values;  ///< Φq [rows x columns]
+};
+
+struct RankView {
+    int rows = 0;
+    int columns = 0;
+    int rank = 0;
+    int dof = 0;
+    int mobility_by_counting = 0;
+    int rank_before = -1;  ///< -1: nothing to compare with
+    int rows_before = 0;
+    std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
+    double threshold = 0.0;
+    double residual = 0.0;
+    bool assembled = true;
+    bool near_singular = false;
+    std::vector<std::string> redundant_rows;  ///< labels
+    std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
+    std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
+};
+
+struct NewtonRow {
+    int iteration = 0;
+    double phi_norm = 0.0;
+    std::string largest_row;  ///< label
+    double largest_value = 0.0;
+    bool stepped = false;  ///< the members below are meaningless without
+    double delta_norm = 0.0;
+    double turn_deg = 0.0;  ///< largest turn of a body in the full step
+    double fraction = 1.0;  ///< of the full step taken
+    int rank = 0;
+    std::string note;  ///< "converged", "wrong branch left: ...", may be empty
+};
+
+struct BodyMotion {
+    std::string body;
+    Vec3 r = Vec3::Zero();          ///< [m]
+    Vec3 r_dot = Vec3::Zero();      ///< [m/s]
+    Vec3 r_ddot = Vec3::Zero();     ///< [m/s²]
+    Vec3 omega = Vec3::Zero();      ///< global [rad/s]
+    Vec3 omega_dot = Vec3::Zero();  ///< global [rad/s²]
+};
+
+/// A measured quantity of a joint or driver during the motion.
+struct QuantityMotion {
+    std::string name;  ///< "pivot.angle"
+    std::string unit;  ///< "deg" or "m": of the value; rates are per second
+    bool driven = false;
+    double value = 0.0;
+    double rate = 0.0;
+    double acceleration = 0.0;
+};
+
+struct View {
+    Step::Kind kind = Step::Kind::bodies;
+    int step = 0;   ///< index into the story
+    int steps = 0;  ///< how many the story has
+    double t = 0.0;
+    std::string lesson_title;
+    std::string source;       ///< of the joint's type where there is one, else of the lesson
+    std::string title;        ///< "Joint C · revolute · coupler – rocker"
+    std::string sentence;     ///< what happened, with the real numbers
+    std::string author_text;  ///< may be empty
+    std::vector<EquationGroup> equations;
+    MatrixView matrix;
+    RankView rank;
+    std::vector<NewtonRow> newton;  ///< of this solve, up to this step
+    std::vector<BodyMotion> bodies;
+    std::vector<QuantityMotion> quantities;  ///< motion only
+    std::string velocity_note;               ///< "not unique: ..." or empty
+    std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
+};
+
+/// @param index of the step in the story
+View view_of(const Story& story, int index);
+
+}  // namespace jw
