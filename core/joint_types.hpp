@@ -56,6 +56,9 @@ struct JointGeometry {
     double d_0 = 0.0;      ///< screw [m]
     double theta_0 = 0.0;  ///< screw [rad]
     ScrewAngleForm screw_angle_form = ScrewAngleForm::rotation;
+    /// Screw, start estimate of the artificial coordinate and its rate; absent: measured from u_i to u_j.
+    std::optional<double> theta_start;      ///< [rad]
+    std::optional<double> theta_dot_start;  ///< [rad/s]
 };
 
 struct JointType {

@@ -28,7 +28,8 @@ State start_state(const Mechanism& mechanism) {
         state.p.push_back(body.p);
     }
     for (const Joint& joint : mechanism.joints) {
-        if (joint.type->artificial > 0) { state.theta.push_back(relative_angle(joint, state)); }
+        if (joint.type->artificial == 0) { continue; }
+        state.theta.push_back(joint.geometry.theta_start.value_or(relative_angle(joint, state)));
     }
     return state;
 }
@@ -47,6 +48,19 @@ Motion start_motion(const Mechanism& mechanism) {
         if (mechanism.bodies[b].fixed) { continue; }
         motion.r_dot[b] = mechanism.bodies[b].r_dot;
         motion.omega_local[b] = mechanism.bodies[b].omega_local;
+    }
+    std::size_t theta = 0;
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.type->artificial == 0) { continue; }
+        const auto omega_of = [&](int body) -> Vec3 {
+            const auto b = static_cast<std::size_t>(body);
+            return homogeneous_rotation_matrix(mechanism.bodies[b].p) * motion.omega_local[b];
+        };
+        const Vec3 s_i =
+            homogeneous_rotation_matrix(mechanism.bodies[static_cast<std::size_t>(joint.body_i)].p) *
+            joint.geometry.s_i_local.normalized();
+        motion.theta_dot[theta++] = joint.geometry.theta_dot_start.value_or(
+            s_i.dot(omega_of(joint.body_j) - omega_of(joint.body_i)));
     }
     return motion;
 }

@@ -63,9 +63,9 @@ struct Motion {
     std::vector<double> theta_dot;
 };
 
-/// The state as the mechanism's author gave it; θ of a screw is measured from its u vectors.
+/// The state as the mechanism's author gave it; θ of a screw is measured from its u vectors unless given.
 State start_state(const Mechanism& mechanism);
-/// Velocities as given, θ̇ = 0.
+/// Velocities as given; θ̇ of a screw is s_i·(ω_j - ω_i) unless given.
 Motion start_motion(const Mechanism& mechanism);
 /// All zero, of the mechanism's size.
 Motion zero_motion(const Mechanism& mechanism);

@@ -189,6 +189,13 @@ void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
     g.theta_0 = start_angle(pair, g);
     if (const auto d_0 = fields.number("d_0")) { g.d_0 = d_0->value; }
     if (const auto theta_0 = fields.angle("theta_0")) { g.theta_0 = theta_0->value; }
+    if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
+    if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
+        if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
+        if (const auto rate = fields.number("theta_dot_deg_per_s")) {
+            g.theta_dot_start = rate->value * std::numbers::pi / 180.0;
+        }
+    }
 }
 
 void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointGeometry& g) {

@@ -20,7 +20,8 @@ void check_keys(Fields& fields) {
     }
     for (const char* key : {"pitch", "d_0"}) { fields.number(key); }
     fields.positive("length");
-    fields.angle("theta_0");
+    for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
+    for (const char* key : {"theta_dot_rad_per_s", "theta_dot_deg_per_s"}) { fields.number(key); }
     for (const char* key : {"angle_row", "parallel"}) { fields.text(key); }
 }
 

@@ -106,6 +106,10 @@ TEST_CASE("A screw starts on its thread unless the lesson says otherwise", "[les
     CHECK(told.screw_angle_form == ScrewAngleForm::cosine);
     CHECK(joint_with(nut + "theta_0_rad = 7").geometry.theta_0 == 7.0);
     CHECK(joint_with(nut + "angle_row = \"sine\"").geometry.screw_angle_form == ScrewAngleForm::sine);
+    CHECK_FALSE(told.theta_start.has_value());
+    const JointGeometry started = joint_with(nut + "theta_deg = 450\ntheta_dot_rad_per_s = -2").geometry;
+    CHECK(started.theta_start.value() == Approx(2.5 * std::numbers::pi).margin(kRounding));
+    CHECK(started.theta_dot_start.value() == -2.0);
     // sides a quarter turn apart: that is θ0
     const JointGeometry quarter =
         joint_with(

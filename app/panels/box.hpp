@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+
+#include "render/camera.hpp"
+
+/// Rectangles of panels in pixels of the frame: origin at the top left corner, y down.
+namespace jw::panels {
+
+struct Point {
+    float x = 0.0F;
+    float y = 0.0F;
+};
+
+struct Box {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+
+    float right() const { return x + width; }
+    float bottom() const { return y + height; }
+    Point centre() const { return {x + 0.5F * width, y + 0.5F * height}; }
+    bool contains(Point p) const { return p.x >= x && p.x <= right() && p.y >= y && p.y <= bottom(); }
+    bool contains(const Box& b) const {
+        return b.x >= x && b.right() <= right() && b.y >= y && b.bottom() <= bottom();
+    }
+};
+
+inline bool overlap(const Box& a, const Box& b) {
+    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+inline Box shrunk(const Box& box, float dx, float dy) {
+    return {
+        box.x + dx, box.y + dy, std::max(0.0F, box.width - 2.0F * dx), std::max(0.0F, box.height - 2.0F * dy)};
+}
+
+/// Column `index` of `count` equal ones.
+inline Box column_of(const Box& box, int index, int count) {
+    const float width = box.width / static_cast<float>(count);
+    return {box.x + width * static_cast<float>(index), box.y, width, box.height};
+}
+
+/// Takes a strip off `rest`.
+inline Box cut_top(Box& rest, float height) {
+    const float taken = std::min(height, rest.height);
+    const Box top{rest.x, rest.y, rest.width, taken};
+    rest.y += taken;
+    rest.height -= taken;
+    return top;
+}
+
+inline Box cut_left(Box& rest, float width) {
+    const float taken = std::min(width, rest.width);
+    const Box left{rest.x, rest.y, taken, rest.height};
+    rest.x += taken;
+    rest.width -= taken;
+    return left;
+}
+
+inline render::Rect rect_of(const Box& box) { return {box.x, box.y, box.width, box.height}; }
+
+inline Box box_of(const render::Rect& rect) {
+    return {
+        static_cast<float>(rect.x), static_cast<float>(rect.y), static_cast<float>(rect.width),
+        static_cast<float>(rect.height)};
+}
+
+}  // namespace jw::panels

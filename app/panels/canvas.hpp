@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string_view>
+
+#include "app/panels/box.hpp"
+#include "render/fonts.hpp"
+#include "render/palette.hpp"
+
+struct ImDrawList;
+struct ImFont;
+struct ImFontGlyph;
+
+namespace jw::panels {
+
+using render::Colour;
+
+enum class Align { left, centre, right };
+
+/// Where panels are drawn: a draw list of ImGui and the fonts.
+///
+/// Without a list nothing is drawn: a panel run on such a canvas returns the height that it takes, from the
+/// same code that draws it. Minus signs of numbers are set as − wherever text is drawn.
+class Canvas {
+public:
+    Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
+
+    /// The same fonts, nothing drawn.
+    Canvas measuring() const { return {nullptr, *fonts_}; }
+
+    const render::Fonts& fonts() const { return *fonts_; }
+    bool draws() const { return list_ != nullptr; }
+
+    /// Whole pixels for a length in a picture 720 high.
+    float px(float at_720) const;
+
+    float line_height(const ImFont* font) const;
+    float text_width(const ImFont* font, std::string_view text) const;
+
+    /// `y` is the top of the line; `x` its left edge, centre or right edge.
+    void text(Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
+    /// One glyph at any x, as formulas need it.
+    void glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const;
+
+    void fill(const Box& box, Colour colour, float rounding = 0.0F) const;
+    void outline(const Box& box, Colour colour, float thickness = 1.0F, float rounding = 0.0F) const;
+    void line(Point from, Point to, Colour colour, float thickness = 1.0F) const;
+    void dashed_line(Point from, Point to, Colour colour, float thickness = 1.0F) const;
+    void disc(Point centre, float radius, Colour colour) const;
+    void ring(Point centre, float radius, Colour colour, float thickness) const;
+    /// Diagonal lines within `box`: a mark that needs no colour.
+    void hatch(const Box& box, Colour colour, float distance) const;
+    /// Filled if `filled`, else its outline; the size of a small letter.
+    void square(Point centre, float side, Colour colour, bool filled) const;
+
+private:
+    ImDrawList* list_;
+    const render::Fonts* fonts_;
+};
+
+}  // namespace jw::panels

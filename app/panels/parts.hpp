@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/panels/canvas.hpp"
+
+/// Pieces that several panels are made of. Those that return a height took it from the top of their box.
+namespace jw::panels {
+
+/// How much room a panel takes: what is least needed goes first.
+enum class Density { roomy, compact, tight };
+
+/// Bold title at the left, soft note at the right, a hairline below.
+float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
+
+/// Wrapped text; whole sentences are left out where more than `most_lines` would be needed.
+float paragraph(
+    const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
+    std::size_t most_lines = 100);
+
+/// A number that may be rounding: "0.0123", "−1.2e−16", with steady width between pictures.
+std::string live_text(double value);
+
+/// Fewer decimals for what is large, so that a column of numbers holds any of them.
+std::string column_text(double value);
+
+}  // namespace jw::panels

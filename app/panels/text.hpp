@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct ImFont;
+
+/// Lines of interface text: how wide, where to break, how to shorten. Nothing is drawn here.
+namespace jw::panels {
+
+/// Code points of UTF-8; anything malformed is U+FFFD.
+std::u32string from_utf8(std::string_view text);
+
+float text_width(const ImFont& font, std::string_view text);
+
+/// Hyphens before digits become − unless they join words: "x = -1.2e-07" but "p1-2" stays.
+std::string with_minus_signs(std::string_view text);
+
+/// Lines no wider than `width`. Breaks at spaces, not next to "·" or before "=", and within a word only if
+/// the word alone is too wide. Line feeds end lines as well.
+std::vector<std::string> wrapped(const ImFont& font, std::string_view text, float width);
+
+/// `text` if it fits, else its beginning with "…".
+std::string shortened(const ImFont& font, std::string_view text, float width);
+
+/// At most `most_lines` lines; what does not fit is left out from the end of a sentence on, marked "…".
+std::vector<std::string> wrapped_to(
+    const ImFont& font, std::string_view text, float width, std::size_t most_lines);
+
+}  // namespace jw::panels
