@@ -13,7 +13,8 @@ namespace {
 
 using Table = std::vector<std::vector<std::string>>;
 
-/// Columns as wide as their widest entry, two spaces apart; the first is left-aligned, the others right.
+/// Columns as wide as their widest entry, two spaces apart; the first and the last are left-aligned, the others
+/// right.
 std::string table_text(const Table& table, int indent) {
     std::vector<int> widths;
     for (const auto& row : table) {
@@ -26,7 +27,7 @@ std::string table_text(const Table& table, int indent) {
     for (const auto& row : table) {
         std::string line(static_cast<std::size_t>(indent), ' ');
         for (std::size_t k = 0; k < row.size(); ++k) {
-            line += (k == 0 ? "" : "  ") + padded(row[k], widths[k], k > 0);
+            line += (k == 0 ? "" : "  ") + padded(row[k], widths[k], k > 0 && k + 1 < widths.size());
         }
         while (line.ends_with(' ')) { line.pop_back(); }
         text += line + '\n';

@@ -14,18 +14,6 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-const char* kind_name(Step::Kind kind) {
-    switch (kind) {
-        case Step::Kind::bodies: return "bodies";
-        case Step::Kind::equations: return "equations";
-        case Step::Kind::iteration: return "iteration";
-        case Step::Kind::assembled: return "assembled";
-        case Step::Kind::failed: return "failed";
-        case Step::Kind::motion: break;
-    }
-    return "motion";
-}
-
 const char* status_name(EquationRow::Status status) {
     switch (status) {
         case EquationRow::Status::kept: return "kept";
@@ -125,6 +113,18 @@ Json json_of(const View& view, const Step& step) {
 }
 
 }  // namespace
+
+const char* kind_name(Step::Kind kind) {
+    switch (kind) {
+        case Step::Kind::bodies: return "bodies";
+        case Step::Kind::equations: return "equations";
+        case Step::Kind::iteration: return "iteration";
+        case Step::Kind::assembled: return "assembled";
+        case Step::Kind::failed: return "failed";
+        case Step::Kind::motion: break;
+    }
+    return "motion";
+}
 
 Json json_of(const Vec3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
 

@@ -21,6 +21,9 @@ Json json_of(const RankReport& report, const System& system);
 /// Bodies with positions and velocities, in the order of the lesson.
 Json json_of(const Mechanism& mechanism, const State& state, const Motion& velocity);
 
+/// "bodies", "equations", ... as in the JSON of steps.
+const char* kind_name(Step::Kind kind);
+
 Json json_of(const Vec3& v);
 Json json_of(const VectorX& v);
 Json json_of(const MatrixX& m);

@@ -24,16 +24,15 @@ struct Picture {
     std::vector<Annotation> annotations;
 };
 
-/// Sizes of things that have none in the lesson (pins, arrows, default rods): once per story, so that nothing
-/// grows or shrinks between frames.
+/// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.
 struct PictureStyle {
-    double unit = 1.0;  ///< typical length of the mechanism [m]
+    double unit = 1.0;      ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
+    render::Bounds bounds;  ///< everything that is ever in sight: one camera serves the whole story
+    Vec3 up = Vec3::UnitZ();
+    render::Ground ground;
 };
 PictureStyle picture_style(const Story& story);
 
 Picture picture_of(const Story& story, const PictureStyle& style, int index);
-
-/// Everything that is ever in sight: one camera serves the whole story.
-render::Bounds bounds_of(const Story& story, const PictureStyle& style);
 
 }  // namespace jw

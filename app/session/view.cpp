@@ -108,6 +108,7 @@ std::vector<BodyMotion> body_motions_of(const Step& step) {
         BodyMotion motion;
         motion.body = step.system->mechanism().bodies[b].name;
         motion.r = step.state.r[b];
+        motion.p = step.state.p[b];
         motion.r_dot = step.velocity.r_dot[b];
         motion.r_ddot = step.acceleration.r_dot[b];
         motion.omega = A * step.velocity.omega_local[b];

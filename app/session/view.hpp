@@ -92,6 +92,7 @@ struct NewtonRow {
 struct BodyMotion {
     std::string body;
     Vec3 r = Vec3::Zero();          ///< [m]
+    Vec4 p{1.0, 0.0, 0.0, 0.0};     ///< (e0, e1, e2, e3)
     Vec3 r_dot = Vec3::Zero();      ///< [m/s]
     Vec3 r_ddot = Vec3::Zero();     ///< [m/s²]
     Vec3 omega = Vec3::Zero();      ///< global [rad/s]

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "app/session/picture.hpp"
+#include "app/session/view.hpp"
+#include "render/image.hpp"
+
+namespace jw {
+
+/// Draws steps of one story into memory, panels included. The camera is composed once, so that nothing jumps
+/// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
+class FramePainter {
+public:
+    /// `story` must outlive this. Width and height in pixels.
+    /// @throws std::runtime_error if OSMesa or a font is missing
+    FramePainter(const Story& story, int width, int height);
+    ~FramePainter();
+    FramePainter(const FramePainter&) = delete;
+    FramePainter& operator=(const FramePainter&) = delete;
+
+    render::Image paint(const View& view);
+
+private:
+    struct Surface;
+    const Story* story_;
+    PictureStyle style_;
+    std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace jw

@@ -1,0 +1,106 @@
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <regex>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/frame_files.hpp"
+#include "app/commands/frame_painter.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::string out;
+    std::string size = "1280x720";
+    double fps = 30.0;
+    std::string frames;
+};
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+// below this the panels have no room; above it the picture does not fit a software renderer's memory well
+constexpr Size kSmallest{960, 540};
+constexpr Size kLargest{7680, 4320};
+constexpr double kMostFps = 240.0;
+
+Size size_of(const std::string& text) {
+    static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
+    std::smatch match;
+    if (std::regex_match(text, match, form)) {
+        const Size size{std::stoi(match[1]), std::stoi(match[2])};
+        if (size.width >= kSmallest.width && size.height >= kSmallest.height && size.width <= kLargest.width &&
+            size.height <= kLargest.height) {
+            return size;
+        }
+    }
+    throw CommandError(
+        Exit::bad_input,
+        "jointwise: error: --size '" + text +
+            "'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, for example 1920x1080");
+}
+
+int intervals_of(const Lesson& lesson, double fps) {
+    if (!lesson.motion) { return 0; }
+    return std::max(1, static_cast<int>(std::lround(lesson.motion->duration * fps)));
+}
+
+Exit render_command(const Options& options, const Streams& streams) {
+    const Size size = size_of(options.size);
+    const Lesson lesson = lesson_of(options.file, streams);
+    const Story story(lesson, {.with_motion = true, .intervals = intervals_of(lesson, options.fps), .progress = {}});
+    const int frames = static_cast<int>(story.steps().size());
+    const FrameRange range = frame_range(options.frames, frames);
+
+    FrameFiles files(options.out);
+    FramePainter painter(story, size.width, size.height);
+    {
+        ProgressBar bar(streams, "drawing");
+        for (int k = range.first; k <= range.last; ++k) {
+            const View view = view_of(story, k);
+            files.add(k, view, seconds_of(view, options.fps), painter.paint(view));
+            bar.show(static_cast<double>(k - range.first + 1) / (range.last - range.first + 1));
+        }
+        files.finish(
+            {{"format", "jointwise render"},
+             {"version", kJsonVersion},
+             {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+             {"size", {size.width, size.height}},
+             {"fps", options.fps},
+             {"frames_in_all", frames}});
+    }
+    streams.err << range.last - range.first + 1 << " pictures and manifest.json in " << options.out << '\n';
+    if (const Step* failed = story.failure()) {
+        streams.err << not_reached(lesson, *failed->system, *failed->failure, failed->t).what() << '\n';
+        return Exit::numerics;
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    command->add_option("--out", options->out, "folder for the pictures and manifest.json; made if needed")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--size", options->size, "pixels")->type_name("WxH")->capture_default_str();
+    command->add_option("--fps", options->fps, "pictures per second of the motion")
+        ->check(CLI::Range(0.1, kMostFps))
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")->type_name("A:B");
+    command->footer(
+        "Example: jointwise render lessons/catalogue/loops/four-bar.toml --out frames --size 1920x1080");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return render_command(*options, streams); }; });
+}
+
+}  // namespace jw
