@@ -33,7 +33,8 @@ inline bool overlap(const Box& a, const Box& b) {
 
 inline Box shrunk(const Box& box, float dx, float dy) {
     return {
-        box.x + dx, box.y + dy, std::max(0.0F, box.width - 2.0F * dx), std::max(0.0F, box.height - 2.0F * dy)};
+        box.x + dx, box.y + dy, std::max(0.0F, box.width - 2.0F * dx),
+        std::max(0.0F, box.height - 2.0F * dy)};
 }
 
 /// Column `index` of `count` equal ones.

@@ -10,7 +10,9 @@ namespace jw::panels {
 
 namespace {
 
-ImU32 packed(Colour colour) { return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a}); }
+ImU32 packed(Colour colour) {
+    return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a});
+}
 
 ImVec2 vec(Point p) { return {p.x, p.y}; }
 
@@ -30,9 +32,7 @@ float Canvas::text_width(const ImFont* font, std::string_view text) const {
 void Canvas::text(Point at, const ImFont* font, Colour colour, std::string_view text, Align align) const {
     if (list_ == nullptr || text.empty()) { return; }
     const std::string set = with_minus_signs(text);
-    if (align != Align::left) {
-        at.x -= (align == Align::right ? 1.0F : 0.5F) * text_width(font, set);
-    }
+    if (align != Align::left) { at.x -= (align == Align::right ? 1.0F : 0.5F) * text_width(font, set); }
     const ImVec2 whole{std::round(at.x), std::round(at.y)};
     list_->AddText(font, font->FontSize, whole, packed(colour), set.data(), set.data() + set.size());
 }
@@ -67,8 +67,8 @@ void Canvas::dashed_line(Point from, Point to, Colour colour, float thickness) c
     for (float at = 0.0F; at < length; at += 2.0F * dash) {
         const float end = std::min(at + dash, length);
         line(
-            {from.x + at * unit.x, from.y + at * unit.y}, {from.x + end * unit.x, from.y + end * unit.y}, colour,
-            thickness);
+            {from.x + at * unit.x, from.y + at * unit.y}, {from.x + end * unit.x, from.y + end * unit.y},
+            colour, thickness);
     }
 }
 
@@ -84,8 +84,7 @@ void Canvas::hatch(const Box& box, Colour colour, float distance) const {
     for (float at = distance; at < box.width + box.height; at += distance) {
         const float down = std::min(at, box.height);
         const float along = std::min(at, box.width);
-        line(
-            {box.x + at - down, box.y + down}, {box.x + along, box.y + at - along}, colour, 1.0F);
+        line({box.x + at - down, box.y + down}, {box.x + along, box.y + at - along}, colour, 1.0F);
     }
 }
 

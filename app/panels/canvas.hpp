@@ -37,7 +37,8 @@ public:
     float text_width(const ImFont* font, std::string_view text) const;
 
     /// `y` is the top of the line; `x` its left edge, centre or right edge.
-    void text(Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
+    void text(
+        Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
     /// One glyph at any x, as formulas need it.
     void glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const;
 

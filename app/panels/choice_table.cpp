@@ -12,12 +12,14 @@ namespace jw::panels {
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
+// rounding of a component that is zero in exact numbers makes its reciprocal about this
+constexpr double kInfinite = 1e12;
 
 /// "|s_x| ▬▬▬▬── 0.816"
 void draw_size(const Canvas& canvas, const Box& cell, int component, double size, bool dropped) {
     const ImFont* const small = canvas.fonts().small;
-    const Formula name = layout_formula(
-        std::string("|s_") + kAxisNames[component] + "|", small_formula_fonts(canvas.fonts()));
+    const Formula name =
+        layout_formula(std::string("|s_") + kAxisNames[component] + "|", small_formula_fonts(canvas.fonts()));
     const float baseline = cell.y + std::round(small->Ascent);
     draw_formula(canvas, {cell.x, baseline}, name, theme::kInk);
 
@@ -36,8 +38,8 @@ void draw_size(const Canvas& canvas, const Box& cell, int component, double size
 
 /// "without x: κ = 1.15"
 void draw_condition(const Canvas& canvas, const Box& cell, int component, double condition, bool dropped) {
-    const std::string text = std::string("without ") + kAxisNames[component] + ": κ = " +
-                             (condition > 1e6 ? "∞" : number_text(condition, 3));
+    const std::string text = std::string("without ") + kAxisNames[component] +
+                             ": κ = " + (condition > kInfinite ? "∞" : number_text(condition, 3));
     canvas.text({cell.x, cell.y}, canvas.fonts().small, dropped ? theme::kInk : theme::kSoft, text);
 }
 
@@ -53,7 +55,9 @@ float choice_table(const Canvas& canvas, const Box& box, const ChoiceView& choic
         const bool dropped = choice.dropped == k;
         if (dropped) {
             const float margin = canvas.px(4.0F);
-            canvas.fill({cell.x - margin, cell.y - 1.0F, cell.width - margin, 2.0F * line + 2.0F}, theme::kSubject, canvas.px(3.0F));
+            canvas.fill(
+                {cell.x - margin, cell.y - 1.0F, cell.width - margin, 2.0F * line + 2.0F}, theme::kSubject,
+                canvas.px(3.0F));
         }
         draw_size(canvas, cell, k, choice.axis_size[axis], dropped);
         draw_condition(

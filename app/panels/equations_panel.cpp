@@ -15,11 +15,11 @@ using Status = EquationRow::Status;
 
 const char* word_of(Status status) {
     switch (status) {
-        case Status::kept: return "kept";
+        case Status::kept: return "";
         case Status::dropped: return "dropped";
         case Status::redundant: break;
     }
-    return "redundant";
+    return "repeats";
 }
 
 Colour colour_of(Status status) {
@@ -40,41 +40,30 @@ void draw_mark(const Canvas& canvas, Point centre, Status status) {
     }
 }
 
-/// Says in words what is not simply kept; with a choice, says it of every row.
-bool needs_words(const EquationGroup& group) {
-    for (const EquationRow& row : group.rows) {
-        if (row.status != Status::kept) { return true; }
-    }
-    return group.choice.has_value();
-}
-
-/// "■ x  −0.0123  kept"
-void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row, bool with_word) {
+/// "□ x  −0.0123  dropped"
+void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row) {
     const ImFont* const font = canvas.fonts().normal;
     const ImFont* const small = canvas.fonts().small;
     const float middle = cell.y + 0.5F * canvas.line_height(font);
-    const Colour ink = colour_of(row.status);
     const Colour text_ink = row.status == Status::dropped ? theme::kSoft : theme::kInk;
     draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status);
     canvas.text({cell.x + canvas.px(15.0F), cell.y}, font, text_ink, row.component);
 
-    const float right = cell.x + canvas.px(88.0F);
+    const float right = cell.x + canvas.px(98.0F);
     const std::string value = live_text(row.value);
     canvas.text({right, cell.y}, font, text_ink, value, Align::right);
     if (row.status == Status::dropped) {
         const float left = right - canvas.text_width(font, value);
         canvas.fill({left, std::round(middle), right - left, std::max(1.0F, canvas.px(1.2F))}, theme::kSoft);
     }
-    if (with_word) {
-        const float drop = std::round(font->Ascent) - std::round(small->Ascent);
-        const Colour word_ink = row.status == Status::redundant ? ink : theme::kSoft;
-        canvas.text({right + canvas.px(8.0F), cell.y + drop}, small, word_ink, word_of(row.status));
-    }
+    const float drop = std::round(font->Ascent) - std::round(small->Ascent);
+    const Colour word_ink = row.status == Status::redundant ? theme::kRedundant : theme::kSoft;
+    canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word_of(row.status));
 }
 
 float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
     const render::Fonts& fonts = canvas.fonts();
-    const float unit_room = canvas.px(32.0F);
+    const float unit_room = canvas.px(44.0F);
     Formula formula = layout_formula(group.formula, large_formula_fonts(fonts));
     if (density != Density::roomy || formula.width > box.width - unit_room) {
         formula = layout_formula(group.formula, formula_fonts(fonts));
@@ -86,17 +75,16 @@ float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGrou
     draw_formula(canvas, {box.x, baseline}, formula, theme::kInk, true);
     if (!group.unit.empty() && group.unit != "-") {
         const float top = baseline - std::round(fonts.small->Ascent);
-        canvas.text({box.right(), top}, fonts.small, theme::kSoft, group.unit, Align::right);
+        canvas.text({box.right(), top}, fonts.small, theme::kSoft, "in " + group.unit, Align::right);
     }
     return std::ceil(formula.ascent + formula.descent) + canvas.px(density == Density::tight ? 3.0F : 5.0F);
 }
 
 float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
     float height = draw_formula_line(canvas, box, group, density);
-    const bool words = needs_words(group);
     const Box cells{box.x, box.y + height, box.width, 0.0F};
     for (std::size_t k = 0; k < group.rows.size(); ++k) {
-        draw_component(canvas, column_of(cells, static_cast<int>(k), 3), group.rows[k], words);
+        draw_component(canvas, column_of(cells, static_cast<int>(k), 3), group.rows[k]);
     }
     height += canvas.line_height(canvas.fonts().normal);
     if (group.choice) {
@@ -110,8 +98,9 @@ float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& grou
 
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density) {
-    float height = heading(canvas, box, "Equations Φ = 0 and their values");
-    const float gap = canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
+    float height = heading(canvas, box, "Equations", "■ kept   □ dropped   ▨ repeats others");
+    const float gap =
+        canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
     for (const EquationGroup& group : equations) {
         const Box rest{box.x, box.y + height, box.width, 0.0F};
         height += draw_group(canvas, rest, group, density) + gap;

@@ -14,15 +14,24 @@ enum class Density { roomy, compact, tight };
 /// Bold title at the left, soft note at the right, a hairline below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
 
+/// The same with a formula before the title: "@Φ_q".
+float heading(
+    const Canvas& canvas, const Box& box, std::string_view symbol, std::string_view title,
+    std::string_view note);
+float heading_height(const Canvas& canvas);
+
+/// Width of the thinnest line.
+float hairline(const Canvas& canvas);
+
 /// Wrapped text; whole sentences are left out where more than `most_lines` would be needed.
 float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines = 100);
 
-/// A number that may be rounding: "0.0123", "−1.2e−16", with steady width between pictures.
+/// Of an equation: "0.0123", "-1.2e-07", and "0" for rounding.
 std::string live_text(double value);
 
-/// Fewer decimals for what is large, so that a column of numbers holds any of them.
-std::string column_text(double value);
+/// Fewer decimals from 100 on, so that a column of numbers holds any of them and the point rarely moves.
+std::string column_text(double value, int decimals);
 
 }  // namespace jw::panels

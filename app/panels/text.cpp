@@ -14,7 +14,6 @@ namespace {
 constexpr char32_t kUnreadable = 0xFFFD;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Bytes of the character that starts with `first`; 0 if none does.
 std::size_t bytes_of(unsigned char first) {
@@ -35,7 +34,8 @@ bool is_minus(std::string_view text, std::size_t k) {
 
 /// May a line end between these two words?
 bool breaks_between(std::string_view left, std::string_view right) {
-    return left != "·" && right != "·" && right != "=" && right != "→" && left != "→";
+    const auto binds = [](std::string_view word) { return word == "·" || word == "=" || word == "→"; };
+    return !binds(left) && !binds(right);
 }
 
 /// Words that stay on one line.
@@ -63,8 +63,8 @@ std::vector<std::string> units_of(std::string_view line) {
 std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float width) {
     std::size_t fits = 0;
     while (fits < text.size()) {
-        const std::size_t next =
-            std::min(text.size(), fits + std::max<std::size_t>(1, bytes_of(static_cast<unsigned char>(text[fits]))));
+        const std::size_t next = std::min(
+            text.size(), fits + std::max<std::size_t>(1, bytes_of(static_cast<unsigned char>(text[fits]))));
         if (fits > 0 && text_width(font, text.substr(0, next)) > width) { break; }
         fits = next;
     }
@@ -164,6 +164,16 @@ std::string shortened(const ImFont& font, std::string_view text, float width) {
     std::string_view kept = std::string_view(set).substr(0, bytes_that_fit(font, set, room));
     while (!kept.empty() && kept.back() == ' ') { kept.remove_suffix(1); }
     return std::string(kept) + "…";
+}
+
+std::string shortened_name(const ImFont& font, std::string_view name, float width) {
+    if (name.empty() || text_width(font, name) <= width) { return std::string(name); }
+    std::size_t last = name.size() - 1;
+    while (last > 0 && (static_cast<unsigned char>(name[last]) & 0xC0U) == 0x80U) { --last; }
+    const std::string_view end = name.substr(last);
+    const float room = width - text_width(font, "…") - text_width(font, end);
+    if (room <= 0.0F) { return shortened(font, name, width); }
+    return std::string(name.substr(0, bytes_that_fit(font, name, room))) + "…" + std::string(end);
 }
 
 std::vector<std::string> wrapped_to(

@@ -17,12 +17,15 @@ float text_width(const ImFont& font, std::string_view text);
 /// Hyphens before digits become − unless they join words: "x = -1.2e-07" but "p1-2" stays.
 std::string with_minus_signs(std::string_view text);
 
-/// Lines no wider than `width`. Breaks at spaces, not next to "·" or before "=", and within a word only if
+/// Lines no wider than `width`. Breaks at spaces, not next to "·", "=" or "→", and within a word only if
 /// the word alone is too wide. Line feeds end lines as well.
 std::vector<std::string> wrapped(const ImFont& font, std::string_view text, float width);
 
 /// `text` if it fits, else its beginning with "…".
 std::string shortened(const ImFont& font, std::string_view text, float width);
+
+/// The same for names, which often differ at their end: "segment-7" becomes "segm…7".
+std::string shortened_name(const ImFont& font, std::string_view name, float width);
 
 /// At most `most_lines` lines; what does not fit is left out from the end of a sentence on, marked "…".
 std::vector<std::string> wrapped_to(

@@ -1,0 +1,60 @@
+#include "app/panels/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/annotations.hpp"
+#include "app/panels/caption.hpp"
+#include "app/panels/column.hpp"
+#include "app/panels/theme.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+// parts of the frame
+constexpr float kTitleHeight = 62.0F;
+constexpr float kColumnPart = 0.4F;
+constexpr float kCaptionPart = 0.225F;
+
+}  // namespace
+
+float scale_of(int width, int height) {
+    return std::min(static_cast<float>(width) / 1280.0F, static_cast<float>(height) / 720.0F);
+}
+
+FrameLayout layout_of(int width, int height) {
+    const auto w = static_cast<float>(width);
+    const auto h = static_cast<float>(height);
+    const float scale = scale_of(width, height);
+    Box rest{0.0F, 0.0F, w, h};
+
+    FrameLayout layout;
+    layout.title = cut_top(rest, std::round(kTitleHeight * scale));
+    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * w));
+    layout.column = rest;
+    const Box scene = cut_top(left, left.height - std::round(kCaptionPart * h));
+    layout.caption = left;
+    layout.scene = rect_of(scene);
+    layout.scene_safe = rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));
+    return layout;
+}
+
+void draw_frame(
+    const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
+    const FrameLayout& layout) {
+    draw_annotations(canvas, picture, camera, layout.scene);
+    draw_title(canvas, layout.title, view);
+    draw_caption(canvas, layout.caption, view);
+    draw_column(canvas, layout.column, view);
+}
+
+void draw_frame(
+    const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
+    const render::Fonts& fonts) {
+    draw_frame(Canvas(ImGui::GetBackgroundDrawList(), fonts), view, picture, camera, layout);
+}
+
+}  // namespace jw::panels

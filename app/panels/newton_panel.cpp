@@ -1,0 +1,109 @@
+#include "app/panels/newton_panel.hpp"
+
+#include <array>
+
+#include <imgui.h>
+
+#include "app/panels/text.hpp"
+#include "app/panels/theme.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+/// Right edges of numbers and left edges of words, in parts of the width.
+struct Columns {
+    float k = 0.045F;
+    float phi = 0.175F;
+    float label = 0.205F;
+    float value = 0.595F;
+    float delta = 0.735F;
+    float turn = 0.84F;
+    float fraction = 0.92F;
+    float rank = 1.0F;
+};
+constexpr Columns kColumns;
+
+struct Line {
+    const Canvas& canvas;
+    const Box& box;
+    float y;
+    Colour ink;
+
+    void number(float part, std::string_view text) const {
+        canvas.text({box.x + part * box.width, y}, canvas.fonts().small, ink, text, Align::right);
+    }
+    void words(float from, float to, std::string_view text) const {
+        const ImFont& small = *canvas.fonts().small;
+        const float room = (to - from) * box.width;
+        canvas.text({box.x + from * box.width, y}, &small, ink, shortened(small, text, room));
+    }
+};
+
+void draw_names(const Canvas& canvas, const Box& box) {
+    const Line line{canvas, box, box.y, theme::kSoft};
+    line.number(kColumns.k, "k");
+    line.number(kColumns.phi, "‖Φ‖");
+    line.words(kColumns.label, kColumns.value, "largest equation");
+    line.number(kColumns.delta, "‖Δq‖");
+    line.number(kColumns.turn, "turn");
+    line.number(kColumns.fraction, "part");
+    line.number(kColumns.rank, "rank");
+}
+
+/// @return height taken
+float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool current) {
+    const ImFont* const small = canvas.fonts().small;
+    const float height = canvas.line_height(small) + canvas.px(2.0F);
+    const bool long_note = !row.note.empty() && row.stepped && row.note != "step limited";
+    const float total = height + (long_note ? canvas.line_height(small) : 0.0F);
+    if (current) {
+        const float margin = canvas.px(6.0F);
+        canvas.fill({box.x - margin, box.y - 1.0F, box.width + 2.0F * margin, total}, theme::kSubject);
+        canvas.fill({box.x - margin, box.y - 1.0F, canvas.px(3.0F), total}, theme::kSubjectMark);
+    }
+    const Line line{canvas, box, box.y, theme::kInk};
+    line.number(kColumns.k, std::to_string(row.iteration));
+    line.number(kColumns.phi, small_text(row.phi_norm));
+    const std::string value = small_text(row.largest_value);
+    const float value_room = canvas.text_width(small, value) + canvas.px(8.0F);
+    line.words(kColumns.label, kColumns.value - value_room / box.width, row.largest_row);
+    line.number(kColumns.value, value);
+    if (!row.stepped) {
+        line.words(kColumns.value + 0.03F, kColumns.rank, row.note);
+        return height;
+    }
+    line.number(kColumns.delta, small_text(row.delta_norm));
+    line.number(kColumns.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
+    line.number(kColumns.fraction, number_text(row.fraction, 2));
+    line.number(kColumns.rank, std::to_string(row.rank));
+    if (long_note) {
+        const Line below{canvas, box, box.y + height - canvas.px(2.0F), theme::kWarning};
+        below.words(kColumns.label, kColumns.rank, row.note);
+    }
+    return total;
+}
+
+std::size_t most_rows(Density density) {
+    return density == Density::roomy ? 12 : (density == Density::compact ? 8 : 5);
+}
+
+}  // namespace
+
+float newton_panel(
+    const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows, Density density) {
+    const std::size_t most = most_rows(density);
+    const std::size_t first = rows.size() > most ? rows.size() - most : 0;
+    const std::string note = first > 0 ? std::to_string(first) + " earlier not shown" : "Φq Δq = −Φ";
+    float height = heading(canvas, box, "Newton–Raphson", note);
+    draw_names(canvas, {box.x, box.y + height, box.width, 0.0F});
+    height += canvas.line_height(canvas.fonts().small) + canvas.px(3.0F);
+    for (std::size_t k = first; k < rows.size(); ++k) {
+        const Box rest{box.x, box.y + height, box.width, 0.0F};
+        height += draw_row(canvas, rest, rows[k], k + 1 == rows.size());
+    }
+    return height;
+}
+
+}  // namespace jw::panels
