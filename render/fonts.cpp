@@ -235,7 +235,7 @@ Fonts load_fonts(float scale) {
     Fonts fonts;
     fonts.scale = scale;
     fonts.normal = builder.add_interface(kSans, size(16.0F));
-    fonts.small = builder.add_interface(kSans, size(13.0F));
+    fonts.small = builder.add_interface(kSans, size(14.0F));
     fonts.bold = builder.add_interface(kSansBold, size(16.0F));
     fonts.title = builder.add_interface(kSansBold, size(23.0F));
     fonts.mono = builder.add_interface(kMono, size(14.0F));

@@ -14,7 +14,7 @@ namespace jw::render {
 ///
 /// Interface text is sharp at whole pixels. Formula glyphs may stand at any x; round y to whole pixels.
 struct Fonts {
-    ImFont* small = nullptr;   ///< 13 px
+    ImFont* small = nullptr;   ///< 14 px
     ImFont* normal = nullptr;  ///< 16 px, the default of the context
     ImFont* bold = nullptr;    ///< 16 px
     ImFont* title = nullptr;   ///< 23 px, bold

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kShadowTexels = 1024;
 constexpr double kShadowBorder = 0.006;  // softness of shadows, in widths of the map
-constexpr float kHiddenAlpha = 0.30F;    // of what is seen through a body
+constexpr float kHiddenAlpha = 0.50F;    // of what is seen through a body
 constexpr double kDashPixels = 9.0;
 constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
 

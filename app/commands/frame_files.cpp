@@ -20,7 +20,8 @@ constexpr double kSecondsPerCharacter = 0.05;
 
 CommandError bad_range(const std::string& text, int frames) {
     return CommandError(
-        Exit::bad_input, "jointwise: error: --frames '" + text + "'; expected A:B, A:, :B or A with numbers from 0 to " +
+        Exit::bad_input, "jointwise: error: --frames '" + text +
+                             "'; expected A:B, A:, :B or A with numbers from 0 to " +
                              std::to_string(frames - 1) + ", the frames of this lesson");
 }
 
@@ -64,7 +65,8 @@ FrameFiles::FrameFiles(std::filesystem::path folder) : folder_(std::move(folder)
     if (error || !std::filesystem::is_directory(folder_)) {
         throw CommandError(
             Exit::bad_input, "jointwise: error: --out '" + folder_.string() + "' cannot be made a folder" +
-                                 (error ? ": " + error.message() : "") + "; expected a folder that can be written");
+                                 (error ? ": " + error.message() : "") +
+                                 "; expected a folder that can be written");
     }
 }
 
@@ -79,9 +81,10 @@ void FrameFiles::wait() {
 
 void FrameFiles::add(int number, const View& view, double seconds, render::Image image) {
     wait();
-    writing_ = std::async(std::launch::async, [path = folder_ / frame_name(number), picture = std::move(image)] {
-        render::write_file_atomically(path, render::encode_png(picture));
-    });
+    writing_ =
+        std::async(std::launch::async, [path = folder_ / frame_name(number), picture = std::move(image)] {
+            render::write_file_atomically(path, render::encode_png(picture));
+        });
     const bool motion = view.kind == Step::Kind::motion;
     frames_.push_back(
         {{"file", frame_name(number)},

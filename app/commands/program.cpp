@@ -51,7 +51,9 @@ int run_program(const std::vector<std::string>& arguments, const Streams& stream
         return "jointwise: error: " + std::string(error.what()) + "\nhint: jointwise " + command + "--help\n";
     });
     Run run;
-    for (const auto add : {add_list, add_check, add_step, add_inspect, add_solve, add_render}) { add(app, streams, run); }
+    for (const auto add : {add_list, add_check, add_step, add_inspect, add_solve, add_render}) {
+        add(app, streams, run);
+    }
     if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {
         streams.err << complaint;
         return status(Exit::bad_input);

@@ -34,8 +34,8 @@ Size size_of(const std::string& text) {
     std::smatch match;
     if (std::regex_match(text, match, form)) {
         const Size size{std::stoi(match[1]), std::stoi(match[2])};
-        if (size.width >= kSmallest.width && size.height >= kSmallest.height && size.width <= kLargest.width &&
-            size.height <= kLargest.height) {
+        if (size.width >= kSmallest.width && size.height >= kSmallest.height &&
+            size.width <= kLargest.width && size.height <= kLargest.height) {
             return size;
         }
     }
@@ -53,7 +53,8 @@ int intervals_of(const Lesson& lesson, double fps) {
 Exit render_command(const Options& options, const Streams& streams) {
     const Size size = size_of(options.size);
     const Lesson lesson = lesson_of(options.file, streams);
-    const Story story(lesson, {.with_motion = true, .intervals = intervals_of(lesson, options.fps), .progress = {}});
+    const Story story(
+        lesson, {.with_motion = true, .intervals = intervals_of(lesson, options.fps), .progress = {}});
     const int frames = static_cast<int>(story.steps().size());
     const FrameRange range = frame_range(options.frames, frames);
 
@@ -85,7 +86,8 @@ Exit render_command(const Options& options, const Streams& streams) {
 }  // namespace
 
 void add_render(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
+    CLI::App* command =
+        app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     command->add_option("--out", options->out, "folder for the pictures and manifest.json; made if needed")
@@ -96,11 +98,13 @@ void add_render(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::Range(0.1, kMostFps))
         ->type_name("N")
         ->capture_default_str();
-    command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")->type_name("A:B");
+    command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")
+        ->type_name("A:B");
     command->footer(
         "Example: jointwise render lessons/catalogue/loops/four-bar.toml --out frames --size 1920x1080");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return render_command(*options, streams); }; });
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return render_command(*options, streams); };
+    });
 }
 
 }  // namespace jw

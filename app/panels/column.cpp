@@ -35,10 +35,11 @@ Block matrix_block(const Canvas& canvas, const View& view) {
 }
 
 Block plot_block(
-    const Canvas& canvas, float wish, std::function<float(const Canvas&, const Box&, Density)> draw) {
+    const Canvas& canvas, float wish, int given_up,
+    std::function<float(const Canvas&, const Box&, Density)> draw) {
     return {
-        std::move(draw), true, {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)}, canvas.px(132.0F),
-        canvas.px(wish), 1};
+        std::move(draw), true,    {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)}, canvas.px(132.0F),
+        canvas.px(wish), given_up};
 }
 
 Block empty_block() {
@@ -87,9 +88,9 @@ Block warnings_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density) { return rank_warnings(c, box, view.rank); }};
 }
 
-Block singular_values_block(const Canvas& canvas, const View& view) {
+Block singular_values_block(const Canvas& canvas, const View& view, int given_up = 2) {
     if (view.rank.singular_values.empty()) { return empty_block(); }
-    return plot_block(canvas, 170.0F, [&view](const Canvas& c, const Box& box, Density) {
+    return plot_block(canvas, 170.0F, given_up, [&view](const Canvas& c, const Box& box, Density) {
         const float top = heading(c, box, "Singular values", "of Φq in (r, ω′)");
         singular_values_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.rank);
         return box.height;
@@ -104,7 +105,7 @@ Block newton_block(const View& view) {
 
 Block convergence_block(const Canvas& canvas, const View& view) {
     if (view.newton.empty()) { return empty_block(); }
-    return plot_block(canvas, 160.0F, [&view](const Canvas& c, const Box& box, Density) {
+    return plot_block(canvas, 160.0F, 2, [&view](const Canvas& c, const Box& box, Density) {
         const float top = heading(c, box, "‖Φ‖", "from iteration to iteration");
         convergence_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.newton);
         return box.height;
@@ -135,7 +136,7 @@ Block bodies_block(const View& view) {
     Block block{[&view](const Canvas& c, const Box& box, Density density) {
         return view.bodies.empty() ? 0.0F : bodies_motion_panel(c, box, view.bodies, density);
     }};
-    block.given_up = 2;
+    block.given_up = 3;
     return block;
 }
 
@@ -174,7 +175,7 @@ void share_out(
 }  // namespace
 
 Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks) {
-    constexpr int most_given_up = 2;
+    constexpr int most_given_up = 3;
     const float gap = canvas.px(theme::kGap);
     Arrangement arrangement;
     std::vector<float> heights;
@@ -182,7 +183,7 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
         for (const Density density : {Density::roomy, Density::compact, Density::tight}) {
             arrangement.density = density;
             heights = heights_at(canvas, box, blocks, density, given_up);
-            if (total_of(heights, gap) <= box.height) { break; }
+            if (total_of(heights, gap) <= box.height || given_up == 0) { break; }
         }
         if (total_of(heights, gap) <= box.height) { break; }
     }
@@ -202,7 +203,9 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
         case Step::Kind::bodies:
             return {coordinates_block(view), figures_block(view), matrix_block(canvas, view)};
         case Step::Kind::equations:
-            return {equations_block(view), matrix_block(canvas, view), figures_block(view)};
+            return {
+                equations_block(view), matrix_block(canvas, view), figures_block(view),
+                singular_values_block(canvas, view, 1)};
         case Step::Kind::iteration:
             return {
                 values_block(view), newton_block(view), matrix_block(canvas, view),

@@ -17,7 +17,8 @@ struct Block {
     std::array<float, 3> least{};  ///< for each density; filling blocks only
     float good = 0.0F;             ///< given to all that fill before any gets its `wish`
     float wish = 0.0F;
-    int given_up = 0;  ///< 1: the first to go where there is no room; 0: stays
+    int given_up =
+        0;  ///< what goes first where there is no room: 1 is shown only if there is plenty, 0 stays
 };
 
 struct Arrangement {

@@ -24,6 +24,10 @@ struct Columns {
     float rank = 1.0F;
 };
 constexpr Columns kColumns;
+constexpr float kNoteGap = 0.03F;
+
+// the part taken says it already
+constexpr const char* kStepLimited = "step limited";
 
 struct Line {
     const Canvas& canvas;
@@ -52,35 +56,47 @@ void draw_names(const Canvas& canvas, const Box& box) {
     line.number(kColumns.rank, "rank");
 }
 
-/// @return height taken
-float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool current) {
-    const ImFont* const small = canvas.fonts().small;
-    const float height = canvas.line_height(small) + canvas.px(2.0F);
-    const bool long_note = !row.note.empty() && row.stepped && row.note != "step limited";
-    const float total = height + (long_note ? canvas.line_height(small) : 0.0F);
-    if (current) {
-        const float margin = canvas.px(6.0F);
-        canvas.fill({box.x - margin, box.y - 1.0F, box.width + 2.0F * margin, total}, theme::kSubject);
-        canvas.fill({box.x - margin, box.y - 1.0F, canvas.px(3.0F), total}, theme::kSubjectMark);
-    }
-    const Line line{canvas, box, box.y, theme::kInk};
-    line.number(kColumns.k, std::to_string(row.iteration));
-    line.number(kColumns.phi, small_text(row.phi_norm));
-    const std::string value = small_text(row.largest_value);
-    const float value_room = canvas.text_width(small, value) + canvas.px(8.0F);
-    line.words(kColumns.label, kColumns.value - value_room / box.width, row.largest_row);
-    line.number(kColumns.value, value);
-    if (!row.stepped) {
-        line.words(kColumns.value + 0.03F, kColumns.rank, row.note);
-        return height;
-    }
+bool is_worth_a_line(const Canvas& canvas, const Box& box, const NewtonRow& row) {
+    if (row.note.empty()) { return false; }
+    if (row.stepped) { return row.note != kStepLimited; }
+    const float room = (kColumns.rank - kColumns.value - kNoteGap) * box.width;
+    return canvas.text_width(canvas.fonts().small, row.note) > room;
+}
+
+void draw_current_mark(const Canvas& canvas, const Box& row) {
+    const float margin = canvas.px(6.0F);
+    canvas.fill({row.x - margin, row.y - 1.0F, row.width + 2.0F * margin, row.height}, theme::kSubject);
+    canvas.fill({row.x - margin, row.y - 1.0F, canvas.px(3.0F), row.height}, theme::kSubjectMark);
+}
+
+void draw_step(const Line& line, const NewtonRow& row) {
     line.number(kColumns.delta, small_text(row.delta_norm));
     line.number(kColumns.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
     line.number(kColumns.fraction, number_text(row.fraction, 2));
     line.number(kColumns.rank, std::to_string(row.rank));
-    if (long_note) {
+}
+
+/// @return height taken
+float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool current) {
+    const ImFont* const small = canvas.fonts().small;
+    const float height = canvas.line_height(small) + canvas.px(2.0F);
+    const bool second_line = is_worth_a_line(canvas, box, row);
+    const float total = height + (second_line ? canvas.line_height(small) : 0.0F);
+    if (current) { draw_current_mark(canvas, {box.x, box.y, box.width, total}); }
+
+    const Line line{canvas, box, box.y, theme::kInk};
+    const std::string value = small_text(row.largest_value);
+    const float value_room = canvas.text_width(small, value) + canvas.px(8.0F);
+    line.number(kColumns.k, std::to_string(row.iteration));
+    line.number(kColumns.phi, small_text(row.phi_norm));
+    line.words(kColumns.label, kColumns.value - value_room / box.width, row.largest_row);
+    line.number(kColumns.value, value);
+    if (row.stepped) { draw_step(line, row); }
+    if (second_line) {
         const Line below{canvas, box, box.y + height - canvas.px(2.0F), theme::kWarning};
         below.words(kColumns.label, kColumns.rank, row.note);
+    } else if (!row.stepped) {
+        line.words(kColumns.value + kNoteGap, kColumns.rank, row.note);
     }
     return total;
 }

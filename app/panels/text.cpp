@@ -1,7 +1,9 @@
 #include "app/panels/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 #include <imgui.h>
 
@@ -13,6 +15,8 @@ namespace {
 
 constexpr char32_t kUnreadable = 0xFFFD;
 
+/// Of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Bytes of the character that starts with `first`; 0 if none does.
@@ -34,8 +38,10 @@ bool is_minus(std::string_view text, std::size_t k) {
 
 /// May a line end between these two words?
 bool breaks_between(std::string_view left, std::string_view right) {
-    const auto binds = [](std::string_view word) { return word == "·" || word == "=" || word == "→"; };
-    return !binds(left) && !binds(right);
+    const auto binds = [](std::string_view word) {
+        return word == "·" || word == "=" || word == "→" || word == "−";
+    };
+    return !binds(left) && !binds(right) && left != "Φq";
 }
 
 /// Words that stay on one line.
@@ -131,6 +137,27 @@ float text_width(const ImFont& font, std::string_view text) {
     float width = 0.0F;
     for (const char32_t c : from_utf8(text)) { width += font.GetCharAdvance(static_cast<ImWchar>(c)); }
     return width;
+}
+
+std::string with_subscripts(std::string_view text) {
+    constexpr std::array<std::pair<char, const char*>, 6> subscripts{
+        {{'i', "ᵢ"}, {'j', "ⱼ"}, {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}}};
+    std::string set;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto found = std::ranges::find_if(subscripts, [&](const auto& subscript) {
+            const bool ends = k + 2 >= text.size() || !is_word(text[k + 2]);
+            return text[k] == '_' && k + 1 < text.size() && text[k + 1] == subscript.first && ends;
+        });
+        // one letter alone before it: s_i, but not file_1
+        const bool single = k >= 1 && (k == 1 || !is_word(text[k - 2]) || !is_word(text[k - 1]));
+        if (found != subscripts.end() && single) {
+            set += found->second;
+            ++k;
+        } else {
+            set += text[k];
+        }
+    }
+    return set;
 }
 
 std::string with_minus_signs(std::string_view text) {

@@ -13,8 +13,8 @@ namespace {
 
 using Table = std::vector<std::vector<std::string>>;
 
-/// Columns as wide as their widest entry, two spaces apart; the first and the last are left-aligned, the others
-/// right.
+/// Columns as wide as their widest entry, two spaces apart; the first and the last are left-aligned, the
+/// others right.
 std::string table_text(const Table& table, int indent) {
     std::vector<int> widths;
     for (const auto& row : table) {

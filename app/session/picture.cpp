@@ -14,9 +14,13 @@ using namespace picture;
 constexpr int kBoundsMoments = 60;
 constexpr double kTriad = 0.10;  // of the unit
 constexpr double kGroundTriad = 0.14;
+// the ground's axes are shown if they do not make the mechanism small
+constexpr double kNearOrigin = 0.35;
 
 /// Bodies and joints of a step, no vectors.
-void add_mechanism(const Lesson& lesson, const PictureStyle& style, const Step& step, int subject_joint, render::Scene& scene) {
+void add_mechanism(
+    const Lesson& lesson, const PictureStyle& style, const Step& step, int subject_joint,
+    render::Scene& scene) {
     for (int b = 0; b < static_cast<int>(lesson.mechanism.bodies.size()); ++b) {
         add_body(lesson, style, step.state, b, scene);
     }
@@ -26,9 +30,17 @@ void add_mechanism(const Lesson& lesson, const PictureStyle& style, const Step& 
     }
 }
 
-void add_triads(const Lesson& lesson, const PictureStyle& style, const Step& step, const Joint* subject, Picture& picture) {
+bool shows_ground_axes(const PictureStyle& style, const Vec3& origin) {
+    const Vec3 nearest = origin.cwiseMax(style.bounds.lowest()).cwiseMin(style.bounds.highest());
+    return (nearest - origin).norm() < kNearOrigin * style.unit;
+}
+
+void add_triads(
+    const Lesson& lesson, const PictureStyle& style, const Step& step, const Joint* subject,
+    Picture& picture) {
     for (int b = 0; b < static_cast<int>(lesson.mechanism.bodies.size()); ++b) {
         const BodyFrame frame = frame_of(step.state, b);
+        if (b == 0 && !shows_ground_axes(style, frame.r)) { continue; }
         const bool of_subject = subject != nullptr && (subject->body_i == b || subject->body_j == b);
         render::Triad triad{{frame.A, frame.r}};
         triad.length = (b == 0 ? kGroundTriad : kTriad) * style.unit;
@@ -68,7 +80,9 @@ Tracer tracer_of(const Story& story) {
         for (const Step& step : story.steps()) {
             if (step.kind != Step::Kind::motion) { continue; }
             if (last != nullptr) {
-                length += (frame_of(step.state, body).point(s_local) - frame_of(last->state, body).point(s_local)).norm();
+                length +=
+                    (frame_of(step.state, body).point(s_local) - frame_of(last->state, body).point(s_local))
+                        .norm();
             }
             last = &step;
         }
@@ -92,7 +106,9 @@ void add_trace(const Story& story, int index, Picture& picture) {
     path.see_through = false;
     for (int k = 0; k <= index; ++k) {
         const Step& step = story.steps()[static_cast<std::size_t>(k)];
-        if (step.kind == Step::Kind::motion) { path.points.push_back(frame_of(step.state, tracer.body).point(tracer.s_local)); }
+        if (step.kind == Step::Kind::motion) {
+            path.points.push_back(frame_of(step.state, tracer.body).point(tracer.s_local));
+        }
     }
     if (path.points.size() > 1) { picture.scene.polylines.push_back(std::move(path)); }
 }
@@ -134,6 +150,8 @@ PictureStyle picture_style(const Story& story) {
     style.unit = extent(story.lesson().mechanism);
     style.unit = std::max(bounds_of(story, style, false).diagonal(), 0.3 * style.unit);
     style.bounds = bounds_of(story, style, true);
+    const Vec3& origin = story.lesson().mechanism.bodies.front().r;
+    if (shows_ground_axes(style, origin)) { style.bounds.include(origin, kGroundTriad * style.unit); }
     style.ground = render::ground_below(style.bounds, style.up);
     return style;
 }
@@ -145,7 +163,8 @@ Picture picture_of(const Story& story, const PictureStyle& style, int index) {
     int joint = -1;
     if (subject && subject->kind == Addition::Kind::joint) { joint = subject->index; }
     if (step.kind == Step::Kind::motion) { joint = story.featured_joint(); }
-    const Joint* subject_joint = joint >= 0 ? &lesson.mechanism.joints[static_cast<std::size_t>(joint)] : nullptr;
+    const Joint* subject_joint =
+        joint >= 0 ? &lesson.mechanism.joints[static_cast<std::size_t>(joint)] : nullptr;
 
     Picture picture;
     add_mechanism(lesson, style, step, step.kind == Step::Kind::motion ? -1 : joint, picture.scene);

@@ -26,7 +26,7 @@ struct Picture {
 
 /// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.
 struct PictureStyle {
-    double unit = 1.0;      ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
+    double unit = 1.0;  ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
     render::Bounds bounds;  ///< everything that is ever in sight: one camera serves the whole story
     Vec3 up = Vec3::UnitZ();
     render::Ground ground;

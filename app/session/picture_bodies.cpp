@@ -19,7 +19,9 @@ struct ToGeometry {
     render::Geometry operator()(const Cylinder& c) const {
         return render::Cylinder{frame.point(c.from), frame.point(c.to), c.radius};
     }
-    render::Geometry operator()(const Sphere& s) const { return render::Sphere{frame.point(s.centre), s.radius}; }
+    render::Geometry operator()(const Sphere& s) const {
+        return render::Sphere{frame.point(s.centre), s.radius};
+    }
     render::Geometry operator()(const Rod& r) const {
         return render::Rod{frame.point(r.from), frame.point(r.to), r.radius};
     }
@@ -99,7 +101,8 @@ render::Colour colour_of_body(const Lesson& lesson, int body) {
     return render::palette::body(b - 1);
 }
 
-void add_body(const Lesson& lesson, const PictureStyle& style, const State& state, int body, render::Scene& scene) {
+void add_body(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int body, render::Scene& scene) {
     const auto b = static_cast<std::size_t>(body);
     const BodyFrame frame = frame_of(state, body);
     if (lesson.looks[b].shapes.empty()) {

@@ -18,7 +18,9 @@ Vec3 common_axis(const Story& story) {
         if (!joint.type->uses(Role::axes_parallel)) { return Vec3::Zero(); }
         const Vec4 p = step.state.p[static_cast<std::size_t>(joint.body_i)].normalized();
         const Vec3 axis = rotation_matrix(p) * joint.geometry.s_i_local.normalized();
-        if (joint.type->uses(Role::distance_parallel)) { continue; }  // slides along it: seen best from the side
+        if (joint.type->uses(Role::distance_parallel)) {
+            continue;
+        }  // slides along it: seen best from the side
         if (!common.isZero() && std::abs(common.dot(axis)) < kParallel) { return Vec3::Zero(); }
         if (common.isZero()) { common = axis; }
     }

@@ -10,7 +10,9 @@ namespace {
 /// Draws the glyph of one joint. `g` is the radius of a pin.
 class Glyph {
 public:
-    Glyph(const Lesson& lesson, const PictureStyle& style, const PlacedJoint& placed, bool highlighted, render::Scene& scene)
+    Glyph(
+        const Lesson& lesson, const PictureStyle& style, const PlacedJoint& placed, bool highlighted,
+        render::Scene& scene)
         : j_(placed),
           g_(pin_radius(style)),
           colour_i_(colour_of_body(lesson, placed.joint->body_i)),
@@ -45,8 +47,7 @@ private:
     /// From `before` the lower of the two points to beyond the upper one, along s_i through P_i.
     std::pair<Vec3, Vec3> span_along_axis(double beyond) const {
         const double d = j_.s_i.dot(j_.P_j - j_.P_i);
-        return {
-            j_.P_i + (std::min(0.0, d) - beyond) * j_.s_i, j_.P_i + (std::max(0.0, d) + beyond) * j_.s_i};
+        return {j_.P_i + (std::min(0.0, d) - beyond) * j_.s_i, j_.P_i + (std::max(0.0, d) + beyond) * j_.s_i};
     }
     static Mat3 axes_with_z(const Vec3& z, const Vec3& x_hint) {
         Mat3 A;
@@ -78,7 +79,8 @@ private:
         const auto [from, to] = span_along_axis(7.0 * g_);
         const Mat3 A_i = axes_with_z(j_.s_i, j_.h_i);
         const Mat3 A_j = axes_with_z(j_.s_j, j_.h_j);
-        add(render::Box{{A_i, 0.5 * (from + to)}, {g_, g_, 0.5 * (to - from).norm()}}, render::palette::kSteel);
+        add(render::Box{{A_i, 0.5 * (from + to)}, {g_, g_, 0.5 * (to - from).norm()}},
+            render::palette::kSteel);
         add(render::Box{{A_j, j_.P_j}, {1.9 * g_, 1.9 * g_, 3.2 * g_}}, colour_j_);
     }
     void screw() {
@@ -92,7 +94,9 @@ private:
         const Vec3 half = 1.5 * g_ * j_.s_j;
         add(render::Nut{j_.P_j - half, j_.P_j + half, j_.u_j, 2.5 * g_, 1.2 * g_}, colour_j_);
     }
-    void fixed() { add(render::Box{{axes_with_z(j_.s_j, j_.h_j), j_.P_j}, Vec3::Constant(1.6 * g_)}, colour_j_); }
+    void fixed() {
+        add(render::Box{{axes_with_z(j_.s_j, j_.h_j), j_.P_j}, Vec3::Constant(1.6 * g_)}, colour_j_);
+    }
     void planar() {
         const render::Colour colour = render::with_alpha(colour_i_, 0.45F);
         add(render::Box{{axes_with_z(j_.s_i, j_.u_i), j_.P_i}, {7.0 * g_, 7.0 * g_, 0.25 * g_}}, colour);
@@ -120,14 +124,19 @@ PlacedJoint placed(const Joint& joint, const State& state) {
     const JointGeometry& g = joint.geometry;
     return {
         &joint,
-        i.point(g.P_i_local),     j.point(g.P_j_local),
-        i.direction(g.s_i_local), j.direction(g.s_j_local),
-        i.direction(g.h_i_local), j.direction(g.h_j_local),
-        i.direction(g.u_i_local), j.direction(g.u_j_local)};
+        i.point(g.P_i_local),
+        j.point(g.P_j_local),
+        i.direction(g.s_i_local),
+        j.direction(g.s_j_local),
+        i.direction(g.h_i_local),
+        j.direction(g.h_j_local),
+        i.direction(g.u_i_local),
+        j.direction(g.u_j_local)};
 }
 
 void add_joint(
-    const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted, render::Scene& scene) {
+    const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted,
+    render::Scene& scene) {
     Glyph(lesson, style, joint, highlighted, scene).draw();
 }
 

@@ -31,17 +31,20 @@ inline double pin_radius(const PictureStyle& style) { return 0.011 * style.unit;
 render::Colour colour_of_body(const Lesson& lesson, int body);
 
 /// Shapes of the lesson, or rods between the joints of a body that has none.
-void add_body(const Lesson& lesson, const PictureStyle& style, const State& state, int body, render::Scene& scene);
+void add_body(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int body, render::Scene& scene);
 /// Where a body's name may stand [m].
 Vec3 middle_of_body(const Lesson& lesson, const State& state, int body);
 
 /// What a joint looks like; its two halves apart where it is not assembled.
 void add_joint(
-    const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted, render::Scene& scene);
+    const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted,
+    render::Scene& scene);
 
 /// Points and vectors of the joint that the step is about, with their names.
 void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
 /// What a driver prescribes: an angle as an arc, a distance as an arrow.
-void add_driver(const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture);
+void add_driver(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture);
 
 }  // namespace jw::picture

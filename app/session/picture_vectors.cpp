@@ -24,8 +24,9 @@ public:
 
     void draw() {
         const JointType& type = *j_.joint->type;
-        const bool moves_apart = type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular) ||
-                                 type.uses(Role::screw_advance) || type.uses(Role::length);
+        const bool moves_apart = type.uses(Role::distance_parallel) ||
+                                 type.uses(Role::distance_perpendicular) || type.uses(Role::screw_advance) ||
+                                 type.uses(Role::length);
         const bool has_points = moves_apart || type.uses(Role::same_point);
         const std::string name = type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B";
         if (has_points) { points(name); }
@@ -58,7 +59,9 @@ private:
         }
     }
     /// @param where along the arrow its name stands: 1 at the tip
-    void arrow(const Vec3& from, const Vec3& to, const render::Colour& colour, const std::string& name, double where = 1.0) {
+    void arrow(
+        const Vec3& from, const Vec3& to, const render::Colour& colour, const std::string& name,
+        double where = 1.0) {
         picture_->scene.arrows.push_back({from, to, kShaft * unit_, colour});
         const Vec3 towards = where > 0.9 ? Vec3((to - from).normalized()) : Vec3::Zero();
         picture_->annotations.push_back({from + where * (to - from), towards, name, colour});
@@ -96,7 +99,8 @@ void add_angle(const PictureStyle& style, const PlacedJoint& j, double angle, Pi
     const Vec3 v = j.s_i.cross(j.u_i);
     // whole turns lie on each other
     const double shown = std::remainder(angle, 4.0 * std::numbers::pi);
-    const int count = std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / (2.0 * std::numbers::pi))));
+    const int count =
+        std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / (2.0 * std::numbers::pi))));
     render::Polyline arc{{}, 2.5, palette::kVectorD};
     for (int k = 0; k <= count; ++k) {
         const double a = shown * k / count;
@@ -124,7 +128,8 @@ void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& p
     Vectors(style, joint, picture).draw();
 }
 
-void add_driver(const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
+void add_driver(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
     const Mechanism& mechanism = lesson.mechanism;
     const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
     if (d.joint >= 0) {
@@ -144,7 +149,8 @@ void add_driver(const Lesson& lesson, const PictureStyle& style, const State& st
     const BodyFrame j = frame_of(state, d.body_j);
     if (const auto* m = std::get_if<SquaredDistanceMeasure>(&d.measure)) {
         add_length(style, i.point(m->P_i_local), j.point(m->P_j_local), picture);
-    } else if (const auto* c = std::get_if<CoordinateMeasure>(&d.measure); c != nullptr && c->coordinate < 3) {
+    } else if (const auto* c = std::get_if<CoordinateMeasure>(&d.measure);
+               c != nullptr && c->coordinate < 3) {
         const Vec3 axis = Vec3::Unit(c->coordinate);
         picture.scene.arrows.push_back(
             {j.r - j.r(c->coordinate) * axis, j.r, kShaft * style.unit, palette::kVectorD});

@@ -85,7 +85,7 @@ std::vector<NewtonRow> newton_rows_of(const Step& step) {
         row.phi_norm = newton.phi_norm;
         row.largest_row = row_label(*step.system, newton.largest_row);
         row.largest_value = newton.largest_value;
-        row.stepped = !newton.converged;
+        row.stepped = newton.rank > 0;  // neither when closed nor when given up
         row.delta_norm = newton.delta_norm;
         row.turn_deg = newton.turn * kDegree;
         row.fraction = newton.fraction;

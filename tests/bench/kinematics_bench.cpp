@@ -9,8 +9,9 @@
 #include "lessons/reader.hpp"
 
 /// Speed against error of kinematics: position, velocity and acceleration per moment of a motion, in the four
-/// coordinate choices. The error is the largest difference from poses found in (r, ω') at a moment's own accuracy,
-/// and the residual of all equations. Times are of one run on one machine: compare them within a table only.
+/// coordinate choices. The error is the largest difference from poses found in (r, ω') at a moment's own
+/// accuracy, and the residual of all equations. Times are of one run on one machine: compare them within a
+/// table only.
 namespace jw::bench {
 namespace {
 
@@ -70,13 +71,15 @@ Result measured(const System& system, const std::vector<Moment>& moments) {
             for (const int body : system.moving_bodies()) {
                 const auto b = static_cast<std::size_t>(body);
                 result.r_error = std::max(
-                    result.r_error, (newton.state().r[b] - moments[k].state.r[b]).norm() / system.length_unit());
+                    result.r_error,
+                    (newton.state().r[b] - moments[k].state.r[b]).norm() / system.length_unit());
                 result.omega_error = std::max(
                     result.omega_error,
                     (velocity.velocity.omega_local[b] - moments[k].velocity.omega_local[b]).norm());
             }
         }
-        result.microseconds = std::min(result.microseconds, 1e6 * seconds / (static_cast<double>(moments.size()) - 1.0));
+        result.microseconds =
+            std::min(result.microseconds, 1e6 * seconds / (static_cast<double>(moments.size()) - 1.0));
         result.iterations = static_cast<double>(iterations) / (static_cast<double>(moments.size()) - 1.0);
     }
     return result;
