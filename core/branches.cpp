@@ -3,12 +3,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/assembler.hpp"
+
 namespace jw {
 
 namespace {
 
 // a start pose whose side vectors are less than 6 deg from the axis' plane of decision says nothing
 constexpr double kClearSide = 0.1;
+// a lesson's own numbers may close to 1e-7 only; the pair that the rule keeps passes on twice that
+constexpr double kHolds = 1e-6;
 
 const Joint& joint_of(const System& system, const Constraint& c) {
     return system.mechanism().joints[static_cast<std::size_t>(c.joint)];
@@ -78,6 +82,14 @@ std::optional<WrongBranch> find_wrong_branch(
         }
     }
     return std::nullopt;
+}
+
+bool left_out_rows_hold(const System& system, const State& state) {
+    for (const Constraint& c : system.constraints()) {
+        if (c.dropped < 0 || joint_of(system, c).parallel_form != ParallelForm::rule) { continue; }
+        if (std::abs(values_of(c, state)(c.dropped)) > kHolds * c.unit) { return false; }
+    }
+    return true;
 }
 
 void leave_branch(const System& system, const WrongBranch& wrong, State& state) {

@@ -25,6 +25,10 @@ std::vector<int> intended_sides(const System& system);
 std::optional<WrongBranch> find_wrong_branch(
     const System& system, const State& state, const std::vector<int>& sides);
 
+/// False if an equation that the rule of slide 5 has left out does not hold although the others do: the kept
+/// pair has lost rank on the way here, and rows must be chosen anew. Rows left out on purpose are not asked.
+bool left_out_rows_hold(const System& system, const State& state);
+
 /// Turns a body (or θ) by half a turn about the joint, so that Newton starts next to the right branch.
 void leave_branch(const System& system, const WrongBranch& wrong, State& state);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "core/rank.hpp"
+
 namespace jw {
 
 namespace {
 
-// a redundant row at a pose assembled to 1e-13 has a pivot of about 1e-13; real ones are far larger
-constexpr double kThreshold = 1e-9;
 // rounding of velocities is some 1e-15 times the condition; a contradiction is of the size of the drivers
 constexpr double kConsistent = 1e-7;
 
@@ -23,7 +23,11 @@ void Kinematics<C>::set_state(const State& state, double t) {
     t_ = t;
     assembler_.assemble_phi_and_jacobian(state_, t_);
     least_squares_.compute(assembler_.jacobian());
-    rank_ = least_squares_.rank(kThreshold);
+    // as for singular values: a redundant row has a pivot, and contradicts, by about the position error
+    const VectorX& phi = assembler_.phi();
+    const double residual = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
+    position_error_ = residual <= kAssembledResidual ? kErrorFactor * residual : 0.0;
+    rank_ = least_squares_.rank(std::max(kRankThreshold, position_error_));
 }
 
 template <class C>
@@ -33,18 +37,24 @@ double Kinematics<C>::last_pivot_ratio() const {
 }
 
 template <class C>
-LinearVerdict Kinematics<C>::verdict_of(const VectorX& x, const VectorX& b) const {
+void Kinematics<C>::leave_out_weakest() {
+    --rank_;
+    position_error_ = std::max(position_error_, kErrorFactor * least_squares_.relative_pivot(rank_));
+}
+
+template <class C>
+LinearVerdict Kinematics<C>::verdict_of(const VectorX& x, const VectorX& b) {
     LinearVerdict verdict;
     verdict.rank = rank_;
     verdict.unique = rank_ == static_cast<int>(scaling_.column.size());
     if (b.size() == 0) { return verdict; }
-    const VectorX miss = (assembler_.jacobian() * x - b).cwiseQuotient(scaling_.row);
+    miss_ = (assembler_.jacobian() * x - b).cwiseQuotient(scaling_.row);
     Eigen::Index worst = 0;
-    const double largest = miss.cwiseAbs().maxCoeff(&worst);
+    const double largest = miss_.cwiseAbs().maxCoeff(&worst);
     const double size = std::max(1.0, b.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff());
     verdict.residual = largest / size;
     verdict.worst_row = static_cast<int>(worst);
-    verdict.consistent = verdict.residual <= kConsistent;
+    verdict.consistent = verdict.residual <= std::max(kConsistent, position_error_);
     return verdict;
 }
 

@@ -40,11 +40,15 @@ public:
     /// Rank by pivots, and the last pivot that counts over the one before: near 0 at a change point.
     int rank() const { return rank_; }
     double last_pivot_ratio() const;
+    /// Leaves out the weakest equation, where the position is not exact enough for what it says.
+    void leave_out_weakest();
+    /// Φq x - b of a row in the last solution, scaled.
+    double miss(int row) const { return miss_(row); }
 
     Assembler<C>& assembler() { return assembler_; }
 
 private:
-    LinearVerdict verdict_of(const VectorX& x, const VectorX& b) const;
+    LinearVerdict verdict_of(const VectorX& x, const VectorX& b);
 
     const System* system_;
     Assembler<C> assembler_;
@@ -53,8 +57,10 @@ private:
     State state_;
     double t_ = 0.0;
     int rank_ = 0;
+    double position_error_ = 0.0;  ///< scaled
     VectorX right_side_;
     VectorX solution_;
+    VectorX miss_;
 };
 
 }  // namespace jw

@@ -13,6 +13,9 @@ constexpr double kLargestCorrection = 0.3;
 constexpr double kSmallestStep = 1.0 / 4096.0;
 // movements below this are rounding [scene's unit, rad]
 constexpr double kNoMovement = 1e-9;
+// the tangent is a few thousandths off at first: four secant steps reach rounding, the rest is reserve
+constexpr int kMostSecantSteps = 8;
+constexpr double kFirstSecantStep = 1e-3;
 
 State predicted(const System& system, const MotionFrame& frame, double h) {
     State state = frame.state;
@@ -28,6 +31,21 @@ State predicted(const System& system, const MotionFrame& frame, double h) {
         state.theta[k] += h * frame.velocity.theta_dot[k] + half_square * frame.acceleration.theta_dot[k];
     }
     return state;
+}
+
+/// motion + h * rate
+Motion after(const System& system, const Motion& motion, const Motion& rate, double h) {
+    Motion sum = motion;
+    for (const int body : system.moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        sum.r_dot[b] += h * rate.r_dot[b];
+        sum.omega_local[b] += h * rate.omega_local[b];
+    }
+    for (const int theta : system.active_thetas()) {
+        const auto k = static_cast<std::size_t>(theta);
+        sum.theta_dot[k] += h * rate.theta_dot[k];
+    }
+    return sum;
 }
 
 /// Largest movement between two states, in the scene's unit of length and rad.
@@ -55,23 +73,54 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
     frame_.velocity = start_motion(system.mechanism());
     frame_.acceleration = zero_motion(system.mechanism());
     frame_.rows_switched = system_->choose_rows(frame_.state);
-    analyse();
+    analyse(0.0);
 }
 
-void MotionTracker::analyse() {
+/// @param h time since the velocities and accelerations of the frame [s]
+void MotionTracker::analyse(double h) {
+    const Motion expected =
+        after(*system_, frame_.velocity, frame_.acceleration, frame_.change_point ? 0.0 : h);
     kinematics_.set_state(frame_.state, frame_.t);
     full_rank_ = std::max(full_rank_, kinematics_.rank());
+    if (kinematics_.last_pivot_ratio() < kLostPivotRatio) { kinematics_.leave_out_weakest(); }
     frame_.change_point =
         kinematics_.rank() < full_rank_ || kinematics_.last_pivot_ratio() < kChangePointRatio;
 
-    // nearest to the last velocity: at a change point this is the tangent of the branch that one came on
-    VelocityOutcome velocity = kinematics_.solve_velocity(frame_.velocity);
+    // nearest to the expected velocity: at a change point this is the tangent of the branch that one came on
+    VelocityOutcome velocity = kinematics_.solve_velocity(expected);
     frame_.velocity = std::move(velocity.velocity);
     frame_.velocity_verdict = velocity.verdict;
     if (!with_accelerations_) { return; }
     AccelerationOutcome acceleration = kinematics_.solve_acceleration(frame_.velocity);
     frame_.acceleration = std::move(acceleration.acceleration);
     frame_.acceleration_verdict = acceleration.verdict;
+    if (frame_.change_point && !acceleration.verdict.consistent) { follow_branch(); }
+}
+
+/// At a change point the velocity equations leave the tangent open, but accelerations exist along the
+/// branches only: the free part of the velocity is scaled until γ contradicts no more (secant steps).
+void MotionTracker::follow_branch() {
+    const Motion bound = kinematics_.solve_velocity(zero_motion(system_->mechanism())).velocity;
+    const Motion free = after(*system_, frame_.velocity, bound, -1.0);
+    const int row = frame_.acceleration_verdict.worst_row;
+    double scale_before = 0.0;
+    double miss_before = 0.0;
+    double scale = 1.0;
+    for (int k = 0; k < kMostSecantSteps && std::isfinite(scale); ++k) {
+        const Motion velocity = after(*system_, bound, free, scale);
+        AccelerationOutcome acceleration = kinematics_.solve_acceleration(velocity);
+        const double miss = kinematics_.miss(row);
+        if (acceleration.verdict.residual < frame_.acceleration_verdict.residual) {
+            frame_.velocity = velocity;
+            frame_.acceleration = std::move(acceleration.acceleration);
+            frame_.acceleration_verdict = acceleration.verdict;
+        }
+        const double next =
+            k == 0 ? 1.0 + kFirstSecantStep : scale - miss * (scale - scale_before) / (miss - miss_before);
+        scale_before = scale;
+        miss_before = miss;
+        scale = next;
+    }
 }
 
 bool MotionTracker::try_step(double h) {
@@ -79,6 +128,8 @@ bool MotionTracker::try_step(double h) {
     MotionFrame base = frame_;
     if (frame_.change_point) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
+    // between solves: after a large step the pair kept so far may have lost rank
+    frame_.rows_switched = system_->choose_rows(prediction) || frame_.rows_switched;
     newton_.start(prediction, frame_.t + h);
     const NewtonOutcome outcome = solve(newton_);
     if (!outcome.converged) {
@@ -89,13 +140,15 @@ bool MotionTracker::try_step(double h) {
             outcome.residual,
             0.0,
             outcome.iterations,
-            std::nullopt};
+            std::nullopt,
+            frame_.t + h};
         return false;
     }
     const double step = movement(*system_, frame_.state, newton_.state());
     const double correction = movement(*system_, prediction, newton_.state());
     const auto wrong = find_wrong_branch(*system_, newton_.state(), sides_);
-    if (wrong || correction > std::max(kLargestCorrection * step, kNoMovement)) {
+    const bool same_curve = correction <= std::max(kLargestCorrection * step, kNoMovement);
+    if (wrong || !same_curve || !left_out_rows_hold(*system_, newton_.state())) {
         failure_ = PositionFailure{
             wrong ? FailureCause::wrong_branch : FailureCause::singular,
             outcome.largest_row,
@@ -103,16 +156,23 @@ bool MotionTracker::try_step(double h) {
             outcome.residual,
             0.0,
             outcome.iterations,
-            wrong};
+            wrong,
+            frame_.t + h};
         return false;
     }
     frame_.t += h;
     frame_.state = newton_.state();
     frame_.newton_iterations += outcome.iterations;
     frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
-    analyse();
+    analyse(h);
     failure_.reset();
     return true;
+}
+
+void MotionTracker::explain_end(double t) {
+    // a step beyond a dead end the gap is too small to tell: whether the parts can meet is asked at `t`
+    PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
+    if (there.cause == FailureCause::cannot_close) { failure_ = std::move(there); }
 }
 
 bool MotionTracker::advance_to(double t) {
@@ -129,7 +189,10 @@ bool MotionTracker::advance_to(double t) {
             continue;
         }
         h *= 0.5;
-        if (std::abs(h) < kSmallestStep * std::abs(whole)) { return false; }
+        if (std::abs(h) < kSmallestStep * std::abs(whole)) {
+            explain_end(t);
+            return false;
+        }
     }
     frame_.t = t;
     return true;

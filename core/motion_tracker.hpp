@@ -8,6 +8,9 @@ namespace jw {
 
 /// Last pivot over the one before, below which a pose is reported as a change point.
 inline constexpr double kChangePointRatio = 1e-3;
+/// Below this the weakest equation is left out of velocities and accelerations: at a change point Newton's
+/// tolerance of 1e-13 fixes a position to its root, 3e-7, and what that equation says is mostly error.
+inline constexpr double kLostPivotRatio = 1e-5;
 
 struct MotionFrame {
     double t = 0.0;
@@ -39,7 +42,9 @@ public:
 
 private:
     bool try_step(double h);
-    void analyse();
+    void analyse(double h);
+    void follow_branch();
+    void explain_end(double t);
 
     System* system_;
     bool with_accelerations_;

@@ -9,13 +9,15 @@ namespace {
 
 // rounding of r + A s' is a few 1e-16 of the coordinates; a hundred times that leaves room for sums
 constexpr double kTolerance = 1e-13;
-// a lesson's own numbers may close to no better than their typed digits: seven of them are enough to go on
-constexpr double kFloorTolerance = 1e-7;
 // rank inside an iteration: rows that are redundant at the solution differ from it by about the residual
 constexpr double kNewtonThreshold = 1e-9;
 constexpr double kLargestThreshold = 1e-2;
 // a truncated step is taken if it promises to remove nine tenths of the residual
 constexpr double kPromisedRest = 0.1;
+// near the solution a good step makes residuals grow a few times at most; one along directions that are
+// independent by rounding only makes them grow from 1e-8, say, to the size of the machine
+constexpr double kNear = 1e-3;
+constexpr double kLargestGrowth = 10.0;
 
 double largest_coordinate(const State& state) {
     double largest = 0.0;
@@ -31,6 +33,8 @@ NewtonStepper<C>::NewtonStepper(const System& system)
     right_side_.setZero(scaling_.row.size());
     delta_.setZero(scaling_.column.size());
     linear_residual_.setZero(scaling_.row.size());
+    truncated_delta_ = trial_delta_ = delta_;
+    trial_ = start_state(system.mechanism());
 }
 
 template <class C>
@@ -67,25 +71,44 @@ void NewtonStepper<C>::finish(const NewtonStep& step, bool converged, bool at_fl
 }
 
 template <class C>
+double NewtonStepper<C>::limited_fraction() const {
+    const double turn = assembler_.layout().largest_turn(delta_);
+    return turn > kLargestTurn ? kLargestTurn / turn : 1.0;
+}
+
+template <class C>
+double NewtonStepper<C>::residual_norm_after_delta() {
+    trial_ = state_;
+    trial_delta_ = limited_fraction() * delta_;
+    assembler_.layout().advance(trial_, trial_delta_);
+    assembler_.assemble_phi_and_jacobian(trial_, t_);
+    return assembler_.phi().cwiseQuotient(scaling_.row).norm();
+}
+
+template <class C>
 int NewtonStepper<C>::solve_for_delta(double residual) {
     least_squares_.compute(assembler_.jacobian());
     right_side_ = -assembler_.phi();
 
     // off the solution redundant rows look independent by about the residual: leave them out if the rest
-    // still promises to close, else take whatever is independent (near a singular position)
+    // still promises to close
     const double tied = std::clamp(10.0 * residual, kNewtonThreshold, kLargestThreshold);
     const int full_rank = least_squares_.rank(kNewtonThreshold);
     const int tied_rank = least_squares_.rank(tied);
-    if (tied_rank < full_rank) {
-        least_squares_.solve(right_side_, tied_rank, delta_);
-        linear_residual_.noalias() = assembler_.jacobian().lazyProduct(delta_) - right_side_;
-        if (linear_residual_.cwiseQuotient(scaling_.row).norm() <=
-            kPromisedRest * right_side_.cwiseQuotient(scaling_.row).norm()) {
-            return tied_rank;
-        }
-    }
+    least_squares_.solve(right_side_, tied_rank, delta_);
+    if (tied_rank == full_rank) { return full_rank; }
+    linear_residual_.noalias() = assembler_.jacobian().lazyProduct(delta_) - right_side_;
+    const double rest = linear_residual_.cwiseQuotient(scaling_.row).norm();
+    const double now = right_side_.cwiseQuotient(scaling_.row).norm();
+    if (rest <= kPromisedRest * now) { return tied_rank; }
+
+    // else take whatever is independent (near a singular position), unless that leads far away: in a loop
+    // that closes to its typed digits only, such a step is rounding over rounding
+    truncated_delta_ = delta_;
     least_squares_.solve(right_side_, full_rank, delta_);
-    return full_rank;
+    if (residual > kNear || residual_norm_after_delta() < kLargestGrowth * now) { return full_rank; }
+    delta_ = truncated_delta_;
+    return tied_rank;
 }
 
 template <class C>
@@ -111,7 +134,7 @@ NewtonStep NewtonStepper<C>::step() {
 
     step.rank = solve_for_delta(step.residual);
     step.turn = assembler_.layout().largest_turn(delta_);
-    step.fraction = step.turn > kLargestTurn ? kLargestTurn / step.turn : 1.0;
+    step.fraction = limited_fraction();
     delta_ *= step.fraction;
     step.delta_norm = delta_.norm();
     assembler_.layout().advance(state_, delta_);

@@ -14,6 +14,8 @@ namespace jw {
 /// steps are erratic from 66.8 deg of misalignment on (docs/notation.md) [rad].
 inline constexpr double kLargestTurn = 0.5;
 inline constexpr int kMostIterations = 60;
+/// A lesson's own numbers may close to no better than their typed digits: seven of them are enough to go on.
+inline constexpr double kFloorTolerance = 1e-7;
 
 /// One iteration: the residual at its start, and the step that was taken from there.
 struct NewtonStep {
@@ -57,6 +59,8 @@ private:
     NewtonStep look();
     void finish(const NewtonStep& step, bool converged, bool at_floor);
     int solve_for_delta(double residual);
+    double limited_fraction() const;
+    double residual_norm_after_delta();
 
     const System* system_;
     Assembler<C> assembler_;
@@ -70,6 +74,9 @@ private:
     VectorX right_side_;
     VectorX delta_;
     VectorX linear_residual_;
+    VectorX truncated_delta_;
+    VectorX trial_delta_;
+    State trial_;
     std::optional<NewtonOutcome> outcome_;
 };
 

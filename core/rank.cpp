@@ -101,7 +101,9 @@ std::vector<RedundantRow> redundant_rows_of(
     for (std::size_t k = 0; k < kept.size(); ++k) {
         basis.col(static_cast<Eigen::Index>(k)) = scaled.row(kept[k]).transpose();
     }
-    const Eigen::ColPivHouseholderQR<MatrixX> qr(basis);
+    // Eigen does not decompose a matrix without columns: rank 0, as of a distance joint at d = 0
+    Eigen::ColPivHouseholderQR<MatrixX> qr;
+    if (!kept.empty()) { qr.compute(basis); }
 
     std::vector<RedundantRow> redundant;
     for (const int row : elimination.dependent()) {

@@ -1,0 +1,148 @@
+#include "core/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
+#include "core/newton.hpp"
+#include "core/rank.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kFitIterations = 200;  // damped steps are linear at worst; enough for three digits of the fit
+constexpr double kFlatGradient = 1e-5;  // of |Φq||Φ|: the residual can be lowered no further
+// directions below this part of the largest singular value count as lost where the residual is as large:
+// a loop that misses by its typed digits slides along them without end
+constexpr double kLargestSlack = 1e-3;
+constexpr double kLostSingularValue = 1e-6;  // of the largest, at the closest fit
+// where the gradient vanishes at a maximum or a saddle (parallel arms of a universal joint, a rod of no
+// length), a push of this size [scene's unit, rad] lets the descent go on; a closest fit is returned to
+constexpr double kPush = 1e-2;
+constexpr double kClearlyLower = 0.9;  // of ‖Φ‖: far from the digits in which two fits of one pose differ
+
+struct Fit {
+    State state;
+    VectorX phi;  // scaled
+    VectorX raw;
+    double flatness = 0.0;
+    double smallest_singular_value = 0.0;
+};
+
+/// Φ and Φq in the scene's units, as functions of the state.
+class ScaledEquations {
+public:
+    ScaledEquations(const System& system, double t)
+        : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
+
+    void look(const State& state) { assembler_.assemble_phi_and_jacobian(state, t_); }
+    const VectorX& raw() const { return assembler_.phi(); }
+    VectorX phi() const { return raw().cwiseQuotient(scaling_.row); }
+    MatrixX jacobian() const {
+        return scaling_.row.cwiseInverse().asDiagonal() * assembler_.jacobian() *
+               scaling_.column.asDiagonal();
+    }
+    /// `state` moved by `delta` in scaled columns, no body turned by more than a Newton step may.
+    State moved(State state, const VectorX& delta) const {
+        VectorX step = delta.cwiseProduct(scaling_.column);
+        const double turn = assembler_.layout().largest_turn(step);
+        if (turn > kLargestTurn) { step *= kLargestTurn / turn; }
+        assembler_.layout().advance(state, step);
+        return state;
+    }
+
+private:
+    Assembler<OmegaLocal> assembler_;
+    Scaling scaling_;
+    double t_;
+};
+
+/// Levenberg-Marquardt: goes down to the closest fit where plain Newton wanders.
+State descended(const System& system, State state, double t) {
+    ScaledEquations equations(system, t);
+    equations.look(state);
+    VectorX phi = equations.phi();
+    MatrixX J = equations.jacobian();
+    double damping = 1e-3;
+    for (int k = 0; k < kFitIterations && damping < 1e12; ++k) {
+        MatrixX normal = J.transpose() * J;
+        normal.diagonal().array() += damping * std::max(1.0, normal.diagonal().maxCoeff());
+        State trial = equations.moved(state, normal.ldlt().solve(-J.transpose() * phi));
+        equations.look(trial);
+        const VectorX trial_phi = equations.phi();
+        if (!trial_phi.allFinite() || trial_phi.norm() >= phi.norm()) {
+            damping *= 4.0;
+            continue;
+        }
+        state = std::move(trial);
+        phi = trial_phi;
+        J = equations.jacobian();
+        damping = std::max(0.3 * damping, 1e-12);
+    }
+    return state;
+}
+
+/// How good and how final the fit at `state` is.
+Fit fit_at(const System& system, State state, double t) {
+    for (Vec4& p : state.p) { p.normalize(); }
+    ScaledEquations equations(system, t);
+    equations.look(state);
+    Fit fit{std::move(state), equations.phi(), equations.raw(), 1.0, 0.0};
+    if (!fit.phi.allFinite()) { return fit; }
+    const Eigen::BDCSVD<MatrixX> svd(equations.jacobian(), Eigen::ComputeThinU);
+    const VectorX& sigma = svd.singularValues();
+    const double slack = std::min(kErrorFactor * fit.phi.cwiseAbs().maxCoeff(), kLargestSlack);
+    const VectorX gradient = (sigma.array() > slack * sigma(0))
+                                 .select(sigma.cwiseProduct(svd.matrixU().transpose() * fit.phi), 0.0);
+    fit.flatness = gradient.norm() / std::max(sigma(0) * fit.phi.norm(), 1e-300);
+    // smallest among those that should not vanish: redundancy aside, the last ratio that is no rounding
+    for (const double s : sigma) {
+        if (s > 1e-12 * sigma(0)) { fit.smallest_singular_value = s / sigma(0); }
+    }
+    return fit;
+}
+
+Fit closest_fit(const System& system, const State& start, const State& reached, double t) {
+    const Fit fit = fit_at(system, reached, t);
+    return fit.flatness < kFlatGradient ? fit : fit_at(system, descended(system, start, t), t);
+}
+
+/// True if parts that rest at `fit` come closer once they are pushed: it was no closest fit.
+bool gives_way(const System& system, const Fit& fit, double t) {
+    // a maximum misses by the size of the parts; by less, it would be typed digits that miss
+    if (fit.phi.cwiseAbs().maxCoeff() < kLargestSlack) { return false; }
+    ScaledEquations equations(system, t);
+    VectorX push(Layout<OmegaLocal>(system).columns());
+    // no two entries alike, so that no symmetry of the scene survives
+    for (Eigen::Index k = 0; k < push.size(); ++k) {
+        push(k) = kPush * std::cos(1.0 + 2.4 * static_cast<double>(k));
+    }
+    equations.look(descended(system, equations.moved(fit.state, push), t));
+    return equations.phi().norm() < kClearlyLower * fit.phi.norm();
+}
+
+}  // namespace
+
+PositionFailure diagnose(
+    const System& system, const State& start, const State& reached, double t, int iterations) {
+    const Fit fit = closest_fit(system, start, reached, t);
+    PositionFailure failure;
+    Eigen::Index row = 0;
+    failure.residual = fit.phi.cwiseAbs().maxCoeff(&row);
+    failure.row = static_cast<int>(row);
+    failure.value = fit.raw(row);
+    failure.smallest_singular_value = fit.smallest_singular_value;
+    failure.iterations = iterations;
+    failure.t = t;
+    if (failure.residual > kFloorTolerance && fit.flatness < kFlatGradient) {
+        failure.cause = gives_way(system, fit, t) ? FailureCause::singular : FailureCause::cannot_close;
+    } else if (fit.smallest_singular_value < kLostSingularValue) {
+        failure.cause = FailureCause::singular;
+    }
+    return failure;
+}
+
+}  // namespace jw

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/assembler.hpp"
+#include "core/mechanism.hpp"
+#include "core/rank.hpp"
+#include "tests/support/random_mechanisms.hpp"
+
+/// Mechanisms put together in code from global points and axes at their assembled pose.
+namespace jw::test {
+
+class SceneBuilder {
+public:
+    /// Ground: body 0, fixed, its frame turned and moved so that nothing is tested in a global frame only.
+    SceneBuilder() { mechanism.bodies.push_back(body_at("ground", Vec3(0.2, -0.1, 0.3), true)); }
+
+    /// @return its index; the frame is turned differently for every body
+    int add_body(const std::string& name, const Vec3& r) {
+        mechanism.bodies.push_back(body_at(name, r, false));
+        return static_cast<int>(mechanism.bodies.size()) - 1;
+    }
+
+    /// Joint at a global point, both bodies sharing the axis; u_i = u_j and h_i, h_j perpendicular.
+    Joint& add_joint(std::string_view type, int i, int j, const Vec3& point, const Vec3& axis) {
+        Joint joint;
+        joint.name = "joint " + std::to_string(mechanism.joints.size());
+        joint.type = find_joint_type(type);
+        joint.body_i = i;
+        joint.body_j = j;
+        JointGeometry& g = joint.geometry;
+        const Vec3 unit = axis.normalized();
+        g.P_i_local = local_point(i, point);
+        g.P_j_local = local_point(j, point);
+        g.s_i_local = local(i, unit);
+        g.s_j_local = local(j, unit);
+        g.u_i_local = g.h_i_local = local(i, perpendicular_to(unit));
+        g.u_j_local = local(j, perpendicular_to(unit));
+        g.h_j_local = local(j, unit.cross(perpendicular_to(unit)));
+        mechanism.joints.push_back(joint);
+        return mechanism.joints.back();
+    }
+
+    Joint& add_universal(int i, int j, const Vec3& point, const Vec3& arm_i, const Vec3& arm_j) {
+        Joint& joint = add_joint("universal", i, j, point, arm_i);
+        joint.geometry.s_j_local = local(j, arm_j.normalized());
+        return joint;
+    }
+
+    Joint& add_distance(int i, int j, const Vec3& point_i, const Vec3& point_j) {
+        Joint& joint = add_joint("distance", i, j, point_i, Vec3::UnitZ());
+        joint.geometry.P_j_local = local_point(j, point_j);
+        joint.geometry.length = (point_j - point_i).norm();
+        return joint;
+    }
+
+    /// From which global directions (at this pose) the joint's angle is measured.
+    void measure_angle(Joint& joint, const Vec3& u_i, const Vec3& u_j) const {
+        joint.geometry.u_i_local = local(joint.body_i, u_i.normalized());
+        joint.geometry.u_j_local = local(joint.body_j, u_j.normalized());
+    }
+
+    Vec3 local(int body, const Vec3& v) const { return rotation_matrix(at(body).p).transpose() * v; }
+    Vec3 local_point(int body, const Vec3& point) const { return local(body, point - at(body).r); }
+
+    Mechanism mechanism;
+
+private:
+    const Body& at(int body) const { return mechanism.bodies[static_cast<std::size_t>(body)]; }
+    Body body_at(const std::string& name, const Vec3& r, bool fixed) const {
+        Body body;
+        body.name = name;
+        body.fixed = fixed;
+        body.r = r;
+        const double k = 1.0 + static_cast<double>(mechanism.bodies.size());
+        body.p = euler_parameters_of(Vec3(1.0, -k, 0.5), 0.4 * k);
+        return body;
+    }
+};
+
+/// Prescribes the angle of a joint.
+inline Driver& drive_angle(Mechanism& mechanism, int joint, TimeFunction function) {
+    const Joint& j = mechanism.joints[static_cast<std::size_t>(joint)];
+    mechanism.drivers.push_back(
+        {"driver of " + j.name, joint, j.body_i, j.body_j, angle_of(j), std::move(function)});
+    return mechanism.drivers.back();
+}
+
+/// c0 + c1 t + c2 t²
+inline TimeFunction polynomial(std::vector<double> coefficients) {
+    TimeFunction function;
+    function.polynomial = std::move(coefficients);
+    return function;
+}
+
+/// The whole scene, ground included, turned by p and then moved by r.
+inline Mechanism moved_rigidly(Mechanism mechanism, const Vec4& p, const Vec3& r) {
+    for (Body& body : mechanism.bodies) {
+        body.r = r + rotation_matrix(p) * body.r;
+        body.p = product(p, body.p);
+        body.r_dot = rotation_matrix(p) * body.r_dot;
+    }
+    return mechanism;
+}
+
+/// Every length times `factor`.
+inline Mechanism scaled(Mechanism mechanism, double factor) {
+    for (Body& body : mechanism.bodies) {
+        body.r *= factor;
+        body.r_dot *= factor;
+    }
+    for (Joint& joint : mechanism.joints) {
+        JointGeometry& g = joint.geometry;
+        for (double* length : {&g.length, &g.alpha, &g.d_0}) { *length *= factor; }
+        g.P_i_local *= factor;
+        g.P_j_local *= factor;
+    }
+    return mechanism;
+}
+
+/// Moving bodies off their place by up to `distance` [m] and `turn` [rad] in every coordinate.
+inline State disturbed(
+    const Mechanism& mechanism, State state, Random& random, double distance, double turn) {
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        if (mechanism.bodies[b].fixed) { continue; }
+        state.r[b] += random.vector(distance);
+        state.p[b] = turned_local(state.p[b], random.vector(turn));
+    }
+    return state;
+}
+
+/// Rank of all equations at the mechanism's start pose.
+inline RankReport rank_of(const Mechanism& mechanism, double t = 0.0) {
+    const System system(mechanism, everything(mechanism));
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(start_state(mechanism), t);
+    return analyse_rank(system, assembler.jacobian(), assembler.phi());
+}
+
+/// Φq of all equations at the start pose in a coordinate choice, with its normalisation rows.
+template <class C>
+MatrixX jacobian_of(const Mechanism& mechanism) {
+    const System system(mechanism, everything(mechanism));
+    Assembler<C> assembler(system);
+    assembler.assemble_phi_and_jacobian(start_state(mechanism), 0.0);
+    return assembler.jacobian();
+}
+
+}  // namespace jw::test
