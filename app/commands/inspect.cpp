@@ -44,7 +44,7 @@ Inspection inspected(const Options& options, const Lesson& lesson) {
     const int last = static_cast<int>(story.steps().size()) - 1;
     if (!options.step) {
         if (const Step* failed = story.failure()) {
-            throw not_reached(lesson, *failed->system, *failed->failure, failed->t);
+            throw not_reached(lesson, *failed);
         }
     }
     if (options.step && *options.step > last) {

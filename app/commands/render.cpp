@@ -77,7 +77,7 @@ Exit render_command(const Options& options, const Streams& streams) {
     }
     streams.err << range.last - range.first + 1 << " pictures and manifest.json in " << options.out << '\n';
     if (const Step* failed = story.failure()) {
-        streams.err << not_reached(lesson, *failed->system, *failed->failure, failed->t).what() << '\n';
+        streams.err << not_reached(lesson, *failed).what() << '\n';
         return Exit::numerics;
     }
     return Exit::done;

@@ -82,7 +82,7 @@ void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     };
     float height = paragraph(canvas, inner, font, theme::kInk, view.sentence, lines_of(font, inner.height));
 
-    const std::string text = with_subscripts(run_on(view.author_text));
+    const std::string text = typeset(run_on(view.author_text));
     if (text.empty()) { return; }
     height += canvas.px(8.0F);
     const Box below{inner.x, inner.y + height, inner.width, inner.height - height};

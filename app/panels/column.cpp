@@ -35,11 +35,18 @@ Block matrix_block(const Canvas& canvas, const View& view) {
 }
 
 Block plot_block(
-    const Canvas& canvas, float wish, int given_up,
-    std::function<float(const Canvas&, const Box&, Density)> draw) {
+    const Canvas& canvas, float wish, std::function<float(const Canvas&, const Box&, Density)> draw) {
     return {
-        std::move(draw), true,    {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)}, canvas.px(132.0F),
-        canvas.px(wish), given_up};
+        std::move(draw),
+        true,
+        {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)},
+        canvas.px(132.0F),
+        canvas.px(wish)};
+}
+
+Block given_up_at(int level, Block block) {
+    block.given_up = level;
+    return block;
 }
 
 Block empty_block() {
@@ -88,9 +95,9 @@ Block warnings_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density) { return rank_warnings(c, box, view.rank); }};
 }
 
-Block singular_values_block(const Canvas& canvas, const View& view, int given_up = 2) {
+Block singular_values_block(const Canvas& canvas, const View& view) {
     if (view.rank.singular_values.empty()) { return empty_block(); }
-    return plot_block(canvas, 170.0F, given_up, [&view](const Canvas& c, const Box& box, Density) {
+    return plot_block(canvas, 170.0F, [&view](const Canvas& c, const Box& box, Density) {
         const float top = heading(c, box, "Singular values", "of Φq in (r, ω′)");
         singular_values_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.rank);
         return box.height;
@@ -105,7 +112,7 @@ Block newton_block(const View& view) {
 
 Block convergence_block(const Canvas& canvas, const View& view) {
     if (view.newton.empty()) { return empty_block(); }
-    return plot_block(canvas, 160.0F, 2, [&view](const Canvas& c, const Box& box, Density) {
+    return plot_block(canvas, 160.0F, [&view](const Canvas& c, const Box& box, Density) {
         const float top = heading(c, box, "‖Φ‖", "from iteration to iteration");
         convergence_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.newton);
         return box.height;
@@ -133,11 +140,9 @@ Block quantities_block(const View& view) {
 }
 
 Block bodies_block(const View& view) {
-    Block block{[&view](const Canvas& c, const Box& box, Density density) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
         return view.bodies.empty() ? 0.0F : bodies_motion_panel(c, box, view.bodies, density);
     }};
-    block.given_up = 3;
-    return block;
 }
 
 /// Heights at one density; what fills gets its least, what is given up nothing.
@@ -175,7 +180,7 @@ void share_out(
 }  // namespace
 
 Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks) {
-    constexpr int most_given_up = 3;
+    constexpr int most_given_up = 5;
     const float gap = canvas.px(theme::kGap);
     Arrangement arrangement;
     std::vector<float> heights;
@@ -199,32 +204,28 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
 }
 
 std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
+    const Block matrix = given_up_at(5, matrix_block(canvas, view));
+    const Block plot = given_up_at(2, singular_values_block(canvas, view));
     switch (view.kind) {
-        case Step::Kind::bodies:
-            return {coordinates_block(view), figures_block(view), matrix_block(canvas, view)};
+        case Step::Kind::bodies: return {coordinates_block(view), figures_block(view), matrix};
         case Step::Kind::equations:
-            return {
-                equations_block(view), matrix_block(canvas, view), figures_block(view),
-                singular_values_block(canvas, view, 1)};
+            return {equations_block(view), matrix, given_up_at(4, figures_block(view)), given_up_at(1, plot)};
         case Step::Kind::iteration:
             return {
-                values_block(view), newton_block(view), matrix_block(canvas, view),
-                convergence_block(canvas, view)};
-        case Step::Kind::assembled:
-            return {
-                figures_block(view), words_block(view), matrix_block(canvas, view),
-                singular_values_block(canvas, view)};
-        case Step::Kind::failed: return {failure_block(view), newton_block(view), matrix_block(canvas, view)};
+                given_up_at(4, values_block(view)), newton_block(view), matrix,
+                given_up_at(2, convergence_block(canvas, view))};
+        case Step::Kind::assembled: return {figures_block(view), words_block(view), matrix, plot};
+        case Step::Kind::failed: return {failure_block(view), given_up_at(4, newton_block(view)), matrix};
         case Step::Kind::motion: break;
     }
     return {
         failure_block(view),
-        choices_block(view),
+        given_up_at(4, choices_block(view)),
         quantities_block(view),
-        bodies_block(view),
+        given_up_at(3, bodies_block(view)),
         warnings_block(view),
-        matrix_block(canvas, view),
-        singular_values_block(canvas, view)};
+        matrix,
+        plot};
 }
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {

@@ -1,5 +1,6 @@
 #include "app/panels/matrix_panel.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
@@ -111,11 +112,15 @@ void draw_grid(const Canvas& canvas, const MatrixView& matrix, const MatrixLayou
     for (int k = 1; k < columns && layout.cell_width > canvas.px(4.0F); ++k) {
         canvas.fill({layout.column(k).x, cells.y, 1.0F, cells.height}, fine);
     }
+    const float text_height = canvas.fonts().small->FontSize;
+    float height_above = 0.0F;
     for (const Span& span : row_owners(matrix)) {
-        const float left = layout.owners.x;
-        if (span.first > 0) {
-            canvas.fill({left, layout.row(span.first).y, cells.right() - left, hair}, theme::kFaint);
-        }
+        const Box its_rows = layout.row(span.first, span.count);
+        // between names that stand closer than a line there is no room for another line
+        const bool among_names = std::min(its_rows.height, height_above) >= text_height;
+        const float left = among_names ? layout.owners.x : cells.x;
+        if (span.first > 0) { canvas.fill({left, its_rows.y, cells.right() - left, hair}, theme::kFaint); }
+        height_above = its_rows.height;
     }
     for (const Span& span : column_owners(matrix)) {
         if (span.first > 0) {
@@ -136,7 +141,7 @@ public:
 
     void draw(const Box& rows, std::string_view name) {
         const ImFont* const small = canvas_.fonts().small;
-        const float inked = 0.72F * small->FontSize;  // height of capitals and digits
+        const float inked = 0.68F * small->FontSize;  // height of capitals and digits
         if (rows.centre().y - 0.5F * inked < free_from_) { return; }
         const float top = std::round(rows.centre().y - 0.5F * canvas_.line_height(small));
         canvas_.text({where_.x, top}, small, colour_, shortened_name(*small, name, where_.width + 1.0F));

@@ -13,7 +13,7 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kNamePart = 0.15F;
+constexpr float kNamePart = 0.13F;
 constexpr float kColumnGap = 8.0F;  ///< between two vectors
 
 struct Symbol {
@@ -46,6 +46,8 @@ void draw_quantity(const Canvas& canvas, const Box& row, const QuantityMotion& q
 template <class Vector>
 void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int decimals) {
     const int count = static_cast<int>(v.size());
+    // one figure more before the point, one less behind it: columns are narrow
+    if (v.cwiseAbs().maxCoeff() >= 10.0) { --decimals; }
     for (int k = 0; k < count; ++k) {
         const Box column = column_of(cell, k, count);
         canvas.text(
@@ -71,9 +73,13 @@ void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
 
 Box name_cell(const Box& row) { return {row.x, row.y, kNamePart * row.width, row.height}; }
 
+/// Of three vectors the first, r, has a figure more than the others; of two, r and p, it has three of seven.
 Box vector_cell(const Box& row, int index, int count) {
     const float name = kNamePart * row.width;
-    return column_of({row.x + name, row.y, row.width - name, row.height}, index, count);
+    const float width = row.width - name;
+    const float first = (count == 3 ? 0.36F : 3.0F / 7.0F) * width;
+    if (index == 0) { return {row.x + name, row.y, first, row.height}; }
+    return column_of({row.x + name + first, row.y, width - first, row.height}, index - 1, count - 1);
 }
 
 void draw_name(const Canvas& canvas, const Box& row, const std::string& name) {

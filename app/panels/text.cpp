@@ -139,7 +139,7 @@ float text_width(const ImFont& font, std::string_view text) {
     return width;
 }
 
-std::string with_subscripts(std::string_view text) {
+std::string typeset(std::string_view text) {
     constexpr std::array<std::pair<char, const char*>, 6> subscripts{
         {{'i', "ᵢ"}, {'j', "ⱼ"}, {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}}};
     std::string set;
@@ -152,6 +152,9 @@ std::string with_subscripts(std::string_view text) {
         const bool single = k >= 1 && (k == 1 || !is_word(text[k - 2]) || !is_word(text[k - 1]));
         if (found != subscripts.end() && single) {
             set += found->second;
+            ++k;
+        } else if (text.substr(k, 3) == " - ") {
+            set += " –";
             ++k;
         } else {
             set += text[k];

@@ -17,8 +17,8 @@ float text_width(const ImFont& font, std::string_view text);
 /// Hyphens before digits become − unless they join words: "x = -1.2e-07" but "p1-2" stays.
 std::string with_minus_signs(std::string_view text);
 
-/// Subscripts as authors type them, "s_i" and "d_0", become "sᵢ" and "d₀".
-std::string with_subscripts(std::string_view text);
+/// What authors can type as they meant it: "s_i" and "d_0" become "sᵢ" and "d₀", " - " becomes " – ".
+std::string typeset(std::string_view text);
 
 /// Lines no wider than `width`. Breaks at spaces, not next to "·", "=" or "→", and within a word only if
 /// the word alone is too wide. Line feeds end lines as well.

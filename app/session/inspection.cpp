@@ -2,6 +2,7 @@
 
 #include "app/session/explanations.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/sentences.hpp"
 #include "core/assembler.hpp"
 
 namespace jw {
@@ -31,6 +32,14 @@ double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->
 PoseNotReached not_reached(
     const Lesson& lesson, const System& system, const PositionFailure& failure, double t) {
     return PoseNotReached(lesson.file_name + ": " + failure_text(system, failure, t));
+}
+
+PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
+    std::string text = sentence_of(lesson, failed, RankReport{});
+    // "Joint D cannot be closed. ...": its first sentence
+    text = text.substr(0, text.find(". "));
+    return PoseNotReached(
+        lesson.file_name + ": " + text + ": " + failure_text(*failed.system, *failed.failure, failed.t));
 }
 
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) {
@@ -65,7 +74,7 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
 Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice) {
     const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
     const Step& last = story.steps().back();
-    if (last.failure) { throw not_reached(lesson, *last.system, *last.failure, last.t); }
+    if (last.failure) { throw not_reached(lesson, last); }
     auto system = std::make_shared<System>(*last.system);
     MotionTracker tracker(*system, last.state, start_time(lesson));
     if (!tracker.advance_to(t)) { throw not_reached(lesson, *system, *tracker.failure(), tracker.frame().t); }

@@ -42,7 +42,9 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Why the story ended early, with the lesson's file name; to be thrown.
+/// Why a story ended at its step `failed`, with the lesson's file name; to be thrown.
+PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
+/// The same of a motion.
 PoseNotReached not_reached(
     const Lesson& lesson, const System& system, const PositionFailure& failure, double t);
 

@@ -99,7 +99,7 @@ Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {
     const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
     const Step& last = story.steps().back();
-    if (last.failure) { throw not_reached(lesson, *last.system, *last.failure, last.t); }
+    if (last.failure) { throw not_reached(lesson, last); }
 
     System system = *last.system;
     MotionTracker tracker(system, last.state, last.t, plan.analysis == Analysis::acceleration);

@@ -17,7 +17,7 @@ bool is_redundant(const RankReport* report, int row) {
 }
 
 std::string size_of(int component, const ChoiceView& choice) {
-    return std::string("|s") + axis_name(component) +
+    return std::string("|s_") + axis_name(component) +
            "| = " + number_text(choice.axis_size[static_cast<std::size_t>(component)], 3);
 }
 

@@ -27,9 +27,18 @@ constexpr std::array<std::string_view, 9> kSession{"app/session/",       "core/"
                                                    "render/scene.hpp",   "render/camera.hpp",
                                                    "render/framing.hpp", "render/palette.hpp",
                                                    "nlohmann/"};
-constexpr std::array<std::string_view, 8> kPanels{"app/panels/",        "app/session/", "core/",
-                                                  "lessons/",           "Eigen/",       "render/fonts.hpp",
-                                                  "render/palette.hpp", "imgui.h"};
+// of render what one needs to set text and to find a point on the picture
+constexpr std::array<std::string_view, 10> kPanels{
+    "app/panels/",
+    "app/session/",
+    "core/",
+    "lessons/",
+    "Eigen/",
+    "render/camera.hpp",
+    "render/fonts.hpp",
+    "render/math_alphabets.hpp",
+    "imgui.h",
+    "render/palette.hpp"};
 
 // the first folder that fits counts
 constexpr std::array kFolders{

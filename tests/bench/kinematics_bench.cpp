@@ -116,6 +116,9 @@ int main() {
     std::printf(
         "position + velocity + acceleration per moment, each from the pose before\n"
         "  coordinates    us/moment   ratio iterations  residual    r error    omega error [rad/s]\n");
-    for (const auto& file : jw::lessons_below(jw::catalogue_folder())) { jw::bench::run(file); }
+    for (const auto& file : jw::lessons_below(jw::catalogue_folder())) {
+        // lessons of that chapter fail on purpose
+        if (file.parent_path().filename() != "hard") { jw::bench::run(file); }
+    }
     return 0;
 }

@@ -1,0 +1,230 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/support/reference_phi.hpp"
+
+/// The JSON of `inspect` has enough in it to compute every number again: here Φ, in long double and from the
+/// JSON alone, and Φq from differences of that Φ.
+namespace jw::test {
+namespace {
+
+using nlohmann::json;
+using reference::M3;
+using reference::Real;
+using reference::V3;
+using reference::V4;
+
+V3 vector_in(const json& list) {
+    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+struct Body {
+    V3 r;
+    V4 p;
+    M3 A;
+};
+
+/// Equations of one entry of "constraints", the dropped one included.
+std::vector<Real> equations_of(const json& c, const Body& i, const Body& j, Real theta) {
+    const json& data = c["data"];
+    const auto arm = [&](const Body& b, const char* key) { return V3(b.A * vector_in(data[key])); };
+    const auto between = [&](const char* from, const char* to) {
+        return V3(j.r + arm(j, to) - i.r - arm(i, from));
+    };
+    const auto three = [](const V3& v) { return std::vector<Real>{v.x(), v.y(), v.z()}; };
+    const std::string primitive = c["primitive"];
+    if (primitive == "s") { return three(-between("P_i_local", "P_j_local")); }
+    if (primitive == "n1") { return {arm(i, "s_i_local").dot(arm(j, "s_j_local"))}; }
+    if (primitive == "n2") { return {arm(i, "s_i_local").dot(between("B_i_local", "B_j_local"))}; }
+    if (primitive == "p1") { return three(arm(i, "s_i_local").cross(arm(j, "s_j_local"))); }
+    if (primitive == "p2") { return three(arm(i, "s_i_local").cross(between("B_i_local", "B_j_local"))); }
+    if (primitive == "n1 pair") {
+        return {arm(i, "a_i_local").dot(arm(j, "s_j_local")), arm(i, "b_i_local").dot(arm(j, "s_j_local"))};
+    }
+    if (primitive == "n2 pair") {
+        const V3 d = between("B_i_local", "B_j_local");
+        return {arm(i, "a_i_local").dot(d), arm(i, "b_i_local").dot(d)};
+    }
+    if (primitive == "d") {
+        const V3 d = between("P_i_local", "P_j_local");
+        const Real length = data["length"].get<double>();
+        return {d.dot(d) - length * length};
+    }
+    const V3 s = arm(i, "s_i_local");
+    if (primitive == "r") {
+        return {
+            s.dot(between("B_i_local", "B_j_local")) - Real(data["d_0"].get<double>()) -
+            Real(data["alpha"].get<double>()) * (theta - Real(data["theta_0"].get<double>()))};
+    }
+    REQUIRE(primitive == "θ");
+    const V3 u_i = arm(i, "u_i_local");
+    const V3 u_j = arm(j, "u_j_local");
+    const Real sine = u_i.cross(u_j).dot(s);
+    const Real cosine = u_i.dot(u_j);
+    const std::string form = data["form"];
+    if (form == "cosine") { return {cosine - std::cos(theta)}; }
+    if (form == "sine") { return {sine - std::sin(theta)}; }
+    return {sine * std::cos(theta) - cosine * std::sin(theta)};
+}
+
+/// Φ of all constraints (no drivers in these scenes) with `shift` added to one unknown of one body:
+/// 0..2 of r, 3..6 of p.
+std::vector<Real> phi_of(
+    const json& inspection, bool homogeneous, const std::string& moved, int k, Real shift) {
+    std::map<std::string, Body> bodies;
+    for (const json& b : inspection["bodies"]) {
+        Body body;
+        body.r = vector_in(b["r"]);
+        for (int e = 0; e < 4; ++e) { body.p(e) = b["p"][static_cast<std::size_t>(e)].get<double>(); }
+        if (b["name"] == moved) { (k < 3 ? body.r(k) : body.p(k - 3)) += shift; }
+        body.A = reference::rotation(body.p, homogeneous);
+        bodies[b["name"]] = body;
+    }
+    std::map<std::string, Real> thetas;
+    for (const json& a : inspection["artificial_coordinates"]) {
+        thetas[a["joint"]] = a["theta"].get<double>();
+    }
+    std::vector<Real> phi;
+    for (const json& c : inspection["constraints"]) {
+        const std::vector<Real> all =
+            equations_of(c, bodies.at(c["body_i"]), bodies.at(c["body_j"]), thetas[c["joint"]]);
+        for (std::size_t e = 0; e < all.size(); ++e) {
+            const bool dropped = c["dropped"].is_string() && c["dropped"] == std::string(1, "xyz"[e]);
+            if (!dropped) { phi.push_back(all[e]); }
+        }
+    }
+    return phi;
+}
+
+/// A scene of every joint, far from assembled.
+std::string scene_of_all_joints() {
+    std::string text = "format = 1\ntitle = \"all\"\n";
+    const char* names[] = {"a", "b", "c"};
+    for (int k = 0; k < 3; ++k) {
+        text += "[[body]]\nname = \"" + std::string(names[k]) + "\"\nposition = [0." + std::to_string(k + 1) +
+                ", -0.4, 0." + std::to_string(7 - k) + "]\nrotation = { axis = [1, " + std::to_string(k) +
+                ", -0.5], angle_deg = " + std::to_string(40 + 50 * k) +
+                " }\nvelocity = [0.3, -0.1, 0.2]\nomega_local_rad_per_s = [0.5, 1, -0.7]\n";
+    }
+    const std::string points = "point_i = [0.1, 0.2, 0.3]\npoint_j = [-0.2, 0.1, 0.4]\n";
+    const std::string axes = "axis_i = [1, 2, -1]\naxis_j = [0.5, 1.5, -1]\n";
+    const auto joint = [&](const std::string& name, const std::string& i, const std::string& j,
+                           const std::string& rest) {
+        text += "[[joint]]\nname = \"" + name + "\"\ntype = \"" + name + "\"\nbodies = [\"" + i + "\", \"" +
+                j + "\"]\n" + rest;
+    };
+    joint("spherical", "a", "b", points);
+    joint("universal", "ground", "a", points + axes);
+    joint("revolute", "b", "c", points + axes);
+    joint("cylindrical", "a", "c", points + axes + "parallel = \"pair\"\n");
+    joint(
+        "prismatic", "c", "ground",
+        points + axes + "side_i = [2, -1, 0]\nside_j = [3, -1, 0]\nparallel = \"all three\"\n");
+    joint("screw", "a", "b", points + axes + "pitch = 0.2\ntheta_deg = 200\nangle_row = \"sine\"\n");
+    joint("fixed", "b", "ground", points + axes);
+    joint("planar", "a", "c", points + axes + "parallel = \"drop y\"\n");
+    joint("distance", "b", "c", points + "length = 0.8\n");
+    return text;
+}
+
+json inspected(const std::string& file, const std::string& coordinates) {
+    const Ran ran = run({"inspect", file, "--as-given", "--coordinates", coordinates, "--format", "json"});
+    INFO(ran.err);
+    REQUIRE(ran.status == 0);
+    return json::parse(ran.out);
+}
+
+}  // namespace
+
+TEST_CASE("Φ and Φq follow from the JSON alone, for every joint", "[app][inspect]") {
+    const Folder folder;
+    const std::string file = folder.file("all.toml", scene_of_all_joints());
+    for (const bool homogeneous : {false, true}) {
+        const json j = inspected(file, homogeneous ? "rp-modified" : "rp");
+        CHECK(j["version"] == 1);
+        const std::vector<Real> phi = phi_of(j, homogeneous, "", 0, 0);
+        const std::size_t bodies = 3;
+        REQUIRE(j["phi"].size() == phi.size() + bodies);
+        for (std::size_t row = 0; row < phi.size(); ++row) {
+            INFO(j["rows"][row]["label"]);
+            // sums of a few products of size 1 in double
+            CHECK(std::abs(j["phi"][row].get<double>() - static_cast<double>(phi[row])) < 2e-15);
+        }
+        for (std::size_t column = 0; column < 21; ++column) {
+            const std::string owner = j["columns"][column]["owner"];
+            const int k = static_cast<int>(column % 7);
+            // central differences in long double of at most fourth powers of p: some 100 h² / 6, and 1e-19 / h
+            const Real h = 1e-7L;
+            const std::vector<Real> plus = phi_of(j, homogeneous, owner, k, h);
+            const std::vector<Real> minus = phi_of(j, homogeneous, owner, k, -h);
+            for (std::size_t row = 0; row < phi.size(); ++row) {
+                INFO(j["rows"][row]["label"] << ", " << owner << " " << j["columns"][column]["coordinate"]);
+                const double difference = static_cast<double>((plus[row] - minus[row]) / (2 * h));
+                CHECK(std::abs(j["jacobian"][row][column].get<double>() - difference) < 1e-11);
+            }
+        }
+    }
+}
+
+TEST_CASE("the four coordinate choices tell the same velocity of Φ and the same rank", "[app][inspect]") {
+    const Folder folder;
+    const std::string file = folder.file("all.toml", scene_of_all_joints());
+    const json reference = inspected(file, "omega-local");
+    const auto rate_of = [](const json& j) {
+        std::vector<double> rates;
+        std::map<std::string, json> bodies;
+        for (const json& b : j["bodies"]) { bodies[b["name"]] = b; }
+        for (std::size_t row = 0; row < j["rows"].size(); ++row) {
+            double rate = 0.0;
+            for (std::size_t column = 0; column < j["columns"].size(); ++column) {
+                const std::string name = j["columns"][column]["coordinate"];
+                const std::string owner = j["columns"][column]["owner"];
+                double velocity = 0.0;
+                const std::size_t axis = name.size() == 1 ? std::string("xyz").find(name) : 0;
+                if (name == "theta") {
+                    velocity = j["artificial_coordinates"][0]["theta_dot"].get<double>();
+                } else if (name.size() == 1) {
+                    velocity = bodies[owner]["r_dot"][axis].get<double>();
+                } else if (name[0] == 'e') {
+                    velocity = bodies[owner]["p_dot"][static_cast<std::size_t>(name[1] - '0')].get<double>();
+                } else {
+                    const char* key = name.starts_with("omega_local") ? "omega_local" : "omega_global";
+                    velocity = bodies[owner][key][std::string("xyz").find(name.back())].get<double>();
+                }
+                rate += j["jacobian"][row][column].get<double>() * velocity;
+            }
+            rates.push_back(rate);
+        }
+        return rates;
+    };
+    const std::vector<double> expected = rate_of(reference);
+    for (const std::string choice : {"rp", "rp-modified", "omega-global"}) {
+        const json j = inspected(file, choice);
+        const std::vector<double> rates = rate_of(j);
+        for (std::size_t row = 0; row < expected.size(); ++row) {
+            INFO(choice << " " << j["rows"][row]["label"]);
+            // p typed as axis and angle is unit to rounding, and so is pᵀṗ
+            CHECK(std::abs(rates[row] - expected[row]) < 1e-14 * 10);
+        }
+        CHECK(j["rank"] == reference["rank"]);
+    }
+}
+
+TEST_CASE("text of inspect labels every row and every column", "[app][inspect]") {
+    const Folder folder;
+    const std::string file = folder.file("crank.toml", kCrank);
+    const Ran ran = run({"inspect", file, "--coordinates", "omega-local", "--time", "0.5"});
+    CHECK(ran.status == 0);
+    INFO(ran.out);
+    for (const char* text :
+         {"pivot · s · x", "pivot · p1 · y", "drive", "Φq, columns of crank", "ω′z", "rank 6 of 6 equations",
+          "The z equation is left out"}) {
+        CHECK(ran.out.find(text) != std::string::npos);
+    }
+}
+
+}  // namespace jw::test

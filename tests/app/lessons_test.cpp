@@ -1,0 +1,63 @@
+#include <catch2/catch.hpp>
+
+#include "app/session/checks.hpp"
+#include "app/session/story.hpp"
+#include "app/session/view.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+
+TEST_CASE("every shipped lesson reads without a warning and all its claims hold", "[app][lessons]") {
+    const auto files = lessons_below(catalogue_folder());
+    REQUIRE(files.size() >= 18);
+    for (const auto& file : files) {
+        const ReadResult read = read_lesson_file(file);
+        INFO(file << "\n" << read.report());
+        REQUIRE(read.lesson.has_value());
+        CHECK(read.diagnostics.empty());
+        CHECK_FALSE(read.lesson->title.empty());
+        CHECK_FALSE(read.lesson->text.empty());
+        CHECK_FALSE(read.lesson->source.empty());
+        CHECK(read.lesson->claims.size() >= 3);
+        for (const ClaimResult& result : check_claims(*read.lesson)) {
+            INFO(
+                result.moment << ": " << result.subject << " expected " << result.expected << ", found "
+                              << result.found);
+            CHECK(result.holds);
+        }
+    }
+}
+
+TEST_CASE("every view of every shipped lesson has its words, and its numbers agree", "[app][lessons]") {
+    for (const auto& file : lessons_below(catalogue_folder())) {
+        const ReadResult read = read_lesson_file(file);
+        REQUIRE(read.lesson.has_value());
+        const Story story(*read.lesson);
+        for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+            const View view = view_of(story, k);
+            INFO(file << " step " << k << ": " << view.sentence);
+            CHECK_FALSE(view.title.empty());
+            CHECK_FALSE(view.sentence.empty());
+            CHECK(view.sentence.find("nan") == std::string::npos);
+            CHECK(view.rank.rank + view.rank.dof == view.rank.columns);
+            CHECK(view.matrix.values.rows() == static_cast<Eigen::Index>(view.matrix.rows.size()));
+            CHECK(view.matrix.values.cols() == static_cast<Eigen::Index>(view.matrix.columns.size()));
+            CHECK(view.matrix.values.allFinite());
+            for (const EquationGroup& group : view.equations) {
+                for (const EquationRow& row : group.rows) { CHECK(std::isfinite(row.value)); }
+            }
+        }
+    }
+}
+
+TEST_CASE("list names every shipped lesson once", "[app][lessons]") {
+    const Ran ran = run({"list"});
+    CHECK(ran.status == 0);
+    for (const auto& file : lessons_below(catalogue_folder())) {
+        CHECK(ran.out.find(file.filename().string() + " ") != std::string::npos);
+    }
+}
+
+}  // namespace jw::test

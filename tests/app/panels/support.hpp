@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <imgui.h>
+
+#include "app/panels/canvas.hpp"
+#include "app/panels/frame.hpp"
+#include "render/fonts.hpp"
+
+/// Panels without a renderer: what they would draw is a list of vertices.
+namespace jw::panels::test {
+
+struct Size {
+    int width;
+    int height;
+};
+
+/// An ImGui context with the fonts of a frame of this size, and one draw list.
+class Surface {
+public:
+    explicit Surface(Size size = {1280, 720}) : context_(ImGui::CreateContext()) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DeltaTime = 1.0F / 30.0F;
+        io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+        fonts_ = render::load_fonts(scale_of(size.width, size.height));
+        ImGui::NewFrame();  // prepares what round corners are made of
+        list_ = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
+        clear();
+    }
+    ~Surface() {
+        list_.reset();
+        ImGui::EndFrame();
+        ImGui::DestroyContext(context_);
+    }
+    Surface(const Surface&) = delete;
+    Surface& operator=(const Surface&) = delete;
+
+    Canvas canvas() const { return {list_.get(), fonts_}; }
+    const render::Fonts& fonts() const { return fonts_; }
+
+    /// Nothing is clipped, so what leaves its place is found.
+    void clear() {
+        constexpr float far = 1e5F;
+        list_->_ResetForNewFrame();
+        list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
+        list_->PushClipRect({-far, -far}, {far, far});
+    }
+
+    int vertices() const { return list_->VtxBuffer.Size; }
+
+    /// Smallest box around everything drawn.
+    Box drawn() const {
+        float left = 1e9F;
+        float top = 1e9F;
+        float right = -1e9F;
+        float bottom = -1e9F;
+        for (const ImDrawVert& vertex : list_->VtxBuffer) {
+            left = std::min(left, vertex.pos.x);
+            top = std::min(top, vertex.pos.y);
+            right = std::max(right, vertex.pos.x);
+            bottom = std::max(bottom, vertex.pos.y);
+        }
+        return {left, top, right - left, bottom - top};
+    }
+
+private:
+    ImGuiContext* context_;
+    render::Fonts fonts_;
+    std::unique_ptr<ImDrawList> list_;
+};
+
+/// A box a little larger: lines are smoothed over a pixel on each side.
+inline Box with_fringe(const Box& box) { return shrunk(box, -1.0F, -1.0F); }
+
+}  // namespace jw::panels::test

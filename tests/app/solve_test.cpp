@@ -1,0 +1,110 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+namespace {
+
+std::vector<std::string> split(const std::string& line, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream stream(line);
+    for (std::string part; std::getline(stream, part, separator);) { parts.push_back(part); }
+    return parts;
+}
+
+/// A free sphere on a ball joint, started with a spin, nothing driven.
+constexpr const char* kUndriven = R"(format = 1
+title = "Not driven"
+[[body]]
+name = "top"
+omega_local_rad_per_s = [0, 0, 2]
+[[joint]]
+name = "ball"
+type = "spherical"
+bodies = ["ground", "top"]
+at = [0, 0, 0]
+)";
+
+}  // namespace
+
+TEST_CASE("CSV of a turning crank is the closed form to the last digits", "[app][solve]") {
+    const Folder folder;
+    const std::string file = folder.file("crank.toml", kCrank);
+    const Ran ran = run({"solve", file, "--analysis", "acceleration", "--to", "1", "--step", "0.125"});
+    REQUIRE(ran.status == 0);
+    const std::vector<std::string> lines = split(ran.out, '\n');
+    REQUIRE(lines.size() == 10);
+    const std::vector<std::string> header = split(lines[0], ',');
+    CHECK(header.front() == "time_s");
+    CHECK(header.back() == "change_point");
+    const auto column = [&](const std::string& name) {
+        const auto found = std::find(header.begin(), header.end(), name);
+        INFO(name);
+        REQUIRE(found != header.end());
+        return static_cast<std::size_t>(found - header.begin());
+    };
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        const std::vector<std::string> row = split(lines[k], ',');
+        const double t = std::stod(row[0]);
+        const double half = 0.25 * std::numbers::pi * t;  // half of 90 deg/s t
+        CHECK(t == 0.125 * static_cast<double>(k - 1));
+        // Newton stops at 1e-13 of the equations
+        CHECK(std::abs(std::stod(row[column("crank.e0")]) - std::cos(half)) < 1e-13);
+        CHECK(std::abs(std::stod(row[column("crank.e3")]) - std::sin(half)) < 1e-13);
+        CHECK(std::abs(std::stod(row[column("crank.omega_local.z")]) - 0.5 * std::numbers::pi) < 1e-13);
+        CHECK(std::abs(std::stod(row[column("crank.omega_local_dot.z")])) < 1e-13);
+        CHECK(row[column("unique")] == "1");
+        CHECK(row[column("consistent")] == "1");
+    }
+}
+
+TEST_CASE("the last time of a sweep is the one asked for", "[app][solve]") {
+    const Folder folder;
+    const std::string file = folder.file("crank.toml", kCrank);
+    const Ran ran = run({"solve", file, "--from", "0", "--to", "1", "--step", "0.3", "--format", "json"});
+    const auto json = nlohmann::json::parse(ran.out);
+    REQUIRE(json["rows"].size() == 5);
+    CHECK(json["rows"][4]["values"][0] == 1.0);
+    CHECK(json["failure"].is_null());
+    CHECK(json["columns"].size() == json["rows"][0]["values"].size());
+}
+
+TEST_CASE("an under-driven scene says that its velocities are not unique", "[app][solve]") {
+    const Folder folder;
+    const std::string file = folder.file("undriven.toml", kUndriven);
+    const Ran ran =
+        run({"solve", file, "--analysis", "velocity", "--to", "0.5", "--step", "0.5", "--format", "json"});
+    REQUIRE(ran.status == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    CHECK(json["rows"][0]["unique"] == false);
+    CHECK(json["rows"][0]["consistent"] == true);
+    CHECK(ran.err.find("not everything is driven") != std::string::npos);
+    // nearest to the velocities before: the spin goes on
+    const auto& values = json["rows"][1]["values"];
+    CHECK(std::abs(values[13].get<double>() - 2.0) < 1e-12);
+}
+
+TEST_CASE("rows that contradict each other are reported, never hidden", "[app][solve]") {
+    const Folder folder;
+    // a second driver of the same angle with another speed: at t = 0 both agree on the pose, not on its rate
+    const std::string file = folder.file(
+        "contradiction.toml", std::string(kCrank) +
+                                  "[[driver]]\nname = \"other\"\njoint = \"pivot\"\nquantity = \"angle\"\n"
+                                  "polynomial_deg = [0, 60]\n");
+    const Ran ran = run({"solve", file, "--analysis", "velocity", "--to", "0", "--format", "json"});
+    CHECK(ran.status == 0);
+    CHECK(nlohmann::json::parse(ran.out)["rows"][0]["consistent"] == false);
+    CHECK(ran.err.find("equations contradict each other") != std::string::npos);
+    // later not even a pose exists: what was found is kept, and the reason said
+    const Ran later = run({"solve", file, "--to", "1", "--step", "0.5"});
+    CHECK(later.status == 3);
+    CHECK(later.out.find("\n0,") != std::string::npos);
+    CHECK_FALSE(later.err.empty());
+}
+
+}  // namespace jw::test

@@ -1,0 +1,132 @@
+#include <catch2/catch.hpp>
+
+#include "app/session/story.hpp"
+#include "app/session/view.hpp"
+#include "core/assembler.hpp"
+#include "lessons/reader.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+namespace {
+
+Lesson lesson_named(const std::string& name) {
+    ReadResult read = read_lesson_file(lesson_path(name));
+    INFO(read.report());
+    REQUIRE(read.lesson.has_value());
+    return std::move(*read.lesson);
+}
+
+std::vector<View> assembled_views(const Story& story) {
+    std::vector<View> views;
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        if (story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::assembled) {
+            views.push_back(view_of(story, k));
+        }
+    }
+    return views;
+}
+
+}  // namespace
+
+TEST_CASE("a story goes from the bodies joint by joint over the drivers to the motion", "[app][story]") {
+    const Lesson lesson = lesson_named("loops/four-bar.toml");
+    const Story story(lesson);
+    int additions = 0;
+    Step::Kind last = Step::Kind::bodies;
+    REQUIRE(story.steps().front().kind == Step::Kind::bodies);
+    for (std::size_t k = 1; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        switch (step.kind) {
+            case Step::Kind::equations:
+                CHECK((last == Step::Kind::bodies || last == Step::Kind::assembled));
+                CHECK(step.additions == ++additions);
+                break;
+            case Step::Kind::iteration:
+                CHECK((last == Step::Kind::equations || last == Step::Kind::iteration));
+                break;
+            case Step::Kind::assembled:
+                CHECK((last == Step::Kind::equations || last == Step::Kind::iteration));
+                break;
+            case Step::Kind::motion:
+                CHECK((last == Step::Kind::assembled || last == Step::Kind::motion));
+                break;
+            default: FAIL("unexpected step " << k);
+        }
+        last = step.kind;
+    }
+    CHECK(additions == static_cast<int>(lesson.order.size()));
+    CHECK(last == Step::Kind::motion);
+    CHECK(story.failure() == nullptr);
+}
+
+TEST_CASE(
+    "the last joint of a four-bar adds five equations of which three repeat the others", "[app][story]") {
+    const Lesson lesson = lesson_named("loops/four-bar.toml");
+    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const std::vector<View> views = assembled_views(story);
+    REQUIRE(views.size() == 5);
+    CHECK(views[0].rank.rank == 5);
+    CHECK(views[1].rank.rank == 10);
+    CHECK(views[2].rank.rank == 15);
+    CHECK(views[3].rank.rank == 17);
+    CHECK(views[3].rank.rows == 20);
+    CHECK(views[3].rank.redundant_rows.size() == 3);
+    CHECK(views[3].sentence.starts_with(
+        "Joint D adds 5 equations, the rank grows by 2 (15 → 17): three repeat what A, B and C already say. "
+        "1 freedom is left."));
+    CHECK(views[4].rank.dof == 0);
+    for (const std::string& label : views[3].rank.redundant_rows) { CHECK(label.starts_with("D · ")); }
+}
+
+TEST_CASE("iterations of a step end below the tolerance and shrink quadratically", "[app][story]") {
+    const Lesson lesson = lesson_named("loops/four-bar.toml");
+    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    for (const View& view : assembled_views(story)) {
+        REQUIRE_FALSE(view.newton.empty());
+        CHECK(view.newton.back().note == "closed");
+        // the first look, the steps, the last look
+        CHECK(view.newton.size() <= 8);
+        CHECK(view.rank.residual < 1e-12);
+    }
+}
+
+TEST_CASE("every equation holds at every moment, left-out ones included, however large the intervals", "[app][story]") {
+    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    for (const int intervals : {2, 3, 5, 8, 100}) {
+        const Story story(lesson, {.with_motion = true, .intervals = intervals, .progress = {}});
+        REQUIRE(story.failure() == nullptr);
+        for (const Step& step : story.steps()) {
+            if (step.kind != Step::Kind::assembled && step.kind != Step::Kind::motion) { continue; }
+            for (const Constraint& c : step.system->constraints()) {
+                // Newton's 1e-13, passed on by the kept pair with its condition of at most 2.2
+                INFO(intervals << " intervals, t = " << step.t);
+                CHECK(values_of(c, step.state).cwiseAbs().maxCoeff() < 1e-12);
+            }
+        }
+    }
+}
+
+TEST_CASE("a lesson without motion ends when everything is put together", "[app][story]") {
+    const Folder folder;
+    const std::string text(kCrank);
+    const ReadResult read = read_lesson(text.substr(0, text.find("[motion]")), "crank.toml");
+    REQUIRE(read.lesson.has_value());
+    const Story story(*read.lesson);
+    CHECK(story.steps().back().kind == Step::Kind::assembled);
+}
+
+TEST_CASE("views of one story are equal however often they are made", "[app][story]") {
+    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    const Story one(lesson);
+    const Story two(lesson);
+    REQUIRE(one.steps().size() == two.steps().size());
+    for (int k = 0; k < static_cast<int>(one.steps().size()); ++k) {
+        const View a = view_of(one, k);
+        const View b = view_of(two, k);
+        CHECK(a.sentence == b.sentence);
+        CHECK(a.matrix.values == b.matrix.values);  // to the last bit
+        CHECK(a.rank.singular_values == b.rank.singular_values);
+    }
+}
+
+}  // namespace jw::test
