@@ -59,8 +59,8 @@ Motion start_motion(const Mechanism& mechanism) {
         const Vec3 s_i =
             homogeneous_rotation_matrix(mechanism.bodies[static_cast<std::size_t>(joint.body_i)].p) *
             joint.geometry.s_i_local.normalized();
-        motion.theta_dot[theta++] = joint.geometry.theta_dot_start.value_or(
-            s_i.dot(omega_of(joint.body_j) - omega_of(joint.body_i)));
+        motion.theta_dot[theta++] =
+            joint.geometry.theta_dot_start.value_or(s_i.dot(omega_of(joint.body_j) - omega_of(joint.body_i)));
     }
     return motion;
 }

@@ -43,9 +43,7 @@ Inspection inspected(const Options& options, const Lesson& lesson) {
     const Story story(lesson, {.with_motion = options.step.has_value(), .intervals = 0, .progress = {}});
     const int last = static_cast<int>(story.steps().size()) - 1;
     if (!options.step) {
-        if (const Step* failed = story.failure()) {
-            throw not_reached(lesson, *failed);
-        }
+        if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
     }
     if (options.step && *options.step > last) {
         throw CommandError(

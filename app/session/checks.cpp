@@ -81,7 +81,7 @@ private:
             }
         }
         const Step& failed = *story_.failure();
-        pose.failure = failure_text(*failed.system, *failed.failure, failed.t);
+        pose.failure = failure_text(*failed.system, *failed.failure);
         return pose;
     }
 
@@ -106,7 +106,7 @@ private:
         std::string failure;
         for (const double t : times) {
             if (failure.empty() && !tracker.advance_to(t)) {
-                failure = failure_text(system, *tracker.failure(), tracker.frame().t);
+                failure = failure_text(system, *tracker.failure());
             }
             const MotionFrame& frame = tracker.frame();
             motion_[t] = {

@@ -10,6 +10,9 @@ namespace jw {
 
 namespace {
 
+// scaled; far above the tolerance of Newton, far below a gap that can be seen
+constexpr double kHolds = 1e-6;
+
 std::string cause_text(const System& system, const PositionFailure& failure) {
     switch (failure.cause) {
         case FailureCause::cannot_close:
@@ -47,9 +50,16 @@ std::string branch_text(const System& system, const WrongBranch& wrong) {
     return "θ of " + joint + " is half a turn off the angle between its bodies";
 }
 
-std::string failure_text(const System& system, const PositionFailure& failure, double t) {
+std::string failure_text(const System& system, const PositionFailure& failure) {
+    // of a motion: a pose exists, but not where this one leads
+    if (failure.residual < kHolds) {
+        return "At t = " + number_text(failure.t) +
+               " s the equations can be met only away from the pose that the motion "
+               "leads to. " +
+               cause_text(system, failure);
+    }
     return row_label(system, failure.row) + " is off by " + small_text(failure.value) +
-           " at t = " + number_text(t) + " s after " + count_text(failure.iterations, "iteration") +
+           " at t = " + number_text(failure.t) + " s after " + count_text(failure.iterations, "iteration") +
            " (largest scaled residual " + small_text(failure.residual) + "). " + cause_text(system, failure);
 }
 

@@ -10,7 +10,7 @@
 namespace jw {
 
 /// Which joint and row, when, how far off, the likely cause, and what to do.
-std::string failure_text(const System& system, const PositionFailure& failure, double t);
+std::string failure_text(const System& system, const PositionFailure& failure);
 
 /// "joint D closed with sᵢ and sⱼ in opposite directions (cosine -1)"
 std::string branch_text(const System& system, const WrongBranch& wrong);

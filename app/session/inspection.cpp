@@ -29,9 +29,8 @@ double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->
 
 }  // namespace
 
-PoseNotReached not_reached(
-    const Lesson& lesson, const System& system, const PositionFailure& failure, double t) {
-    return PoseNotReached(lesson.file_name + ": " + failure_text(system, failure, t));
+PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure) {
+    return PoseNotReached(lesson.file_name + ": " + failure_text(system, failure));
 }
 
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
@@ -39,7 +38,7 @@ PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
     // "Joint D cannot be closed. ...": its first sentence
     text = text.substr(0, text.find(". "));
     return PoseNotReached(
-        lesson.file_name + ": " + text + ": " + failure_text(*failed.system, *failed.failure, failed.t));
+        lesson.file_name + ": " + text + ": " + failure_text(*failed.system, *failed.failure));
 }
 
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) {
@@ -77,7 +76,7 @@ Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice)
     if (last.failure) { throw not_reached(lesson, last); }
     auto system = std::make_shared<System>(*last.system);
     MotionTracker tracker(*system, last.state, start_time(lesson));
-    if (!tracker.advance_to(t)) { throw not_reached(lesson, *system, *tracker.failure(), tracker.frame().t); }
+    if (!tracker.advance_to(t)) { throw not_reached(lesson, *system, *tracker.failure()); }
     Inspection inspection;
     inspection.moment = "t = " + number_text(t, 9) + " s";
     inspection.choice = choice;

@@ -45,7 +45,6 @@ public:
 /// Why a story ended at its step `failed`, with the lesson's file name; to be thrown.
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
 /// The same of a motion.
-PoseNotReached not_reached(
-    const Lesson& lesson, const System& system, const PositionFailure& failure, double t);
+PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure);
 
 }  // namespace jw

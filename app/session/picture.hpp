@@ -24,15 +24,32 @@ struct Picture {
     std::vector<Annotation> annotations;
 };
 
+/// What the glyph and the vectors of a joint keep to in all pictures [m].
+struct JointStyle {
+    double aside_i = 0.0;  ///< from its line to where s_i is in plain sight, beside the bodies
+    double aside_j = 0.0;  ///< the same for s_j
+    double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
+    double lift = 0.0;     ///< along the axis to where u_i and u_j are in plain sight
+    double lowest = 0.0;   ///< of s_iᵀ d over the story
+    double highest = 0.0;
+};
+
 /// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.
 struct PictureStyle {
     double unit = 1.0;  ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
-    render::Bounds bounds;  ///< everything that is ever in sight: one camera serves the whole story
     Vec3 up = Vec3::UnitZ();
+    Vec3 view{-0.62, 0.66, -0.42};           ///< from the eye to the scene
+    std::vector<std::vector<Shape>> bodies;  ///< what is drawn of each body, body frames; see local_shapes
+    std::vector<JointStyle> joints;
+    int traced_body = -1;  ///< its point draws a path while everything moves; -1: nothing moves
+    Vec3 traced_point_local = Vec3::Zero();
+    bool ground_axes = true;  ///< false: they are too far away to be shown
+    render::Bounds bounds;    ///< everything that is ever in sight: one camera serves the whole story
     render::Ground ground;
 };
 PictureStyle picture_style(const Story& story);
 
+/// @param index of the step in the story
 Picture picture_of(const Story& story, const PictureStyle& style, int index);
 
 }  // namespace jw

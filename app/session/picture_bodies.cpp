@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include "app/session/picture_parts.hpp"
+#include "app/session/picture_shapes.hpp"
 
 namespace jw::picture {
 
@@ -27,65 +26,6 @@ struct ToGeometry {
     }
 };
 
-/// Points of joints on a body, local, each once.
-std::vector<Vec3> joint_points(const Lesson& lesson, int body, double unit) {
-    std::vector<Vec3> points;
-    const auto add = [&](const Vec3& point) {
-        const bool known =
-            std::ranges::any_of(points, [&](const Vec3& p) { return (p - point).norm() < 1e-6 * unit; });
-        if (!known) { points.push_back(point); }
-    };
-    for (const Joint& joint : lesson.mechanism.joints) {
-        if (joint.body_i == body) { add(joint.geometry.P_i_local); }
-        if (joint.body_j == body) { add(joint.geometry.P_j_local); }
-    }
-    return points;
-}
-
-/// A small stand under every joint on the ground.
-void add_stands(
-    const Lesson& lesson, const PictureStyle& style, const BodyFrame& frame, int body, render::Scene& scene) {
-    const double size = pin_radius(style);
-    for (const Vec3& local : joint_points(lesson, body, style.unit)) {
-        const Vec3 top = frame.point(local);
-        const Vec3 foot = top - 5.0 * size * style.up;
-        scene.shapes.push_back({render::Cylinder{top, foot, 0.8 * size}, render::palette::kGroundBody});
-        scene.shapes.push_back(
-            {render::Cylinder{foot, foot - 0.8 * size * style.up, 3.0 * size}, render::palette::kGroundBody});
-    }
-}
-
-/// Rods from joint to joint, or from the middle to each of more than two.
-void add_default_rods(
-    const Lesson& lesson, const PictureStyle& style, const BodyFrame& frame, int body, render::Scene& scene) {
-    const double radius = 0.9 * pin_radius(style);
-    const render::Colour colour = colour_of_body(lesson, body);
-    std::vector<Vec3> points = joint_points(lesson, body, style.unit);
-    if (points.empty()) {
-        scene.shapes.push_back({render::Box{{frame.A, frame.r}, Vec3::Constant(4.0 * radius)}, colour});
-        return;
-    }
-    if (points.size() == 1) { points.push_back(Vec3::Zero()); }
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& p : points) { middle += p / static_cast<double>(points.size()); }
-    if (points.size() == 2) { middle = points[1]; }
-    for (const Vec3& p : points) {
-        if ((p - middle).norm() < 1e-9 * style.unit) { continue; }
-        scene.shapes.push_back({render::Rod{frame.point(p), frame.point(middle), radius}, colour});
-    }
-    // one joint, at the origin: something to see that turns
-    if (points.size() == 2 && (points[0] - points[1]).norm() < 1e-9 * style.unit) {
-        scene.shapes.push_back({render::Box{{frame.A, frame.r}, Vec3::Constant(4.0 * radius)}, colour});
-    }
-}
-
-struct Centre {
-    Vec3 operator()(const Box& b) const { return b.centre; }
-    Vec3 operator()(const Cylinder& c) const { return 0.5 * (c.from + c.to); }
-    Vec3 operator()(const Sphere& s) const { return s.centre; }
-    Vec3 operator()(const Rod& r) const { return 0.5 * (r.from + r.to); }
-};
-
 }  // namespace
 
 BodyFrame frame_of(const State& state, int body) {
@@ -102,30 +42,19 @@ render::Colour colour_of_body(const Lesson& lesson, int body) {
 }
 
 void add_body(
-    const Lesson& lesson, const PictureStyle& style, const State& state, int body, render::Scene& scene) {
-    const auto b = static_cast<std::size_t>(body);
+    const Lesson& lesson, const PictureStyle& style, const State& state, int body, float alpha,
+    render::Scene& scene) {
     const BodyFrame frame = frame_of(state, body);
-    if (lesson.looks[b].shapes.empty()) {
-        if (lesson.mechanism.bodies[b].fixed) {
-            add_stands(lesson, style, frame, body, scene);
-        } else {
-            add_default_rods(lesson, style, frame, body, scene);
-        }
-    }
-    for (const Shape& shape : lesson.looks[b].shapes) {
-        scene.shapes.push_back({std::visit(ToGeometry{frame}, shape), colour_of_body(lesson, body)});
+    const render::Colour colour = render::with_alpha(colour_of_body(lesson, body), alpha);
+    for (const Shape& shape : style.bodies[static_cast<std::size_t>(body)]) {
+        scene.shapes.push_back({std::visit(ToGeometry{frame}, shape), colour});
     }
 }
 
-Vec3 middle_of_body(const Lesson& lesson, const State& state, int body) {
-    const auto b = static_cast<std::size_t>(body);
-    Vec3 middle = Vec3::Zero();
-    if (!lesson.looks[b].shapes.empty()) {
-        middle = std::visit(Centre{}, lesson.looks[b].shapes.front());
-    } else if (const std::vector<Vec3> points = joint_points(lesson, body, 1.0); !points.empty()) {
-        for (const Vec3& p : points) { middle += p / static_cast<double>(points.size()); }
-        if (points.size() == 1) { middle *= 0.5; }
-    }
+Vec3 middle_of_body(const PictureStyle& style, const State& state, int body) {
+    const std::vector<Shape>& shapes = style.bodies[static_cast<std::size_t>(body)];
+    // the author's first shape is the main one; a star of rods has its middle at none of them
+    const Vec3 middle = shapes.empty() ? Vec3(Vec3::Zero()) : centre_of(shapes.front());
     return frame_of(state, body).point(middle);
 }
 

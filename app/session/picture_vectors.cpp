@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/session/picture_parts.hpp"
-#include "core/assembler.hpp"
 
 namespace jw::picture {
 
@@ -13,151 +11,159 @@ namespace palette = render::palette;
 
 // of the picture's unit
 constexpr double kVectorLength = 0.20;
-constexpr double kSideLength = 0.13;
-constexpr double kShaft = 0.0042;
-constexpr double kApart = 0.022;  // between two vectors that would lie on each other
+constexpr double kSideLength = 0.10;  // of h and u beyond the surface of the bodies
+constexpr double kApart = 0.024;      // between two vectors that would lie on each other
+constexpr double kPoint = 0.010;      // radius
+constexpr double kOnePoint = 0.012;   // nearer points are seen as one
+constexpr double kShort = 0.05;       // shorter vectors would be nothing but head
+
+/// 1 where two lines lie on each other, 0 where the eye keeps them apart anyway; no jump in between.
+double overlap(const Vec3& a, const Vec3& b, double distance, double apart) {
+    constexpr double wide = 0.2;  // rad
+    const double by_angle = 1.0 - a.cross(b).norm() / wide;
+    const double by_distance = 2.0 - distance / apart;
+    return std::clamp(std::min(by_angle, by_distance), 0.0, 1.0);
+}
 
 class Vectors {
 public:
     Vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture)
-        : j_(joint), unit_(style.unit), picture_(&picture) {}
+        : j_(joint),
+          joint_style_(style.joints[static_cast<std::size_t>(joint.index)]),
+          style_(style),
+          unit_(style.unit),
+          picture_(&picture) {}
 
     void draw() {
         const JointType& type = *j_.joint->type;
-        const bool moves_apart = type.uses(Role::distance_parallel) ||
-                                 type.uses(Role::distance_perpendicular) || type.uses(Role::screw_advance) ||
-                                 type.uses(Role::length);
-        const bool has_points = moves_apart || type.uses(Role::same_point);
-        const std::string name = type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B";
-        if (has_points) { points(name); }
-        axes(type);
-        if (type.uses(Role::sides_perpendicular)) { sides("@h", j_.h_i, j_.h_j); }
-        if (type.uses(Role::screw_angle)) { sides("@u", j_.u_i, j_.u_j); }
-        if (moves_apart && gap() > 0.02 * unit_) {
-            arrow(j_.P_i, j_.P_j, palette::kVectorD, "@d", 0.5);
-        } else if (type.uses(Role::same_point) && gap() > 1e-3 * unit_) {
-            picture_->scene.polylines.push_back({{j_.P_i, j_.P_j}, 2.0, palette::kBad, true});
+        uses_d_ = type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular) ||
+                  type.uses(Role::screw_advance) || type.uses(Role::length);
+        if (uses_d_ || type.uses(Role::same_point)) {
+            points(type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B");
         }
+        axes(type);
+        if (type.uses(Role::sides_perpendicular)) { sides("@h", j_.h_i, j_.h_j, Vec3::Zero()); }
+        if (type.uses(Role::screw_angle)) { sides("@u", j_.u_i, j_.u_j, lift_of_u()); }
+        if (uses_d_) {
+            const Vec3 aside = aside_of_d(type);
+            add_distance(style_, j_.P_i + aside, j_.P_j + aside, "@d", *picture_);
+        }
+        if (type.uses(Role::same_point)) { add_gap(style_, j_, *picture_); }
     }
 
 private:
     double gap() const { return (j_.P_j - j_.P_i).norm(); }
 
     void point(const Vec3& at, const std::string& name) {
-        render::Shape dot{render::Sphere{at, 0.010 * unit_}, palette::kPoint};
+        render::Shape dot{render::Sphere{at, kPoint * unit_}, palette::kPoint};
         dot.see_through = true;
         picture_->scene.shapes.push_back(dot);
         picture_->annotations.push_back({at, Vec3::Zero(), name, palette::kPoint});
     }
     void points(const std::string& name) {
-        // drawn as one where the eye cannot tell them apart
-        if (gap() < 0.012 * unit_) {
-            point(j_.P_i, name);
-        } else {
-            point(j_.P_i, name + "_i");
-            point(j_.P_j, name + "_j");
-        }
+        if (gap() < kOnePoint * unit_) { return point(j_.P_i, name); }
+        point(j_.P_i, name + "_i");
+        point(j_.P_j, name + "_j");
     }
-    /// @param where along the arrow its name stands: 1 at the tip
-    void arrow(
-        const Vec3& from, const Vec3& to, const render::Colour& colour, const std::string& name,
-        double where = 1.0) {
-        picture_->scene.arrows.push_back({from, to, kShaft * unit_, colour});
-        const Vec3 towards = where > 0.9 ? Vec3((to - from).normalized()) : Vec3::Zero();
-        picture_->annotations.push_back({from + where * (to - from), towards, name, colour});
+    /// Of s_i and s_j: 1 if one would hide the other.
+    double axes_overlap() const {
+        return overlap(j_.s_i, j_.s_j, (j_.P_j - j_.P_i).cross(j_.s_i).norm(), kApart * unit_);
     }
     void axes(const JointType& type) {
-        const bool uses_i = type.uses(Role::axes_parallel) || type.uses(Role::axes_perpendicular) ||
-                            type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular);
         const bool uses_j = type.uses(Role::axes_parallel) || type.uses(Role::axes_perpendicular);
-        // two arrows on one line are drawn side by side
-        const bool on_one_line = uses_j && std::abs(j_.s_i.dot(j_.s_j)) > 0.995 &&
-                                 (j_.P_j - j_.P_i).cross(j_.s_i).norm() < kApart * unit_;
-        const Vec3 aside = on_one_line ? Vec3(kApart * unit_ * perpendicular_to(j_.s_i)) : Vec3::Zero();
-        const double length = kVectorLength * unit_;
-        if (uses_i) { arrow(j_.P_i + aside, j_.P_i + aside + length * j_.s_i, palette::kVectorI, "@s_i"); }
+        const bool uses_i =
+            uses_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular);
+        // one on either side of what both lie in
+        const double half = uses_j ? 0.5 * kApart * unit_ * axes_overlap() : 0.0;
+        const double sense = j_.s_i.dot(j_.s_j) < 0.0 ? -1.0 : 1.0;
+        if (uses_i) {
+            aside_i_ = std::max(half, margin(joint_style_.aside_i));
+            const Vec3 foot = j_.P_i + aside_i_ * beside(style_, j_.s_i);
+            add_vector(style_, foot, foot + length_of(j_.s_i) * j_.s_i, palette::kVectorI, "@s_i", *picture_);
+        }
         if (uses_j) {
-            arrow(j_.P_j - aside, j_.P_j - aside + 0.82 * length * j_.s_j, palette::kVectorJ, "@s_j");
+            const double aside = sense * std::max(half, margin(joint_style_.aside_j));
+            const Vec3 foot = j_.P_j - aside * beside(style_, j_.s_j);
+            add_vector(
+                style_, foot, foot + 0.82 * length_of(j_.s_j) * j_.s_j, palette::kVectorJ, "@s_j", *picture_);
         }
     }
-    void sides(const std::string& name, const Vec3& i, const Vec3& j) {
-        const double length = kSideLength * unit_;
-        arrow(j_.P_i, j_.P_i + length * i, palette::kVectorI, name + "_i");
-        arrow(j_.P_j, j_.P_j + 0.85 * length * j, palette::kVectorJ, name + "_j");
+    /// Longer where it is seen nearly end-on, so that it does not shrink to its head on the picture.
+    double length_of(const Vec3& s) const {
+        constexpr double long_enough = 0.6;
+        const double seen = s.cross(style_.view).norm() / style_.view.norm();
+        return kVectorLength * unit_ * std::clamp(long_enough / std::max(seen, 0.1), 1.0, 1.8);
+    }
+    double margin(double aside) const { return aside > 0.0 ? aside + 0.4 * kApart * unit_ : 0.0; }
+
+    /// d runs from point to point, but beside s_i or the rod of a distance joint when it would be hidden
+    /// there.
+    Vec3 aside_of_d(const JointType& type) const {
+        const Vec3 d = j_.P_j - j_.P_i;
+        if (d.norm() < kOnePoint * unit_) { return Vec3::Zero(); }
+        const Vec3 side = beside(style_, d.normalized());
+        if (type.uses(Role::length)) { return kApart * unit_ * side; }
+        const double way = j_.s_i.dot(d) < 0.0 ? -1.0 : 1.0;
+        const double along = overlap(j_.s_i, d.normalized(), 0.0, kApart * unit_);
+        return way * along * (aside_i_ + kApart * unit_) * side;
+    }
+    void sides(const std::string& name, const Vec3& i, const Vec3& j, const Vec3& lift) {
+        const double length = joint_style_.side + kSideLength * unit_;
+        const Vec3 foot_i = j_.P_i - lift;
+        const Vec3 foot_j = j_.P_j + lift;
+        add_vector(style_, foot_i, foot_i + length * i, palette::kVectorI, name + "_i", *picture_);
+        add_vector(style_, foot_j, foot_j + 0.9 * length * j, palette::kVectorJ, name + "_j", *picture_);
+    }
+    /// u_i and u_j lie on each other at the angle zero: one below, one above.
+    Vec3 lift_of_u() const {
+        const double same = j_.u_i.dot(j_.u_j) > 0.0 ? overlap(j_.u_i, j_.u_j, 0.0, kApart * unit_) : 0.0;
+        return std::max(0.5 * kApart * unit_ * same, margin(joint_style_.lift)) * j_.s_i;
     }
 
     const PlacedJoint& j_;
+    const JointStyle& joint_style_;
+    const PictureStyle& style_;
     double unit_;
+    bool uses_d_ = false;
+    double aside_i_ = 0.0;
     Picture* picture_;
 };
 
-constexpr int kArcPoints = 48;  // a full turn looks round with so many
-
-/// From u_i to u_j about s_i, with what marks its ends.
-void add_angle(const PictureStyle& style, const PlacedJoint& j, double angle, Picture& picture) {
-    const double radius = 0.15 * style.unit;
-    const Vec3 v = j.s_i.cross(j.u_i);
-    // whole turns lie on each other
-    const double shown = std::remainder(angle, 4.0 * std::numbers::pi);
-    const int count =
-        std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / (2.0 * std::numbers::pi))));
-    render::Polyline arc{{}, 2.5, palette::kVectorD};
-    for (int k = 0; k <= count; ++k) {
-        const double a = shown * k / count;
-        arc.points.push_back(j.P_i + radius * (std::cos(a) * j.u_i + std::sin(a) * v));
-    }
-    const Vec3 middle = std::cos(0.5 * shown) * j.u_i + std::sin(0.5 * shown) * v;
-    picture.annotations.push_back({j.P_i + radius * middle, middle, "θ", palette::kVectorD});
-    picture.scene.polylines.push_back(std::move(arc));
-    const double length = 1.25 * radius;
-    picture.scene.arrows.push_back({j.P_i, j.P_i + length * j.u_i, kShaft * style.unit, palette::kVectorI});
-    picture.annotations.push_back({j.P_i + length * j.u_i, j.u_i, "@u_i", palette::kVectorI});
-    picture.scene.arrows.push_back({j.P_i, j.P_i + length * j.u_j, kShaft * style.unit, palette::kVectorJ});
-    picture.annotations.push_back({j.P_i + length * j.u_j, j.u_j, "@u_j", palette::kVectorJ});
-}
-
-void add_length(const PictureStyle& style, const Vec3& from, const Vec3& to, Picture& picture) {
-    if ((to - from).norm() < 0.01 * style.unit) { return; }
-    picture.scene.arrows.push_back({from, to, kShaft * style.unit, palette::kVectorD});
-    picture.annotations.push_back({0.5 * (from + to), Vec3::Zero(), "@d", palette::kVectorD});
-}
-
 }  // namespace
+
+Vec3 beside(const PictureStyle& style, const Vec3& line) {
+    const Vec3 side = line.cross(style.view);
+    // a line seen end-on has no side
+    return side.norm() > 1e-3 * style.view.norm() ? Vec3(side.normalized()) : perpendicular_to(line);
+}
+
+void add_vector(
+    const PictureStyle& style, const Vec3& from, const Vec3& to, const render::Colour& colour,
+    const std::string& name, Picture& picture) {
+    picture.scene.arrows.push_back({from, to, vector_radius(style.unit), colour});
+    picture.annotations.push_back({to, (to - from).normalized(), name, colour});
+}
+
+void add_distance(
+    const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture) {
+    const double length = (to - from).norm();
+    if (length < kOnePoint * style.unit) { return; }
+    if (length < kShort * style.unit) {
+        picture.scene.polylines.push_back({{from, to}, 3.0, palette::kVectorD, true});
+    } else {
+        picture.scene.arrows.push_back({from, to, vector_radius(style.unit), palette::kVectorD});
+    }
+    const Vec3 side = beside(style, (to - from).normalized());
+    picture.annotations.push_back({0.5 * (from + to), side, name, palette::kVectorD});
+}
 
 void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture) {
     Vectors(style, joint, picture).draw();
 }
 
-void add_driver(
-    const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
-    const Mechanism& mechanism = lesson.mechanism;
-    const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
-    if (d.joint >= 0) {
-        const auto k = static_cast<std::size_t>(d.joint);
-        const PlacedJoint joint = placed(mechanism.joints[k], state);
-        if (std::holds_alternative<AngleMeasure>(d.measure)) {
-            add_angle(style, joint, relative_angle(mechanism.joints[k], state), picture);
-        } else if (std::holds_alternative<ThetaMeasure>(d.measure)) {
-            const int theta = mechanism.theta_indices()[k];
-            add_angle(style, joint, state.theta[static_cast<std::size_t>(theta)], picture);
-        } else {
-            add_length(style, joint.P_i, joint.P_j, picture);
-        }
-        return;
-    }
-    const BodyFrame i = frame_of(state, d.body_i);
-    const BodyFrame j = frame_of(state, d.body_j);
-    if (const auto* m = std::get_if<SquaredDistanceMeasure>(&d.measure)) {
-        add_length(style, i.point(m->P_i_local), j.point(m->P_j_local), picture);
-    } else if (const auto* c = std::get_if<CoordinateMeasure>(&d.measure);
-               c != nullptr && c->coordinate < 3) {
-        const Vec3 axis = Vec3::Unit(c->coordinate);
-        picture.scene.arrows.push_back(
-            {j.r - j.r(c->coordinate) * axis, j.r, kShaft * style.unit, palette::kVectorD});
-        constexpr const char* names[] = {"x", "y", "z"};
-        picture.annotations.push_back(
-            {j.r - 0.5 * j.r(c->coordinate) * axis, Vec3::Zero(), names[c->coordinate], palette::kVectorD});
-    }
+void add_gap(const PictureStyle& style, const PlacedJoint& joint, Picture& picture) {
+    if ((joint.P_j - joint.P_i).norm() < kOnePoint * style.unit) { return; }
+    picture.scene.polylines.push_back({{joint.P_i, joint.P_j}, 2.5, palette::kBad, true});
 }
 
 }  // namespace jw::picture

@@ -108,7 +108,7 @@ Sweep solve_sweep(
     const std::vector<double> times = times_of(plan);
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (!tracker.advance_to(times[k])) {
-            sweep.failure = not_reached(lesson, system, *tracker.failure(), tracker.frame().t).what();
+            sweep.failure = not_reached(lesson, system, *tracker.failure()).what();
             return sweep;
         }
         sweep.rows.push_back(row_of(system, tracker.frame(), plan.analysis));

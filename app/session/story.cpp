@@ -16,6 +16,22 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     return lesson.order[static_cast<std::size_t>(step.additions - 1)];
 }
 
+namespace {
+
+// of a solve that fails: how it starts is worth a look, sixty times the same is not
+constexpr std::size_t kFirstIterations = 6;
+
+/// Leaves the first iterations of the last solve and the last one; the Newton table has all of them.
+void thin_out_iterations(std::vector<Step>& steps) {
+    std::size_t first = steps.size();
+    while (first > 0 && steps[first - 1].kind == Step::Kind::iteration) { --first; }
+    if (steps.size() - first <= kFirstIterations + 1) { return; }
+    steps.erase(
+        steps.begin() + static_cast<std::ptrdiff_t>(first + kFirstIterations), std::prev(steps.end()));
+}
+
+}  // namespace
+
 Story::Story(const Lesson& lesson, const StoryOptions& options) : lesson_(&lesson) {
     start_time_ = lesson.motion ? lesson.motion->from : 0.0;
     state_ = start_state(lesson.mechanism);
@@ -105,7 +121,7 @@ bool Story::tell_addition(int count) {
     const PositionObserver observer = [&](const PositionEvent& event, const State& state) {
         step.events.push_back(event);
         const auto* newton = std::get_if<NewtonStep>(&event);
-        if (newton != nullptr && newton->converged) { return; }
+        if (newton != nullptr && newton->rank == 0) { return; }  // the last look: closed, or given up
         step.state = state;
         steps_.push_back(step);
     };
@@ -115,6 +131,7 @@ bool Story::tell_addition(int count) {
 
     step.state = state_;
     if (!outcome.ok()) {
+        thin_out_iterations(steps_);
         step.kind = Step::Kind::failed;
         step.failure = outcome.failure;
         step.rank = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));

@@ -157,7 +157,8 @@ TEST_CASE("Φ and Φq follow from the JSON alone, for every joint", "[app][inspe
         for (std::size_t column = 0; column < 21; ++column) {
             const std::string owner = j["columns"][column]["owner"];
             const int k = static_cast<int>(column % 7);
-            // central differences in long double of at most fourth powers of p: some 100 h² / 6, and 1e-19 / h
+            // central differences in long double of at most fourth powers of p: some 100 h² / 6, and 1e-19 /
+            // h
             const Real h = 1e-7L;
             const std::vector<Real> plus = phi_of(j, homogeneous, owner, k, h);
             const std::vector<Real> minus = phi_of(j, homogeneous, owner, k, -h);

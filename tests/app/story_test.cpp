@@ -90,7 +90,9 @@ TEST_CASE("iterations of a step end below the tolerance and shrink quadratically
     }
 }
 
-TEST_CASE("every equation holds at every moment, left-out ones included, however large the intervals", "[app][story]") {
+TEST_CASE(
+    "every equation holds at every moment, left-out ones included, however large the intervals",
+    "[app][story]") {
     const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
     for (const int intervals : {2, 3, 5, 8, 100}) {
         const Story story(lesson, {.with_motion = true, .intervals = intervals, .progress = {}});

@@ -1,0 +1,151 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/app/session/picture_lessons.hpp"
+
+namespace jw::test {
+
+using namespace picture;
+
+TEST_CASE("shapes of a lesson stand where the body's frame puts them", "[app][picture]") {
+    Lesson lesson = one_joint("revolute");
+    const Vec3 centre(0.1, -0.2, 0.3);
+    lesson.looks[1].shapes = {Sphere{centre, 0.05}, Box{Vec3(0.2, 0.4, 0.6), centre}};
+    lesson.looks[1].colour = Colour{0.5, 0.25, 0.75};
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const State& state = story.steps().front().state;
+    const Picture picture = picture_of(story, style, 0);
+
+    const Vec3 expected = state.r[1] + rotation_matrix(state.p[1]) * centre;
+    int found = 0;
+    for (const render::Shape& shape : picture.scene.shapes) {
+        if (shape.colour != render::Colour{0.5F, 0.25F, 0.75F, 1.0F}) { continue; }
+        ++found;
+        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
+            CHECK((sphere->centre - expected).norm() < 1e-14);  // rounding of A s' + r
+            CHECK(sphere->radius == 0.05);
+        } else {
+            const auto& box = std::get<render::Box>(shape.geometry);
+            CHECK((box.pose.r - expected).norm() < 1e-14);
+            CHECK((box.pose.A - rotation_matrix(state.p[1])).norm() < 1e-14);
+            CHECK(box.half_size == Vec3(0.1, 0.2, 0.3));
+        }
+    }
+    CHECK(found == 2);
+}
+
+TEST_CASE("the glyph of every joint is at the joint and alone is highlighted", "[app][picture]") {
+    for (const JointType& type : kJointTypes) {
+        INFO(type.name);
+        const Lesson lesson = one_joint(type.name);
+        const Story story(lesson);
+        const PictureStyle style = picture_style(story);
+        CHECK(highlighted(picture_of(story, style, 0)).empty());
+
+        const Picture picture = picture_of(story, style, first_of(story, Step::Kind::equations));
+        const std::vector<render::Shape> glyph = highlighted(picture);
+        const bool bare = type.name == "s" || type.name.size() == 2;  // nothing but vectors
+        CHECK(glyph.empty() == bare);
+        CHECK(is_finite(picture));
+        if (bare) { continue; }
+        const render::Bounds bounds = bounds_of(glyph);
+        const double room = type.name == "distance" ? 0.25 : 0.0;  // from the middle of the rod to its end
+        CHECK((bounds.centre() - kPoint).norm() < room + 0.06 * style.unit);
+        CHECK(bounds.diagonal() < 2.0 * room + 0.3 * style.unit);
+    }
+}
+
+TEST_CASE("a picture names the vectors that the joint's equations use", "[app][picture]") {
+    const auto picture = [](std::string_view type) {
+        Lesson lesson = one_joint(type);
+        // apart, so that there is a d
+        lesson.mechanism.bodies[1].r += Vec3(0.2, 0.1, -0.1);
+        const Story story(lesson);
+        return picture_of(story, picture_style(story), first_of(story, Step::Kind::equations));
+    };
+    const Picture spherical = picture("spherical");
+    CHECK(has_text(spherical, "P_i"));
+    CHECK(has_text(spherical, "P_j"));
+    CHECK_FALSE(has_text(spherical, "@s_i"));
+
+    const Picture revolute = picture("revolute");
+    CHECK(has_text(revolute, "@s_i"));
+    CHECK(has_text(revolute, "@s_j"));
+    CHECK_FALSE(has_text(revolute, "@d"));
+
+    const Picture prismatic = picture("prismatic");
+    CHECK(has_text(prismatic, "@d"));
+    CHECK(has_text(prismatic, "@h_i"));
+    CHECK(has_text(prismatic, "@h_j"));
+    CHECK(has_text(prismatic, "B_i"));
+
+    const Picture screw = picture("screw");
+    CHECK(has_text(screw, "@u_i"));
+    CHECK(has_text(screw, "@u_j"));
+    CHECK(has_text(picture("n2"), "@d"));
+    CHECK_FALSE(has_text(picture("n2"), "@s_j"));
+    CHECK(has_text(picture("distance"), "@d"));
+}
+
+TEST_CASE("closed points carry one name, parallel vectors do not hide each other", "[app][picture]") {
+    const Lesson lesson = one_joint("revolute");
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const Picture picture = picture_of(story, style, first_of(story, Step::Kind::assembled));
+    CHECK(has_text(picture, "P"));
+    CHECK_FALSE(has_text(picture, "P_i"));
+    REQUIRE(picture.scene.arrows.size() == 2);
+    const render::Arrow& s_i = picture.scene.arrows[0];
+    const render::Arrow& s_j = picture.scene.arrows[1];
+    const Vec3 apart = s_j.from - s_i.from;
+    // side by side on the picture, with more than their own thickness between them
+    CHECK(apart.norm() > 2.0 * (s_i.radius + s_j.radius));
+    CHECK(std::abs(apart.dot(style.view)) < 1e-9 * style.unit);
+    CHECK((s_i.to - s_i.from).normalized().cross((s_j.to - s_j.from).normalized()).norm() < 1e-9);
+}
+
+TEST_CASE("joints appear when they are added and only the new one is highlighted", "[app][picture]") {
+    const Lesson lesson = chain();
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const auto glyph_at = [&](int index, int joint) {
+        const Step& step = story.steps()[static_cast<std::size_t>(index)];
+        const Vec3 P = placed(lesson.mechanism, joint, step.state).P_i;
+        const Picture picture = picture_of(story, style, index);
+        // pins and balls are the only things in steel
+        return std::ranges::any_of(picture.scene.shapes, [&](const render::Shape& shape) {
+            return shape.colour == render::palette::kSteel &&
+                   (bounds_of({shape}).centre() - P).norm() < 1e-6 * style.unit;
+        });
+    };
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        const int present = story.steps()[static_cast<std::size_t>(k)].additions;
+        INFO("step " << k);
+        for (int joint = 0; joint < 3; ++joint) { CHECK(glyph_at(k, joint) == (joint < present)); }
+    }
+}
+
+TEST_CASE("a thread is cut on the author's bar and turns with it", "[app][picture]") {
+    Lesson lesson = one_joint("screw");
+    const JointGeometry& g = lesson.mechanism.joints.front().geometry;
+    lesson.looks[0].shapes = {
+        Cylinder{g.P_i_local - 0.3 * g.s_i_local, g.P_i_local + 0.5 * g.s_i_local, 0.04}};
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const Picture picture = picture_of(story, style, first_of(story, Step::Kind::assembled));
+    int threads = 0;
+    for (const render::Shape& shape : picture.scene.shapes) {
+        const auto* screw = std::get_if<render::Screw>(&shape.geometry);
+        if (screw == nullptr) { continue; }
+        ++threads;
+        CHECK((screw->from - (kPoint - 0.3 * kAxis)).norm() < 1e-9);
+        CHECK((screw->to - (kPoint + 0.5 * kAxis)).norm() < 1e-9);
+        CHECK(screw->pitch == Approx(2.0 * std::numbers::pi * 0.02));
+    }
+    CHECK(threads == 1);
+}
+
+}  // namespace jw::test
