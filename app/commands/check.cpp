@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/session/checks.hpp"
+#include "app/session/describe.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw {
@@ -14,13 +15,6 @@ struct Tally {
     int held = 0;
     int failed = 0;
 };
-
-std::string padded(std::string text, std::size_t width) {
-    std::size_t length = 0;
-    for (const char c : text) { length += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0; }
-    if (length < width) { text.append(width - length, ' '); }
-    return text;
-}
 
 void print(const ClaimResult& result, const Lesson& lesson, const Streams& streams) {
     const SourceSpan& span = result.claim->span;

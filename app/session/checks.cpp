@@ -8,8 +8,8 @@
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/quantities.hpp"
 #include "app/session/story.hpp"
-#include "core/assembler.hpp"
 
 namespace jw {
 
@@ -66,7 +66,7 @@ private:
         pose.system = system;
         pose.velocity = start_motion(lesson_->mechanism);
         pose.acceleration = zero_motion(lesson_->mechanism);
-        pose.t = lesson_->motion ? lesson_->motion->from : 0.0;
+        pose.t = start_time(*lesson_);
         return pose;
     }
 
@@ -167,14 +167,9 @@ double measured(const Quantity& quantity, const Pose& pose, int derivative) {
     const Mechanism& mechanism = pose.system->mechanism();
     if (const auto* m = std::get_if<MeasureQuantity>(&quantity)) {
         const int theta = m->joint < 0 ? -1 : mechanism.theta_indices()[static_cast<std::size_t>(m->joint)];
-        const Measured value = evaluate_measure(
+        Measured value = evaluate_measure(
             m->measure, m->body_i, m->body_j, theta, pose.state, pose.velocity, pose.acceleration);
-        if (std::holds_alternative<SquaredDistanceMeasure>(m->measure)) {
-            const double d = std::sqrt(value.value);
-            const double rate = value.rate / (2.0 * d);
-            return derivative == 0 ? d
-                                   : (derivative == 1 ? rate : (0.5 * value.acceleration - rate * rate) / d);
-        }
+        if (std::holds_alternative<SquaredDistanceMeasure>(m->measure)) { value = distance_of(value); }
         return derivative == 0 ? value.value : (derivative == 1 ? value.rate : value.acceleration);
     }
     if (const auto* w = std::get_if<AngularVelocityQuantity>(&quantity)) {

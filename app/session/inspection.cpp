@@ -25,8 +25,6 @@ void evaluate(Inspection& inspection) {
     inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
 }
 
-double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
-
 }  // namespace
 
 PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure) {

@@ -10,8 +10,6 @@ namespace jw {
 
 namespace {
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 const char* status_name(EquationRow::Status status) {
@@ -113,6 +111,8 @@ Json json_of(const View& view, const Step& step) {
 }
 
 }  // namespace
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 const char* kind_name(Step::Kind kind) {
     switch (kind) {

@@ -21,6 +21,8 @@ Json json_of(const RankReport& report, const System& system);
 /// Bodies with positions and velocities, in the order of the lesson.
 Json json_of(const Mechanism& mechanism, const State& state, const Motion& velocity);
 
+/// null if it is not finite.
+Json number(double value);
 /// "bodies", "equations", ... as in the JSON of steps.
 const char* kind_name(Step::Kind kind);
 

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/view_equations.hpp"
@@ -7,8 +5,6 @@
 namespace jw {
 
 namespace {
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 /// The data of a primitive, with the names of primitives.hpp.
 struct PrimitiveJson {

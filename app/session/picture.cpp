@@ -55,11 +55,11 @@ void add_triads(
         const bool on_ground = b > 0 && style.ground_axes && (frame.A - ground.A).norm() < kSameFrame &&
                                (frame.r - ground.r).norm() < kSameFrame * style.unit;
         if (on_ground || (b == 0 && !style.ground_axes)) { continue; }
-        const bool of_subject = subject == nullptr || subject->body_i == b || subject->body_j == b;
+        const bool of_subject = subject != nullptr && (subject->body_i == b || subject->body_j == b);
         render::Triad triad{{frame.A, frame.r}};
         triad.length = (b == 0 ? kGroundTriad : kTriad) * style.unit;
         triad.radius = kTriadRadius * style.unit;
-        triad.alpha = of_subject || b == 0 ? 1.0F : kFaint;
+        triad.alpha = of_subject || b == 0 || step.kind == Step::Kind::bodies ? 1.0F : kFaint;
         scene.triads.push_back(triad);
     }
 }

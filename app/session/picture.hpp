@@ -29,8 +29,9 @@ struct JointStyle {
     double aside_i = 0.0;  ///< from its line to where s_i is in plain sight, beside the bodies
     double aside_j = 0.0;  ///< the same for s_j
     double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
-    double lift = 0.0;     ///< along the axis to where u_i and u_j are in plain sight
-    double lowest = 0.0;   ///< of s_iᵀ d over the story
+    double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is in plain sight
+    double lift_j = 0.0;   ///< the same for h_j (u_j)
+    double lowest = 0.0;   ///< of s_iᵀ d over the story, zero included: the bar reaches P_i
     double highest = 0.0;
 };
 

@@ -15,6 +15,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kArcPoints = 72;  // a full turn looks round with so many
 constexpr double kHead = 0.03;  // length of the arrow at the end of an arc, of the unit
 
+constexpr double kArm = 1.22;  // length of u_i, of the arc's radius
+
 /// A circle about the axis of a joint.
 struct Circle {
     Vec3 centre;
@@ -37,7 +39,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
         j.P_i, j.u_i, j.s_i.cross(j.u_i),
         std::clamp(side + 0.06 * style.unit, 0.14 * style.unit, 0.25 * style.unit)};
     const Vec3 to_front = j.s_i.dot(style.view) > 0.0 ? Vec3(-j.s_i) : j.s_i;
-    int fewest = samples + 1;
+    int fewest = 2 * samples + 1;
     for (int k = 0; k < 2 * places; ++k) {
         Circle circle = best;
         const double along = 0.02 * style.unit * (k + 1) / 2 * (k % 2 == 0 ? 1.0 : -1.0);
@@ -45,6 +47,10 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
         int hidden = 0;
         for (int n = 0; n < samples; ++n) {
             hidden += solid.contains(circle.at(kTurn * n / samples)) ? 1 : 0;
+            // the outer half of u_i and u_j, as far as they are drawn
+            const Vec3 along_u =
+                (n % 2 == 0 ? j.u_i : j.u_j) * circle.radius * (0.5 + (kArm - 0.5) * n / samples);
+            hidden += solid.contains(circle.centre + along_u) ? 1 : 0;
         }
         if (hidden < fewest) {
             fewest = hidden;
@@ -72,10 +78,13 @@ void add_angle(
     }
     const double middle = 0.5 * shown;
     picture.annotations.push_back({circle.at(middle), circle.direction(middle), "θ", palette::kVectorD});
-    const double length = 1.22 * circle.radius;
-    add_vector(style, circle.centre, circle.centre + length * j.u_i, palette::kVectorI, "@u_i", picture);
-    add_vector(
-        style, circle.centre, circle.centre + 0.92 * length * j.u_j, palette::kVectorJ, "@u_j", picture);
+    const double length = kArm * circle.radius;
+    // at the angle zero one would hide the other
+    const Vec3 apart = 1.5 * vector_radius(style.unit) * (j.s_i.dot(style.view) > 0.0 ? -1.0 : 1.0) * j.s_i;
+    const Vec3 foot_i = circle.centre - apart;
+    const Vec3 foot_j = circle.centre + apart;
+    add_vector(style, foot_i, foot_i + length * j.u_i, palette::kVectorI, "@u_i", picture);
+    add_vector(style, foot_j, foot_j + 0.9 * length * j.u_j, palette::kVectorJ, "@u_j", picture);
 }
 
 /// The displacement of a joint beside its bar.

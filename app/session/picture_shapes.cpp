@@ -1,6 +1,7 @@
 #include "app/session/picture_shapes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -146,9 +147,6 @@ double Solid::reach(const Vec3& from, const Vec3& direction, double limit) const
 
 double Solid::clearance(const Vec3& from, const Vec3& to, double limit) const {
     constexpr int samples = 8;
-    constexpr int directions = 8;
-    const Vec3 u = perpendicular_to(to - from);
-    const Vec3 v = u.cross(to - from).normalized();
     int hidden = 0;
     double widest = 0.0;
     // the first quarter starts inside every joint; the rest is what is looked at
@@ -156,14 +154,23 @@ double Solid::clearance(const Vec3& from, const Vec3& to, double limit) const {
         const Vec3 at = from + (to - from) * k / samples;
         if (!contains(at)) { continue; }
         ++hidden;
-        for (int d = 0; d < directions; ++d) {
-            const double angle = 2.0 * std::numbers::pi * d / directions;
-            const double r = reach(at, std::cos(angle) * u + std::sin(angle) * v, limit);
-            // a plate that goes on and on hides the vector from one side only
-            if (r < limit) { widest = std::max(widest, r); }
-        }
+        widest = std::max(widest, way_out(at, to - from, limit));
     }
     return 2 * hidden > samples ? widest : 0.0;
+}
+
+double Solid::way_out(const Vec3& at, const Vec3& line, double limit) const {
+    constexpr std::size_t directions = 8;
+    const Vec3 u = perpendicular_to(line);
+    const Vec3 v = u.cross(line).normalized();
+    std::array<double, directions> ways{};
+    for (std::size_t k = 0; k < directions; ++k) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / directions;
+        ways[k] = reach(at, std::cos(angle) * u + std::sin(angle) * v, limit);
+    }
+    // a plate or a fork goes on and on in a few of them
+    std::ranges::sort(ways);
+    return ways[5 * directions / 8];
 }
 
 }  // namespace jw::picture

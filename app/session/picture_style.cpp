@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "app/session/picture_camera.hpp"
 #include "app/session/picture_parts.hpp"
@@ -18,7 +17,7 @@ constexpr double kWildIteration = 1.6;
 // the ground's axes are shown if they do not make the mechanism small either
 constexpr double kFarOrigin = 1.35;
 constexpr double kVisible = 0.2;  // of the unit: length of a vector that should be in sight
-constexpr double kAsideLimit = 0.1;
+constexpr double kAsideLimit = 0.08;
 constexpr double kSideLimit = 0.14;
 
 /// Indices of the steps whose poses bound all others.
@@ -68,6 +67,12 @@ const State& closed_state(const Story& story, int joint) {
     return story.steps().back().state;
 }
 
+/// For a vector that leaves the bodies at `side` from P and may run in a handle from there on.
+double lift_of(const Solid& solid, const Vec3& P, const Vec3& direction, double side, double unit) {
+    const Vec3 from = P + side * direction;
+    return solid.clearance(from, from + 0.5 * kVisible * unit * direction, kAsideLimit * unit);
+}
+
 JointStyle joint_style(
     const Story& story, const PictureStyle& style, int joint, const std::vector<int>& moments) {
     const Mechanism& mechanism = story.lesson().mechanism;
@@ -83,20 +88,18 @@ JointStyle joint_style(
           std::pair{j.P_j, j.u_j}}) {
         found.side = std::max(found.side, solid.reach(from, direction, kSideLimit * style.unit));
     }
-    const double arm = found.side + 0.5 * length;
-    found.lift = solid.clearance(j.P_i, j.P_i + arm * j.u_i, kAsideLimit * style.unit);
-    found.lift = std::max(found.lift, solid.clearance(j.P_j, j.P_j + arm * j.u_j, kAsideLimit * style.unit));
-    found.lowest = std::numeric_limits<double>::infinity();
-    found.highest = -found.lowest;
+    const bool screw = j.joint->type->uses(Role::screw_angle);
+    found.lift_i = lift_of(solid, j.P_i, screw ? j.u_i : j.h_i, found.side, style.unit);
+    found.lift_j = lift_of(solid, j.P_j, screw ? j.u_j : j.h_j, found.side, style.unit);
     for (const int k : moments) {
         const Step& step = story.steps()[static_cast<std::size_t>(k)];
         const std::vector<int>& present = step.system->selection().joints;
+        if (step.kind == Step::Kind::iteration) { continue; }
         if (std::ranges::find(present, joint) == present.end()) { continue; }
         const double d = placed(mechanism, joint, step.state).displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
     }
-    if (found.lowest > found.highest) { found.lowest = found.highest = 0.0; }  // never present
     return found;
 }
 

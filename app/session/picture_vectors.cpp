@@ -17,9 +17,16 @@ constexpr double kPoint = 0.010;      // radius
 constexpr double kOnePoint = 0.012;   // nearer points are seen as one
 constexpr double kShort = 0.05;       // shorter vectors would be nothing but head
 
+/// A direction as it is seen on the picture, unit; zero if it is seen end-on.
+Vec3 on_picture(const PictureStyle& style, const Vec3& direction) {
+    const Vec3 seen = direction - direction.dot(style.view) / style.view.squaredNorm() * style.view;
+    return seen.norm() > 0.1 * direction.norm() ? Vec3(seen.normalized()) : Vec3::Zero();
+}
+
 /// 1 where two lines lie on each other, 0 where the eye keeps them apart anyway; no jump in between.
 double overlap(const Vec3& a, const Vec3& b, double distance, double apart) {
     constexpr double wide = 0.2;  // rad
+    if (a.isZero() || b.isZero()) { return 0.0; }
     const double by_angle = 1.0 - a.cross(b).norm() / wide;
     const double by_distance = 2.0 - distance / apart;
     return std::clamp(std::min(by_angle, by_distance), 0.0, 1.0);
@@ -42,8 +49,8 @@ public:
             points(type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B");
         }
         axes(type);
-        if (type.uses(Role::sides_perpendicular)) { sides("@h", j_.h_i, j_.h_j, Vec3::Zero()); }
-        if (type.uses(Role::screw_angle)) { sides("@u", j_.u_i, j_.u_j, lift_of_u()); }
+        if (type.uses(Role::sides_perpendicular)) { sides("@h", j_.h_i, j_.h_j); }
+        if (type.uses(Role::screw_angle)) { sides("@u", j_.u_i, j_.u_j); }
         if (uses_d_) {
             const Vec3 aside = aside_of_d(type);
             add_distance(style_, j_.P_i + aside, j_.P_j + aside, "@d", *picture_);
@@ -65,9 +72,12 @@ private:
         point(j_.P_i, name + "_i");
         point(j_.P_j, name + "_j");
     }
+    Vec3 seen(const Vec3& direction) const { return on_picture(style_, direction); }
     /// Of s_i and s_j: 1 if one would hide the other.
     double axes_overlap() const {
-        return overlap(j_.s_i, j_.s_j, (j_.P_j - j_.P_i).cross(j_.s_i).norm(), kApart * unit_);
+        const Vec3 apart = j_.P_j - j_.P_i;
+        const double distance = std::abs(apart.dot(beside(style_, j_.s_i)));
+        return overlap(seen(j_.s_i), seen(j_.s_j), distance, kApart * unit_);
     }
     void axes(const JointType& type) {
         const bool uses_j = type.uses(Role::axes_parallel) || type.uses(Role::axes_perpendicular);
@@ -75,7 +85,7 @@ private:
             uses_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular);
         // one on either side of what both lie in
         const double half = uses_j ? 0.5 * kApart * unit_ * axes_overlap() : 0.0;
-        const double sense = j_.s_i.dot(j_.s_j) < 0.0 ? -1.0 : 1.0;
+        const double sense = beside(style_, j_.s_i).dot(beside(style_, j_.s_j)) < 0.0 ? -1.0 : 1.0;
         if (uses_i) {
             aside_i_ = std::max(half, margin(joint_style_.aside_i));
             const Vec3 foot = j_.P_i + aside_i_ * beside(style_, j_.s_i);
@@ -103,21 +113,19 @@ private:
         if (d.norm() < kOnePoint * unit_) { return Vec3::Zero(); }
         const Vec3 side = beside(style_, d.normalized());
         if (type.uses(Role::length)) { return kApart * unit_ * side; }
-        const double way = j_.s_i.dot(d) < 0.0 ? -1.0 : 1.0;
-        const double along = overlap(j_.s_i, d.normalized(), 0.0, kApart * unit_);
+        const double way = beside(style_, j_.s_i).dot(side) < 0.0 ? -1.0 : 1.0;
+        const double along = overlap(seen(j_.s_i), seen(d), 0.0, kApart * unit_);
         return way * along * (aside_i_ + kApart * unit_) * side;
     }
-    void sides(const std::string& name, const Vec3& i, const Vec3& j, const Vec3& lift) {
+    /// One below and one above where both lie on each other, as u_i and u_j at the angle zero.
+    void sides(const std::string& name, const Vec3& i, const Vec3& j) {
         const double length = joint_style_.side + kSideLength * unit_;
-        const Vec3 foot_i = j_.P_i - lift;
-        const Vec3 foot_j = j_.P_j + lift;
+        const double same = i.dot(j) > 0.0 ? overlap(i, j, 0.0, kApart * unit_) : 0.0;
+        const double half = 0.5 * kApart * unit_ * same;
+        const Vec3 foot_i = j_.P_i - std::max(half, margin(joint_style_.lift_i)) * j_.s_i;
+        const Vec3 foot_j = j_.P_j + std::max(half, margin(joint_style_.lift_j)) * j_.s_j;
         add_vector(style_, foot_i, foot_i + length * i, palette::kVectorI, name + "_i", *picture_);
         add_vector(style_, foot_j, foot_j + 0.9 * length * j, palette::kVectorJ, name + "_j", *picture_);
-    }
-    /// u_i and u_j lie on each other at the angle zero: one below, one above.
-    Vec3 lift_of_u() const {
-        const double same = j_.u_i.dot(j_.u_j) > 0.0 ? overlap(j_.u_i, j_.u_j, 0.0, kApart * unit_) : 0.0;
-        return std::max(0.5 * kApart * unit_ * same, margin(joint_style_.lift)) * j_.s_i;
     }
 
     const PlacedJoint& j_;

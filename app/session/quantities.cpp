@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/assembler.hpp"
-
 namespace jw {
 
 namespace {
@@ -35,10 +33,10 @@ QuantityMotion measured_of(const Source& source, const Step& step) {
         quantity.rate *= kDegree;
         quantity.acceleration *= kDegree;
     } else if (std::holds_alternative<SquaredDistanceMeasure>(source.measure)) {
-        // D = d²: Ḋ = 2 d ḋ, D̈ = 2 ḋ² + 2 d d̈
-        quantity.value = std::sqrt(m.value);
-        quantity.rate = m.rate / (2.0 * quantity.value);
-        quantity.acceleration = (0.5 * m.acceleration - quantity.rate * quantity.rate) / quantity.value;
+        const Measured distance = distance_of(m);
+        quantity.value = distance.value;
+        quantity.rate = distance.rate;
+        quantity.acceleration = distance.acceleration;
     } else if (const auto* c = std::get_if<CoordinateMeasure>(&source.measure);
                c != nullptr && c->coordinate > 2) {
         quantity.unit = "-";
@@ -64,6 +62,12 @@ std::vector<Source> sources_of_joint(const Joint& joint, int theta) {
 }
 
 }  // namespace
+
+Measured distance_of(const Measured& squared) {
+    const double d = std::sqrt(squared.value);
+    const double rate = squared.rate / (2.0 * d);
+    return {d, rate, (0.5 * squared.acceleration - rate * rate) / d};
+}
 
 std::string driver_quantity_name(const Mechanism& mechanism, const Driver& driver) {
     constexpr const char* coordinates[] = {".x", ".y", ".z", ".e0", ".e1", ".e2", ".e3"};

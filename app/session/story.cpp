@@ -32,8 +32,10 @@ void thin_out_iterations(std::vector<Step>& steps) {
 
 }  // namespace
 
+double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
+
 Story::Story(const Lesson& lesson, const StoryOptions& options) : lesson_(&lesson) {
-    start_time_ = lesson.motion ? lesson.motion->from : 0.0;
+    start_time_ = start_time(lesson);
     state_ = start_state(lesson.mechanism);
     tell_bodies();
     for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {

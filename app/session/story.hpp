@@ -50,6 +50,9 @@ struct StoryOptions {
     std::function<void(double fraction)> progress;
 };
 
+/// When everything is put together: the motion's first time, or 0 [s].
+double start_time(const Lesson& lesson);
+
 class Story {
 public:
     /// Tells the lesson up to and including its motion. `lesson` must outlive the story.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "app/session/picture_parts.hpp"
@@ -43,7 +44,7 @@ inline Lesson one_joint(std::string_view type) {
     return lesson_of(scene.mechanism);
 }
 
-/// Three hinges in a row, the second and third not parallel to the first.
+/// Ground, a hinge, a hinge across it, a ball, ground.
 inline Lesson chain() {
     SceneBuilder scene;
     const int a = scene.add_body("a", Vec3(0.3, 0.0, 0.0));
@@ -52,6 +53,15 @@ inline Lesson chain() {
     scene.add_joint("revolute", a, b, Vec3(0.6, 0.1, 0.0), Vec3::UnitY());
     scene.add_joint("spherical", b, 0, Vec3(1.2, 0.3, 0.2), Vec3::UnitY());
     return lesson_of(scene.mechanism);
+}
+
+/// A crank, driven through three quarters of a turn in one second.
+inline Lesson crank() {
+    Lesson lesson = one_joint("revolute");
+    drive_angle(lesson.mechanism, 0, polynomial({0.0, 1.5 * std::numbers::pi}));
+    lesson = lesson_of(lesson.mechanism);
+    lesson.motion = MotionPlan{0.0, 1.0, 1.0, 40};
+    return lesson;
 }
 
 inline Step::Kind kind_of(const Story& story, int index) {

@@ -12,7 +12,8 @@ namespace jw::test {
 using namespace picture;
 
 TEST_CASE("one camera has everything in sight that is ever drawn", "[app][picture]") {
-    for (Lesson lesson : {chain(), one_joint("screw"), one_joint("prismatic"), one_joint("distance")}) {
+    for (Lesson lesson :
+         {chain(), one_joint("screw"), one_joint("prismatic"), one_joint("distance"), crank()}) {
         lesson.mechanism.bodies[1].r += Vec3(0.05, 0.02, -0.03);
         const Story story(lesson);
         const PictureStyle style = picture_style(story);

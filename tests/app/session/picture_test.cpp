@@ -128,6 +128,65 @@ TEST_CASE("joints appear when they are added and only the new one is highlighted
     }
 }
 
+TEST_CASE("a driven angle is an arc from u_i to u_j", "[app][picture]") {
+    Lesson lesson = crank();
+    lesson.mechanism.drivers.front().function.polynomial = {1.0};
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const Picture picture = picture_of(story, style, story.last_assembled());
+    CHECK(has_text(picture, "θ"));
+    CHECK_FALSE(has_text(picture, "@s_i"));
+    const auto& arc = picture.scene.polylines.front().points;
+    const Vec3 centre = picture.scene.arrows[1].from;  // foot of u_i; 0 is the head of the arc
+    double length = 0.0;
+    for (std::size_t k = 1; k < arc.size(); ++k) { length += (arc[k] - arc[k - 1]).norm(); }
+    const double radius = (arc.front() - centre).norm();
+    // 1 %: the chords of an arc of 72 to the turn are shorter than 0.1 %, the feet of u are set apart a
+    // little
+    CHECK(length == Approx(radius * 1.0).epsilon(0.01));
+}
+
+TEST_CASE("while everything moves a point leaves its path and no joint is highlighted", "[app][picture]") {
+    const Lesson lesson = crank();
+    const Story story(lesson);
+    const PictureStyle style = picture_style(story);
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    const int first = first_of(story, Step::Kind::motion);
+    const Picture picture = picture_of(story, style, last);
+    CHECK(highlighted(picture).empty());
+    REQUIRE(picture.scene.polylines.size() == 1);
+    CHECK(picture.scene.polylines.front().points.size() == static_cast<std::size_t>(last - first + 1));
+    CHECK(style.traced_body == 1);
+    // a circle about the axis
+    for (const Vec3& point : picture.scene.polylines.front().points) {
+        const Vec3& start = picture.scene.polylines.front().points.front();
+        CHECK((point - kPoint).cross(kAxis).norm() == Approx((start - kPoint).cross(kAxis).norm()));
+    }
+}
+
+TEST_CASE("iterations show where the bodies came from, a failure what is missing", "[app][picture]") {
+    Lesson lesson = one_joint("revolute");
+    lesson.mechanism.bodies[1].r += Vec3(0.2, 0.1, -0.1);
+    const Story story(lesson);
+    const Picture moving = picture_of(story, picture_style(story), first_of(story, Step::Kind::iteration));
+    const auto is_ghost = [](const render::Shape& shape) { return shape.colour.a < 1.0F; };
+    CHECK(std::ranges::any_of(moving.scene.shapes, is_ghost));
+
+    Lesson torn = chain();
+    torn.mechanism.joints[2].geometry.P_j_local += Vec3(4.0, 0.0, 0.0);
+    const Story failed(torn);
+    REQUIRE(failed.failure() != nullptr);
+    const Step& step = failed.steps().back();
+    const Picture picture =
+        picture_of(failed, picture_style(failed), static_cast<int>(failed.steps().size()) - 1);
+    REQUIRE(picture.scene.polylines.size() == 1);
+    const render::Polyline& gap = picture.scene.polylines.front();
+    CHECK(gap.dashed);
+    const PlacedJoint joint = placed(torn.mechanism, 2, step.state);
+    CHECK(gap.points.front() == joint.P_i);
+    CHECK(gap.points.back() == joint.P_j);
+}
+
 TEST_CASE("a thread is cut on the author's bar and turns with it", "[app][picture]") {
     Lesson lesson = one_joint("screw");
     const JointGeometry& g = lesson.mechanism.joints.front().geometry;
