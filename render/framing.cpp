@@ -13,7 +13,8 @@ namespace {
 
 // The eye stays this far in front of the scene, in depths of the scene: beyond the near plane of the camera.
 constexpr double kClearance = 0.15;
-constexpr double kSmallestSize = 0.01;  // [m] a point is shown like a body of 1 cm
+constexpr double kPoint = 1e-7;      // [m] smaller scenes count as a point
+constexpr double kPointSize = 0.01;  // [m] which is shown like a body of 1 cm
 
 struct Include {
     Bounds& bounds;
@@ -182,7 +183,7 @@ Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Rect& safe,
     check(viewport, safe, framing);
     Bounds shown = bounds;
     if (shown.empty()) { shown.include(Vector3d::Zero(), 0.5); }
-    if (shown.diagonal() < kSmallestSize) { shown.include(shown.centre(), kSmallestSize); }
+    if (shown.diagonal() < kPoint) { shown.include(shown.centre(), kPointSize); }
 
     const View view = view_of(shown, viewport, safe, framing);
     const double centre_depth = shown.centre().dot(view.axes.forward);
@@ -203,7 +204,7 @@ Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Framing& fr
 }
 
 Ground ground_below(const Bounds& bounds, const Vector3d& normal) {
-    const double diagonal = std::max(bounds.diagonal(), kSmallestSize);
+    const double diagonal = bounds.diagonal() < kPoint ? kPointSize : bounds.diagonal();
     const Vector3d up = normal.normalized();
     const Vector3d centre = bounds.empty() ? Vector3d::Zero() : bounds.centre();
     const double lowest = bounds.empty() ? 0.0 : -bounds.extent(-up);

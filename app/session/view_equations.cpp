@@ -16,9 +16,9 @@ bool is_redundant(const RankReport* report, int row) {
            std::ranges::any_of(report->redundant_rows, [row](const RedundantRow& r) { return r.row == row; });
 }
 
+/// "0.8", the component of the unit axis without its sign
 std::string size_of(int component, const ChoiceView& choice) {
-    return std::string("|s_") + axis_name(component) +
-           "| = " + number_text(choice.axis_size[static_cast<std::size_t>(component)], 3);
+    return number_text(choice.axis_size[static_cast<std::size_t>(component)], 3);
 }
 
 std::string condition_of(int component, const ChoiceView& choice) {
@@ -30,12 +30,14 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
     const auto largest = static_cast<int>(std::ranges::max_element(view.axis_size) - view.axis_size.begin());
     const std::string name = axis_name(dropped);
     if (dropped == largest) {
-        return "The " + name + " equation is left out, because " + size_of(dropped, view) +
-               " is the largest component of sᵢ: the two that stay both contain it, and their condition is " +
+        return "The " + name + " equation is left out, because sᵢ is longest in " + name + " (" +
+               size_of(dropped, view) +
+               "): the two that stay both contain that component, and their condition is " +
                condition_of(dropped, view) + ".";
     }
-    return "The " + name + " equation stays out: " + size_of(dropped, view) + " is no longer the largest (" +
-           size_of(largest, view) + "), but above 0.8 of it. Condition " + condition_of(dropped, view) + ".";
+    return "The " + name + " equation stays out: sᵢ is now longer in " + axis_name(largest) + " (" +
+           size_of(largest, view) + " against " + size_of(dropped, view) +
+           "), but not by enough to switch. Condition " + condition_of(dropped, view) + ".";
 }
 
 std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
@@ -50,7 +52,7 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
     }
     const std::string name = axis_name(choice.dropped);
     const std::string said =
-        "The lesson forces the " + name + " equation out: " + size_of(choice.dropped, view);
+        "The lesson forces the " + name + " equation out, where sᵢ has " + size_of(choice.dropped, view);
     if (!std::isfinite(view.form_condition)) {
         return said + ", so the two that stay have lost rank: one of them says nothing.";
     }

@@ -97,6 +97,16 @@ TEST_CASE("round shapes stay in the safe rectangle too", "[render][framing]") {
     CHECK(inside > 1000);
 }
 
+TEST_CASE("a watch and a crane fill the picture alike", "[render][framing]") {
+    const double size = GENERATE(1e-5, 1e-3, 1.0, 1e3);
+    Bounds bounds;
+    bounds.include(Vector3d::Zero(), size);
+    const Camera camera = frame_scene(bounds, kViewport, kSafe);
+    // the sphere touches the safe rectangle, so it is about as high as that
+    const double pixels = size / pixel_size(camera, kViewport, Vector3d::Zero());
+    CHECK(pixels > 0.4 * std::min(kSafe.width, kSafe.height));
+}
+
 TEST_CASE("nothing and a single point can be framed", "[render][framing]") {
     Bounds bounds;
     CHECK(project(frame_scene(bounds, kViewport), kViewport, Vector3d::Zero()).visible);
