@@ -192,7 +192,8 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
     // verdict
     const VectorX& sigma = report.singular_values;
     const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
-    report.threshold = std::max(kRankThreshold, error) * sigma(0);
+    // rows are of size 1: a matrix that is all rounding has no rank
+    report.threshold = std::max(kRankThreshold, error) * std::max(1.0, sigma(0));
     while (report.rank < sigma.size() && sigma(report.rank) > report.threshold) { ++report.rank; }
     report.dof = report.columns - report.rank;
 

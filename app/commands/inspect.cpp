@@ -40,7 +40,7 @@ Inspection inspected(const Options& options, const Lesson& lesson) {
         }
         return inspect_time(lesson, *options.time, choice);
     }
-    const Story story(lesson, {.with_motion = options.step.has_value(), .intervals = 0, .progress = {}});
+    const Story story(lesson, poses_only(options.step.has_value()));
     const int last = static_cast<int>(story.steps().size()) - 1;
     if (!options.step) {
         if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }

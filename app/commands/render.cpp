@@ -53,8 +53,9 @@ int intervals_of(const Lesson& lesson, double fps) {
 Exit render_command(const Options& options, const Streams& streams) {
     const Size size = size_of(options.size);
     const Lesson lesson = lesson_of(options.file, streams);
-    const Story story(
-        lesson, {.with_motion = true, .intervals = intervals_of(lesson, options.fps), .progress = {}});
+    StoryOptions how;
+    how.intervals = intervals_of(lesson, options.fps);
+    const Story story(lesson, how);
     const int frames = static_cast<int>(story.steps().size());
     const FrameRange range = frame_range(options.frames, frames);
 

@@ -36,7 +36,9 @@ std::vector<int> told_steps(const Story& story, int until) {
 Exit step(const Options& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
     ProgressBar bar(streams, "following the motion");
-    const Story story(lesson, {.progress = [&](double fraction) { bar.show(fraction); }});
+    StoryOptions how;
+    how.progress = [&](double fraction) { bar.show(fraction); };
+    const Story story(lesson, how);
     const int last = static_cast<int>(story.steps().size()) - 1;
     const int until = options.until < 0 ? last : options.until;
     if (until > last) {

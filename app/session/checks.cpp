@@ -45,8 +45,7 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
 /// Poses of all moments that are asked for, each found once.
 class Poses {
 public:
-    Poses(const Lesson& lesson, bool with_motion)
-        : lesson_(&lesson), story_(lesson, {.with_motion = false, .intervals = 0, .progress = {}}) {
+    Poses(const Lesson& lesson, bool with_motion) : lesson_(&lesson), story_(lesson, poses_only()) {
         if (with_motion) { follow_motion(); }
     }
 

@@ -69,7 +69,7 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
 }
 
 Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice) {
-    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Story story(lesson, poses_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
     auto system = std::make_shared<System>(*last.system);

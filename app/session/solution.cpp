@@ -97,7 +97,7 @@ std::vector<double> times_of(const SweepPlan& plan) {
 
 Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {
-    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Story story(lesson, poses_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
 

@@ -34,7 +34,8 @@ void thin_out_iterations(std::vector<Step>& steps) {
 
 double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
 
-Story::Story(const Lesson& lesson, const StoryOptions& options) : lesson_(&lesson) {
+Story::Story(const Lesson& lesson, const StoryOptions& options)
+    : lesson_(&lesson), with_ranks_(options.with_ranks) {
     start_time_ = start_time(lesson);
     state_ = start_state(lesson.mechanism);
     tell_bodies();
@@ -64,6 +65,10 @@ RankReport rank_of(const System& system, const State& state, double t) {
     return analyse_rank(system, assembler.jacobian(), assembler.phi());
 }
 
+std::shared_ptr<const RankReport> Story::present_rank() const {
+    return with_ranks_ ? std::make_shared<RankReport>(rank_of(*system_, state_, start_time_)) : nullptr;
+}
+
 void Story::find_featured_joint() {
     if (lesson_->mechanism.joints.size() == 1) { featured_joint_ = 0; }
     const System* last = nullptr;
@@ -90,7 +95,7 @@ void Story::tell_bodies() {
     step.state = state_;
     step.velocity = start_motion(lesson_->mechanism);
     step.acceleration = zero_motion(lesson_->mechanism);
-    rank_ = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
+    rank_ = present_rank();
     step.rank = rank_;
     steps_.push_back(std::move(step));
 }
@@ -136,7 +141,7 @@ bool Story::tell_addition(int count) {
         thin_out_iterations(steps_);
         step.kind = Step::Kind::failed;
         step.failure = outcome.failure;
-        step.rank = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
+        step.rank = present_rank();
         steps_.push_back(std::move(step));
         return false;
     }
@@ -145,7 +150,7 @@ bool Story::tell_addition(int count) {
     if (settled->choose_rows(state_)) { system_ = settled; }
     step.kind = Step::Kind::assembled;
     step.system = system_;
-    rank_ = std::make_shared<RankReport>(rank_of(*system_, state_, start_time_));
+    rank_ = present_rank();
     step.rank = rank_;
     steps_.push_back(std::move(step));
     return true;

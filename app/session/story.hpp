@@ -30,7 +30,7 @@ struct Step {
     std::vector<RowChoice> choices;  ///< equations: of the joint's p1 and p2, in the order of its primitives
     std::vector<PositionEvent> events;  ///< iteration and later: what happened in this solve so far
     std::shared_ptr<const RankReport> rank_before;  ///< before the addition, at its pose
-    std::shared_ptr<const RankReport> rank;         ///< assembled, failed
+    std::shared_ptr<const RankReport> rank;         ///< bodies, assembled, failed
     std::optional<PositionFailure> failure;
     bool rows_switched = false;  ///< motion: a p1 / p2 choice changed on the way here
     bool change_point = false;   ///< motion
@@ -46,9 +46,18 @@ Selection selection_of(const Lesson& lesson, int count);
 
 struct StoryOptions {
     bool with_motion = true;
-    int intervals = 0;  ///< of the motion; 0: as many as the lesson says
+    bool with_ranks = true;  ///< of every assembled step, for those who show them
+    int intervals = 0;       ///< of the motion; 0: as many as the lesson says
     std::function<void(double fraction)> progress;
 };
+
+/// For those who want the poses alone.
+inline StoryOptions poses_only(bool with_motion = false) {
+    StoryOptions options;
+    options.with_motion = with_motion;
+    options.with_ranks = false;
+    return options;
+}
 
 /// When everything is put together: the motion's first time, or 0 [s].
 double start_time(const Lesson& lesson);
@@ -73,11 +82,14 @@ private:
     bool tell_addition(int count);
     void tell_motion(const StoryOptions& options);
     void find_featured_joint();
+    /// Of the present system and state, if ranks are asked for.
+    std::shared_ptr<const RankReport> present_rank() const;
 
     const Lesson* lesson_;
     double start_time_ = 0.0;
     std::shared_ptr<const System> system_;
     State state_;
+    bool with_ranks_ = true;
     std::shared_ptr<const RankReport> rank_;
     std::vector<Step> steps_;
     int featured_joint_ = -1;

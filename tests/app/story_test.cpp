@@ -16,6 +16,18 @@ Lesson lesson_named(const std::string& name) {
     return std::move(*read.lesson);
 }
 
+StoryOptions without_motion() {
+    StoryOptions options;
+    options.with_motion = false;
+    return options;
+}
+
+StoryOptions motion_in(int intervals) {
+    StoryOptions options;
+    options.intervals = intervals;
+    return options;
+}
+
 std::vector<View> assembled_views(const Story& story) {
     std::vector<View> views;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
@@ -62,7 +74,7 @@ TEST_CASE("a story goes from the bodies joint by joint over the drivers to the m
 TEST_CASE(
     "the last joint of a four-bar adds five equations of which three repeat the others", "[app][story]") {
     const Lesson lesson = lesson_named("loops/four-bar.toml");
-    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Story story(lesson, without_motion());
     const std::vector<View> views = assembled_views(story);
     REQUIRE(views.size() == 5);
     CHECK(views[0].rank.rank == 5);
@@ -80,7 +92,7 @@ TEST_CASE(
 
 TEST_CASE("iterations of a step end below the tolerance and shrink quadratically", "[app][story]") {
     const Lesson lesson = lesson_named("loops/four-bar.toml");
-    const Story story(lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Story story(lesson, without_motion());
     for (const View& view : assembled_views(story)) {
         REQUIRE_FALSE(view.newton.empty());
         CHECK(view.newton.back().note == "closed");
@@ -95,7 +107,7 @@ TEST_CASE(
     "[app][story]") {
     const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
     for (const int intervals : {2, 3, 5, 8, 100}) {
-        const Story story(lesson, {.with_motion = true, .intervals = intervals, .progress = {}});
+        const Story story(lesson, motion_in(intervals));
         REQUIRE(story.failure() == nullptr);
         for (const Step& step : story.steps()) {
             if (step.kind != Step::Kind::assembled && step.kind != Step::Kind::motion) { continue; }

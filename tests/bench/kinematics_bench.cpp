@@ -94,7 +94,7 @@ void print(const char* choice, const Result& r, const Result& first) {
 void run(const std::filesystem::path& file) {
     const ReadResult read = read_lesson_file(file);
     if (!read.lesson || !read.lesson->motion || read.lesson->mechanism.drivers.empty()) { return; }
-    const Story story(*read.lesson, {.with_motion = false, .intervals = 0, .progress = {}});
+    const Story story(*read.lesson, poses_only());
     if (story.failure() != nullptr) { return; }
     const std::vector<Moment> moments = reference_of(story);
     if (moments.empty()) { return; }

@@ -183,3 +183,15 @@ TEST_CASE(
         CHECK(test::rank_of(line.mechanism).rank == line.real);
     }
 }
+
+TEST_CASE("An equation without any derivative is redundant and repeats nothing", "[core][rank]") {
+    test::SceneBuilder scene;
+    const int rod = scene.add_body("rod", Vec3(0.4, 0.1, -0.2));
+    // d·d = L² with both points together: d = 0, so all its derivatives vanish
+    scene.add_distance(0, rod, Vec3(0.3, 0.2, 0.1), Vec3(0.3, 0.2, 0.1));
+    const RankReport report = test::rank_of(scene.mechanism);
+    CHECK(report.rank == 0);
+    CHECK(report.dof == 6);
+    REQUIRE(report.redundant_rows.size() == 1);
+    CHECK(report.redundant_rows[0].terms.empty());
+}
