@@ -73,10 +73,8 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
 std::vector<NewtonRow> newton_rows_of(const Step& step) {
     std::vector<NewtonRow> rows;
     for (const PositionEvent& event : step.events) {
-        if (const auto* wrong = std::get_if<WrongBranch>(&event)) {
-            if (!rows.empty()) {
-                rows.back().note = "wrong branch left: " + branch_text(*step.system, *wrong);
-            }
+        if (std::holds_alternative<WrongBranch>(event)) {
+            if (!rows.empty()) { rows.back().note = "wrong branch, left"; }
             continue;
         }
         const auto& newton = std::get<NewtonStep>(event);
