@@ -16,7 +16,7 @@ using Status = EquationRow::Status;
 const char* word_of(Status status) {
     switch (status) {
         case Status::kept: return "";
-        case Status::dropped: return "dropped";
+        case Status::dropped: return "out";
         case Status::redundant: break;
     }
     return "repeats";
@@ -40,7 +40,7 @@ void draw_mark(const Canvas& canvas, Point centre, Status status) {
     }
 }
 
-/// "□ x  −0.0123  dropped"
+/// "□ x  −0.0123  out"
 void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row) {
     const ImFont* const font = canvas.fonts().normal;
     const ImFont* const small = canvas.fonts().small;
@@ -52,10 +52,6 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     const float right = cell.x + canvas.px(98.0F);
     const std::string value = live_text(row.value);
     canvas.text({right, cell.y}, font, text_ink, value, Align::right);
-    if (row.status == Status::dropped) {
-        const float left = right - canvas.text_width(font, value);
-        canvas.fill({left, std::round(middle), right - left, std::max(1.0F, canvas.px(1.2F))}, theme::kSoft);
-    }
     const float drop = std::round(font->Ascent) - std::round(small->Ascent);
     const Colour word_ink = row.status == Status::redundant ? theme::kRedundant : theme::kSoft;
     canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word_of(row.status));
@@ -98,7 +94,7 @@ float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& grou
 
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density) {
-    float height = heading(canvas, box, "Equations", "■ kept   □ dropped   ▨ repeats others");
+    float height = heading(canvas, box, "Equations", "■ kept   □ left out   ▨ repeats others");
     const float gap =
         canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
     for (const EquationGroup& group : equations) {

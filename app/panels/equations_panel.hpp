@@ -6,7 +6,7 @@
 namespace jw::panels {
 
 /// The equations as on the page, with the value of every component: filled squares are kept, hollow ones with
-/// a struck value dropped, a hatched one repeats others.
+/// a grey value left out, a hatched one repeats others.
 /// @return height taken
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density);

@@ -89,7 +89,9 @@ float warning(const Canvas& canvas, const Box& box, const std::string& text) {
 }  // namespace
 
 float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
-    const float top = heading(canvas, box, "Rank", "of joints and drivers, in (r, ω′)");
+    const float top = heading(
+        canvas, box, "Rank",
+        rank.assembled ? "of joints and drivers, in (r, ω′)" : "of the matrix here, not assembled yet");
     float x = box.x;
     for (const Figure& figure : figures_of(rank)) {
         const float width = figure.share * box.width;

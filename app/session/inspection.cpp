@@ -74,7 +74,10 @@ Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice)
     if (last.failure) { throw not_reached(lesson, last); }
     auto system = std::make_shared<System>(*last.system);
     MotionTracker tracker(*system, last.state, start_time(lesson));
-    if (!tracker.advance_to(t)) { throw not_reached(lesson, *system, *tracker.failure()); }
+    bool switched = false;
+    if (!advance_along(tracker, lesson, t, switched)) {
+        throw not_reached(lesson, *system, *tracker.failure());
+    }
     Inspection inspection;
     inspection.moment = "t = " + number_text(t, 9) + " s";
     inspection.choice = choice;

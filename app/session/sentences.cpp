@@ -16,6 +16,7 @@ namespace {
 constexpr double kDegree = 180.0 / std::numbers::pi;
 // rounding of a pose whose joints were given by one global point and axis
 constexpr double kHolds = 1e-12;
+constexpr const char* kAllBefore = "the equations before";
 
 const Joint& joint_at(const Mechanism& mechanism, int index) {
     return mechanism.joints[static_cast<std::size_t>(index)];
@@ -115,10 +116,11 @@ std::string equations_sentence(const Lesson& lesson, const Step& step, const Add
 }
 
 std::string newton_sentence(const System& system, const NewtonStep& newton) {
-    std::string text = "Iteration " + std::to_string(newton.iteration + 1) +
-                       " starts from ‖Φ‖ = " + small_text(newton.phi_norm) + "; the largest equation is " +
+    std::string text = "Iteration " + std::to_string(newton.iteration) +
+                       " found ‖Φ‖ = " + small_text(newton.phi_norm) + ", the largest equation " +
                        row_label(system, newton.largest_row) + " = " + small_text(newton.largest_value) +
-                       ". The step Φq Δq = −Φ has length " + small_text(newton.delta_norm);
+                       ". Its step Φq Δq = −Φ, already taken in the picture, has length " +
+                       small_text(newton.delta_norm);
     if (newton.turn > 0.0) {
         text += " and turns no body by more than " + number_text(newton.fraction * newton.turn * kDegree, 3) +
                 "°";
@@ -135,7 +137,7 @@ std::string iteration_sentence(const Step& step) {
     }
     const auto& wrong = std::get<WrongBranch>(step.events.back());
     return "All equations hold, but on the wrong branch: " + branch_text(*step.system, wrong) +
-           ". That is turned by half a turn, and Newton-Raphson starts again from there.";
+           ". In the picture that is already turned by half a turn; Newton-Raphson starts again from there.";
 }
 
 std::string closing_text(const Step& step) {
@@ -164,8 +166,7 @@ std::string repeated_owners(const System& system, const std::vector<RedundantRow
             }
         }
     }
-    if (owners.size() > 6) { return "the equations before"; }
-    return owners.empty() ? "itself" : listed(owners);
+    return owners.size() > 6 ? kAllBefore : listed(owners);
 }
 
 std::string freedoms_text(int dof) {
@@ -173,22 +174,29 @@ std::string freedoms_text(int dof) {
     return count_text(dof, "freedom is left", "freedoms are left") + ".";
 }
 
+/// "three repeat what A, B and C already say"
+std::string repetition_text(const System& system, const RankReport& rank, int repeating) {
+    const bool one = repeating == 1;
+    const bool empty =
+        std::ranges::all_of(rank.redundant_rows, [](const RedundantRow& r) { return r.terms.empty(); });
+    if (empty) { return number_word(repeating) + (one ? " says" : " say") + " nothing here"; }
+    const std::string owners = repeated_owners(system, rank.redundant_rows);
+    const std::string repeat = number_word(repeating) + (one ? " repeats" : " repeat");
+    if (owners.empty()) { return repeat + " the others of the same joint"; }
+    const bool several = owners.find(" and ") != std::string::npos || owners == kAllBefore;
+    return repeat + " what " + owners + " already " + (several ? "say" : "says");
+}
+
 std::string assembled_sentence(
     const Lesson& lesson, const Step& step, const Addition& subject, const RankReport& rank) {
     const int before = step.rank_before ? step.rank_before->rank : 0;
     const int redundant_before = step.rank_before ? step.rank_before->redundant() : 0;
     const auto count = static_cast<int>(rows_of(*step.system, subject).size());
-    const int grown = rank.rank - before;
     const int repeating = rank.redundant() - redundant_before;
     std::string text = subject_name(lesson, subject) + " adds " + count_text(count, "equation") +
-                       ", the rank grows by " + std::to_string(grown) + " (" + std::to_string(before) +
-                       " → " + std::to_string(rank.rank) + ")";
-    if (repeating > 0) {
-        text += ": " + number_word(repeating) + (repeating == 1 ? " repeats" : " repeat") + " what " +
-                repeated_owners(*step.system, rank.redundant_rows) + " already say" +
-                (repeated_owners(*step.system, rank.redundant_rows).find(" and ") == std::string::npos ? "s"
-                                                                                                       : "");
-    }
+                       ", the rank grows by " + std::to_string(rank.rank - before) + " (" +
+                       std::to_string(before) + " → " + std::to_string(rank.rank) + ")";
+    if (repeating > 0) { text += ": " + repetition_text(*step.system, rank, repeating); }
     return text + ". " + freedoms_text(rank.dof) + " " + closing_text(step);
 }
 
@@ -196,11 +204,11 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
     std::string text = "t = " + fixed_text(step.t, 3) + " s: ";
     const Mechanism& m = lesson.mechanism;
     if (step.change_point) {
-        text +=
-            "a change point. The rank is " + std::to_string(rank.rank) + " of " +
-            std::to_string(rank.columns) +
-            " columns here, or nearly so: branches meet, and the motion goes on along the tangent on which "
-            "it came.";
+        text += "a change point, or very near one. Of " + count_text(rank.columns, "column") + " " +
+                std::to_string(rank.rank) +
+                " are independent here, the last of them with a singular value of " +
+                small_text(rank.rank > 0 ? rank.singular_values(rank.rank - 1) : 0.0) +
+                ". The motion goes on along the tangent on which it came.";
         return text;
     }
     text += "rank " + std::to_string(rank.rank) + " of " + std::to_string(rank.columns) + " columns";
@@ -213,7 +221,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
                 "nearest to those before, the accelerations the shortest";
     }
     text += ".";
-    if (step.rows_switched) { text += " The choice of p1 and p2 equations has changed here."; }
+    if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
     return text;
 }
 

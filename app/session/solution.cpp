@@ -107,7 +107,8 @@ Sweep solve_sweep(
     sweep.columns = columns_of(system, plan.analysis);
     const std::vector<double> times = times_of(plan);
     for (std::size_t k = 0; k < times.size(); ++k) {
-        if (!tracker.advance_to(times[k])) {
+        bool switched = false;
+        if (!advance_along(tracker, lesson, times[k], switched)) {
             sweep.failure = not_reached(lesson, system, *tracker.failure()).what();
             return sweep;
         }

@@ -59,6 +59,26 @@ int Story::last_assembled() const {
     return index;
 }
 
+bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched) {
+    rows_switched = false;
+    const auto advance = [&](double next) {
+        const bool ok = tracker.advance_to(next);
+        rows_switched = rows_switched || tracker.frame().rows_switched;
+        return ok;
+    };
+    if (lesson.motion) {
+        const MotionPlan& plan = *lesson.motion;
+        const double interval = (plan.to - plan.from) / plan.steps;
+        for (int k = 1; k <= plan.steps; ++k) {
+            const double moment = plan.from + k * interval;
+            // nearer than a thousandth of an interval they count as one
+            if (moment <= tracker.frame().t + 1e-3 * interval || moment >= t - 1e-3 * interval) { continue; }
+            if (!advance(moment)) { return false; }
+        }
+    }
+    return advance(t);
+}
+
 RankReport rank_of(const System& system, const State& state, double t) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);
@@ -164,9 +184,10 @@ void Story::tell_motion(const StoryOptions& options) {
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
     for (int k = 0; k <= intervals; ++k) {
         const double t = plan.from + (plan.to - plan.from) * k / intervals;
-        const bool ok = k == 0 || tracker.advance_to(t);
+        bool switched = false;
+        const bool ok = k == 0 || advance_along(tracker, *lesson_, t, switched);
         const MotionFrame& frame = tracker.frame();
-        if (frame.rows_switched) { shared = std::make_shared<System>(system); }
+        if (switched) { shared = std::make_shared<System>(system); }
         Step step;
         step.kind = Step::Kind::motion;
         step.additions = static_cast<int>(lesson_->order.size());
@@ -175,7 +196,7 @@ void Story::tell_motion(const StoryOptions& options) {
         step.state = frame.state;
         step.velocity = frame.velocity;
         step.acceleration = frame.acceleration;
-        step.rows_switched = frame.rows_switched;
+        step.rows_switched = switched;
         step.change_point = frame.change_point;
         step.velocity_verdict = frame.velocity_verdict;
         step.acceleration_verdict = frame.acceleration_verdict;

@@ -62,6 +62,11 @@ inline StoryOptions poses_only(bool with_motion = false) {
 /// When everything is put together: the motion's first time, or 0 [s].
 double start_time(const Lesson& lesson);
 
+/// Advances to time `t` over the moments of the lesson's own intervals, so that what is found at `t` does not
+/// depend on which other times were asked for.
+/// @return as MotionTracker::advance_to; `rows_switched` tells whether a p1 / p2 choice changed on the way
+bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched);
+
 class Story {
 public:
     /// Tells the lesson up to and including its motion. `lesson` must outlive the story.

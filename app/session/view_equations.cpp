@@ -30,10 +30,10 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
     const auto largest = static_cast<int>(std::ranges::max_element(view.axis_size) - view.axis_size.begin());
     const std::string name = axis_name(dropped);
     if (dropped == largest) {
-        return "The " + name + " equation is left out, because sᵢ is longest in " + name + " (" +
-               size_of(dropped, view) +
-               "): the two that stay both contain that component, and their condition is " +
-               condition_of(dropped, view) + ".";
+        return "The " + name + " equation is left out, because no component of sᵢ is larger than " + name +
+               " (" + size_of(dropped, view) +
+               "): the two that stay both contain it, and their condition is " + condition_of(dropped, view) +
+               ".";
     }
     return "The " + name + " equation stays out: sᵢ is now longer in " + axis_name(largest) + " (" +
            size_of(largest, view) + " against " + size_of(dropped, view) +
