@@ -86,10 +86,16 @@ std::vector<QuantityMotion> quantities_of(const Step& step) {
     std::vector<QuantityMotion> quantities;
     for (const DriverConstraint& d : system.drivers()) {
         const Driver& driver = mechanism.drivers[static_cast<std::size_t>(d.driver)];
-        quantities.push_back(measured_of(
+        QuantityMotion quantity = measured_of(
             {driver_quantity_name(mechanism, driver), driver.measure, driver.body_i, driver.body_j, d.theta,
              true},
-            step));
+            step);
+        if (std::holds_alternative<AngleMeasure>(driver.measure)) {
+            // a driven angle goes on beyond half a turn as its function does
+            const double target = kDegree * driver.function.at(step.t).f;
+            quantity.value = target + std::remainder(quantity.value - target, 360.0);
+        }
+        quantities.push_back(std::move(quantity));
     }
     for (const int j : system.selection().joints) {
         const auto k = static_cast<std::size_t>(j);

@@ -118,7 +118,9 @@ std::vector<BodyMotion> body_motions_of(const Step& step) {
 
 std::string author_text_of(const Lesson& lesson, const Step& step) {
     const StepTexts& texts = lesson.step_texts;
-    if (step.kind == Step::Kind::bodies) { return texts.bodies.empty() ? lesson.text : texts.bodies; }
+    if (step.kind == Step::Kind::bodies) {
+        return lesson.text + (lesson.text.empty() || texts.bodies.empty() ? "" : " ") + texts.bodies;
+    }
     if (step.kind == Step::Kind::motion) {
         std::string text = texts.motion;
         for (const StepTexts::AtTime& at : texts.times) {
