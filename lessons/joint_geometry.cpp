@@ -184,12 +184,22 @@ void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
     if (const auto form = fields.word("angle_row", {"rotation", "cosine", "sine"})) {
         g.screw_angle_form = static_cast<ScrewAngleForm>(*form);
     }
-    // the start pose lies on the thread unless the author says otherwise
-    g.d_0 = start_displacement(pair, g);
-    g.theta_0 = start_angle(pair, g);
-    if (const auto d_0 = fields.number("d_0")) { g.d_0 = d_0->value; }
-    if (const auto theta_0 = fields.angle("theta_0")) { g.theta_0 = theta_0->value; }
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
+    // the start pose lies on the thread unless the author says otherwise, with both or neither of the two
+    const double d = start_displacement(pair, g);
+    const double theta = start_angle(pair, g);
+    const auto d_0 = fields.number("d_0");
+    const auto theta_0 = fields.angle("theta_0");
+    g.d_0 = d;
+    g.theta_0 = theta;
+    if (theta_0) {
+        g.theta_0 = theta_0->value;
+        g.d_0 = d - g.alpha * (theta - g.theta_0);
+    }
+    if (d_0) {
+        g.d_0 = d_0->value;
+        if (!theta_0 && g.alpha != 0.0) { g.theta_0 = theta - (d - g.d_0) / g.alpha; }
+    }
     if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
         if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
         if (const auto rate = fields.number("theta_dot_deg_per_s")) {
@@ -216,6 +226,7 @@ double start_angle(const BodyPair& pair, const JointGeometry& g) {
     Joint joint;
     joint.geometry = g;
     joint.body_j = 1;
+    if (g.theta_start) { return *g.theta_start; }
     return relative_angle(joint, State{{pair.i->r, pair.j->r}, {pair.i->p, pair.j->p}, {}});
 }
 

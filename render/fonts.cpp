@@ -41,25 +41,18 @@ constexpr int kAtlasWidth = 2048;
 constexpr int kFormulaOversampling = 3;
 
 /// Characters of the interface: first and last of each run.
-constexpr std::array<std::array<char32_t, 2>, 18> kInterface{{
-    {0x0021, 0x007E},
-    {0x00A1, 0x00FF},  // Latin-1; the space comes with the base font
-    {0x02C6, 0x02DC},
-    {0x0302, 0x0308},  // accents; the second kind stand over the letter before
-    {0x0391, 0x03D6},
-    {0x03F5, 0x03F5},  // Greek
-    {0x1D40, 0x1D40},
-    {0x1D62, 0x1D65},  // ᵀ ᵢ ᵣ
-    {0x2010, 0x2026},
-    {0x2030, 0x203A},  // dashes, quotes, dots, primes
-    {0x2070, 0x209C},
-    {0x2190, 0x21D4},  // super- and subscripts, arrows
-    {0x2200, 0x226B},
-    {0x22A4, 0x22C5},  // operators
-    {0x2500, 0x2503},
-    {0x2580, 0x25CF},  // lines, blocks and marks
-    {0x2713, 0x2718},
-    {0x2C7C, 0x2C7C},  // ✓ ✗ ⱼ
+constexpr std::array<std::array<char32_t, 2>, 20> kInterface{{
+    {0x0021, 0x007E}, {0x00A1, 0x00FF},  // Latin-1; the space comes with the base font
+    {0x0100, 0x017F},                    // Latin Extended-A: names in most languages of Europe
+    {0x0400, 0x045F},                    // Cyrillic
+    {0x02C6, 0x02DC}, {0x0302, 0x0308},  // accents; the second kind stand over the letter before
+    {0x0391, 0x03D6}, {0x03F5, 0x03F5},  // Greek
+    {0x1D40, 0x1D40}, {0x1D62, 0x1D65},  // ᵀ ᵢ ᵣ
+    {0x2010, 0x2026}, {0x2030, 0x203A},  // dashes, quotes, dots, primes
+    {0x2070, 0x209C}, {0x2190, 0x21D4},  // super- and subscripts, arrows
+    {0x2200, 0x226B}, {0x22A4, 0x22C5},  // operators
+    {0x2500, 0x2503}, {0x2580, 0x25CF},  // lines, blocks and marks
+    {0x2713, 0x2718}, {0x2C7C, 0x2C7C},  // ✓ ✗ ⱼ
 }};
 
 /// Characters of formulas that are the same in every style; letters come from `math_glyphs`.

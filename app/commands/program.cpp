@@ -77,6 +77,10 @@ int run_program(const std::vector<std::string>& arguments, const Streams& stream
     } catch (const std::bad_alloc&) {
         streams.err << "jointwise: error: out of memory\n";
         return status(Exit::numerics);
+    } catch (const std::exception& error) {
+        // a missing font or OSMesa, a file system that fails: said by whoever found it
+        streams.err << "jointwise: error: " << error.what() << '\n';
+        return status(Exit::bad_input);
     }
 }
 

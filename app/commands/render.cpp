@@ -24,10 +24,11 @@ struct Size {
     int height = 0;
 };
 
-// below this the panels have no room; above it the picture does not fit a software renderer's memory well
+// below this the panels have no room; above it the letters do not fit into one texture
 constexpr Size kSmallest{960, 540};
-constexpr Size kLargest{7680, 4320};
+constexpr Size kLargest{3840, 2160};
 constexpr double kMostFps = 240.0;
+constexpr double kMostFrames = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
 
 Size size_of(const std::string& text) {
     static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
@@ -42,11 +43,20 @@ Size size_of(const std::string& text) {
     throw CommandError(
         Exit::bad_input,
         "jointwise: error: --size '" + text +
-            "'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, for example 1920x1080");
+            "'; expected WIDTHxHEIGHT in pixels from 960x540 to 3840x2160, for example 1920x1080");
 }
 
 int intervals_of(const Lesson& lesson, double fps) {
+    if (!std::isfinite(fps)) {
+        throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
+    }
     if (!lesson.motion) { return 0; }
+    if (lesson.motion->duration * fps > kMostFrames) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: 'duration_s' of the motion times --fps is more than 100000 "
+            "pictures; shorten the one or lower the other");
+    }
     return std::max(1, static_cast<int>(std::lround(lesson.motion->duration * fps)));
 }
 

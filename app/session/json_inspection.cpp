@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/view_equations.hpp"
@@ -63,6 +65,30 @@ private:
     }
 };
 
+/// The data of a measure, with the names of drivers.hpp.
+struct MeasureJson {
+    Json operator()(const AngleMeasure& m) const {
+        return {
+            {"s_i_local", json_of(m.s_i_local)},
+            {"u_i_local", json_of(m.u_i_local)},
+            {"u_j_local", json_of(m.u_j_local)}};
+    }
+    Json operator()(const DisplacementMeasure& m) const {
+        return {
+            {"s_i_local", json_of(m.s_i_local)},
+            {"B_i_local", json_of(m.B_i_local)},
+            {"B_j_local", json_of(m.B_j_local)}};
+    }
+    Json operator()(const SquaredDistanceMeasure& m) const {
+        return {{"P_i_local", json_of(m.P_i_local)}, {"P_j_local", json_of(m.P_j_local)}};
+    }
+    Json operator()(const CoordinateMeasure& m) const {
+        constexpr const char* names[] = {"x", "y", "z", "e0", "e1", "e2", "e3"};
+        return {{"coordinate", names[m.coordinate]}};
+    }
+    Json operator()(const ThetaMeasure& /*m*/) const { return Json::object(); }
+};
+
 const char* measure_name(const Measure& measure) {
     constexpr const char* names[] = {"angle", "displacement", "squared distance", "coordinate", "theta"};
     return names[measure.index()];
@@ -107,7 +133,8 @@ Json drivers_of(const System& system, double t) {
              {"row", d.row},
              {"target", number(target.f)},
              {"target_dot", number(target.f_dot)},
-             {"target_ddot", number(target.f_ddot)}});
+             {"target_ddot", number(target.f_ddot)},
+             {"data", std::visit(MeasureJson{}, driver.measure)}});
     }
     return list;
 }
@@ -161,9 +188,9 @@ Json thetas_of(const System& system, const State& state, const Motion& velocity)
     const Mechanism& mechanism = system.mechanism();
     const std::vector<int> thetas = mechanism.theta_indices();
     Json list = Json::array();
-    for (std::size_t k = 0; k < thetas.size(); ++k) {
-        if (thetas[k] < 0) { continue; }
-        const auto theta = static_cast<std::size_t>(thetas[k]);
+    for (const int active : system.active_thetas()) {
+        const auto theta = static_cast<std::size_t>(active);
+        const auto k = static_cast<std::size_t>(std::ranges::find(thetas, active) - thetas.begin());
         list.push_back(
             {{"joint", mechanism.joints[k].name},
              {"theta", number(state.theta[theta])},

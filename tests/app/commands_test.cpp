@@ -51,9 +51,15 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: --step is so small that there would be more than a million rows\n"
          "hint: jointwise solve --help\n"},
         {{"render", crank, "--out", folder.path("frames"), "--size", "big"},
-         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, for "
+         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 3840x2160, for "
          "example "
          "1920x1080\n"},
+        {{"render", crank, "--out", folder.path("frames"), "--size", "7680x4320"},
+         "jointwise: error: --size '7680x4320'; expected WIDTHxHEIGHT in pixels from 960x540 to 3840x2160, "
+         "for "
+         "example 1920x1080\n"},
+        {{"render", crank, "--out", folder.path("frames"), "--fps", "nan"},
+         "jointwise: error: --fps is not finite; expected 0.1 to 240\n"},
         {{"render", crank, "--out", folder.path("frames"), "--frames", "5:2"},
          "jointwise: error: --frames '5:2'; expected A:B, A:, :B or A with numbers from 0 to 35, the frames "
          "of "

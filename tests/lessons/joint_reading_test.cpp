@@ -107,6 +107,13 @@ TEST_CASE("A screw starts on its thread unless the lesson says otherwise", "[les
     CHECK(joint_with(nut + "theta_0_rad = 7").geometry.theta_0 == 7.0);
     CHECK(joint_with(nut + "angle_row = \"sine\"").geometry.screw_angle_form == ScrewAngleForm::sine);
     CHECK_FALSE(told.theta_start.has_value());
+    // one of the two alone: the start pose still lies on the thread, turns included
+    const JointGeometry turned = joint_with(nut + "theta_deg = 720\nd_0 = 0.51").geometry;
+    CHECK(
+        (0.5 - turned.d_0) - turned.alpha * (4.0 * std::numbers::pi - turned.theta_0) ==
+        Approx(0.0).margin(1e-15));
+    const JointGeometry raised = joint_with(nut + "theta_0_deg = 90").geometry;
+    CHECK((0.5 - raised.d_0) - raised.alpha * (0.0 - raised.theta_0) == Approx(0.0).margin(1e-15));
     const JointGeometry started = joint_with(nut + "theta_deg = 450\ntheta_dot_rad_per_s = -2").geometry;
     CHECK(started.theta_start.value() == Approx(2.5 * std::numbers::pi).margin(kRounding));
     CHECK(started.theta_dot_start.value() == -2.0);
