@@ -141,7 +141,8 @@ public:
 
     void draw(const Box& rows, std::string_view name) {
         const ImFont* const small = canvas_.fonts().small;
-        const float inked = 0.68F * small->FontSize;  // height of capitals and digits
+        const float inked =
+            0.88F * small->FontSize;  // from the top of capitals to the foot of p, and some air
         if (rows.centre().y - 0.5F * inked < free_from_) { return; }
         const float top = std::round(rows.centre().y - 0.5F * canvas_.line_height(small));
         canvas_.text({where_.x, top}, small, colour_, shortened_name(*small, name, where_.width + 1.0F));
