@@ -164,6 +164,9 @@ View view_of(const Story& story, int index) {
     }
     const int shown_joint = step.kind == Step::Kind::motion ? story.featured_joint() : joint;
 
+    const System* before =
+        index > 0 ? story.steps()[static_cast<std::size_t>(index) - 1].system.get() : nullptr;
+
     View view;
     view.kind = step.kind;
     view.step = index;
@@ -179,7 +182,7 @@ View view_of(const Story& story, int index) {
     view.author_text = author_text_of(lesson, step);
     if (shown_joint >= 0) {
         view.equations = equations_of_joint(
-            step, shown_joint, choices_of_joint(*step.system, shown_joint, step.state),
+            step, shown_joint, choices_of_joint(*step.system, shown_joint, step.state, before),
             report.assembled ? &report : nullptr);
     } else if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));

@@ -75,12 +75,20 @@ ChoiceView choice_view_of(const RowChoice& choice) {
     return view;
 }
 
-std::vector<RowChoice> choices_of_joint(const System& system, int joint, const State& state) {
+std::vector<RowChoice> choices_of_joint(
+    const System& system, int joint, const State& state, const System* before) {
+    const auto dropped_before = [before](const Constraint& c) {
+        if (before == nullptr) { return -1; }
+        const auto same = std::ranges::find_if(before->constraints(), [&c](const Constraint& b) {
+            return b.joint == c.joint && b.role == c.role;
+        });
+        return same == before->constraints().end() ? -1 : same->dropped;
+    };
     std::vector<RowChoice> choices;
     for (std::size_t k = 0; k < system.constraints().size(); ++k) {
         const Constraint& c = system.constraints()[k];
         if (c.joint == joint && is_parallel(c.role)) {
-            choices.push_back(explain_choice(system, static_cast<int>(k), state, -1));
+            choices.push_back(explain_choice(system, static_cast<int>(k), state, dropped_before(c)));
         }
     }
     return choices;

@@ -12,7 +12,9 @@ std::vector<EquationGroup> equations_of_joint(
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report);
 
 /// Why these rows are kept, at the step's state.
-std::vector<RowChoice> choices_of_joint(const System& system, int joint, const State& state);
+/// @param before the system of the step before, whose choice may have been another; may be nullptr
+std::vector<RowChoice> choices_of_joint(
+    const System& system, int joint, const State& state, const System* before);
 
 ChoiceView choice_view_of(const RowChoice& choice);
 

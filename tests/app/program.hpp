@@ -3,13 +3,11 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <stdlib.h>
-
 #include "app/commands/program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// The program as a function, and lessons for it.
 namespace jw::test {
@@ -31,32 +29,19 @@ inline Ran run(const std::vector<std::string>& arguments) {
 inline std::string source_path(const std::string& path) { return std::string(JW_SOURCE_ROOT) + "/" + path; }
 inline std::string lesson_path(const std::string& name) { return source_path("lessons/catalogue/" + name); }
 
-/// A folder of its own, removed with everything in it.
+/// A temporary folder whose paths are arguments of the program.
 class Folder {
 public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "jointwise-test-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) { throw std::runtime_error("no temporary folder"); }
-        path_ = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-
     std::string path(const std::string& name = {}) const {
-        return name.empty() ? path_.string() : (path_ / name).string();
+        return name.empty() ? folder_.path().string() : (folder_.path() / name).string();
     }
     /// Writes a lesson and gives its path.
     std::string file(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path(name);
+        return folder_.write(name, text).string();
     }
 
 private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 inline std::string bytes_of(const std::filesystem::path& path) {

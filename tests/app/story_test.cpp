@@ -120,6 +120,24 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a view says so exactly where the choice of rows has changed", "[app][story]") {
+    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    const Story story(lesson);
+    int switches = 0;
+    for (int k = 1; k < static_cast<int>(story.steps().size()); ++k) {
+        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        if (step.kind != Step::Kind::motion) { continue; }
+        bool switched = false;
+        for (const EquationGroup& group : view_of(story, k).equations) {
+            switched = switched || (group.choice && group.choice->switched);
+        }
+        CHECK(switched == step.rows_switched);
+        switches += switched ? 1 : 0;
+    }
+    // z to x, x to y, y to z in one turn
+    CHECK(switches == 3);
+}
+
 TEST_CASE("a lesson without motion ends when everything is put together", "[app][story]") {
     const Folder folder;
     const std::string text(kCrank);

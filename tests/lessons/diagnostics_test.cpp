@@ -1,13 +1,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include "lessons/catalogue.hpp"
 #include "tests/lessons/support.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace jw;
+using test::TemporaryFolder;
 
 namespace {
 
@@ -41,29 +42,6 @@ bool has_error(const ReadResult& result) {
     return std::ranges::any_of(
         result.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
-
-/// A folder of its own that goes away with the test.
-class TemporaryFolder {
-public:
-    TemporaryFolder()
-        : path_(
-              std::filesystem::temp_directory_path() / ("jointwise-lessons-" + std::to_string(::getpid()))) {
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::filesystem::create_directories((path_ / name).parent_path());
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string report_of_file(const std::filesystem::path& path) { return read_lesson_file(path).report(); }
 

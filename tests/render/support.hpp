@@ -1,10 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <random>
 #include <string>
-
-#include <unistd.h>
 
 #include <Eigen/Core>
 
@@ -13,6 +10,7 @@
 #include "render/offscreen.hpp"
 #include "render/scene.hpp"
 #include "render/scene_renderer.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// What several tests of the renderer need.
 namespace jw::render::test {
@@ -24,30 +22,7 @@ inline Vector3d random_vector(std::mt19937& random, double size) {
     return {x, y, uniform(random)};
 }
 
-/// A folder of its own, removed with everything in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "jointwise-test-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) { throw std::runtime_error("no temporary folder"); }
-        path_ = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-
-    const std::filesystem::path& path() const { return path_; }
-    std::size_t files() const {
-        return static_cast<std::size_t>(
-            std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));
-    }
-
-private:
-    std::filesystem::path path_;
-};
+using jw::test::TemporaryFolder;
 
 /// The picture of a scene, with a context of its own.
 inline Image picture(const Scene& scene, const Camera& camera, const Rect& viewport, int width, int height) {
