@@ -9,13 +9,15 @@
 
 namespace jw::render {
 
-/// A picture without a window: an OSMesa context and a framebuffer to draw in.
+class RenderTargets;
+
+/// A picture without a window: an OSMesa context and `RenderTargets` in it. Frames as there.
 ///
-/// One frame is `begin_3d`, draw bodies, `begin_2d`, draw panels, `read`. Panels go into the resolved
-/// picture, so text is not multisampled: faster and as sharp.
+/// Several may live at once. What else was made with `gl` (renderers, textures) must be destroyed while this
+/// context is current: call `make_current` where another one may have been used since.
 class Offscreen {
 public:
-    /// @param samples  wanted per pixel; without multisampling the picture is drawn at double size instead
+    /// @param samples  see `RenderTargets`
     /// @throws std::runtime_error if there is no software GL 3.3 or the size is out of its range.
     Offscreen(int width, int height, int samples = 4);
     ~Offscreen();
@@ -31,21 +33,22 @@ public:
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const;
 
-    /// Makes the context current and clears the multisampled framebuffer.
+    /// Pictures of another size from now on; programs, meshes and fonts of the context stay.
+    /// @throws std::runtime_error if the size is out of range; then the old one stays.
+    void resize(int width, int height);
+
+    void make_current() const;
+
+    // these make the context current
     void begin_3d();
-
-    /// Resolves what was drawn and binds the flat framebuffer for panels and text.
     void begin_2d();
-
-    /// The picture, top row first.
-    /// @throws std::runtime_error if GL reported an error since the last call.
     Image read();
 
 private:
     struct Context;
-    struct Targets;
     std::unique_ptr<Context> context_;
-    std::unique_ptr<Targets> targets_;
+    int wanted_samples_;
+    std::unique_ptr<RenderTargets> targets_;
 };
 
 }  // namespace jw::render

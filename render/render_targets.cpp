@@ -1,0 +1,153 @@
+#include "render/render_targets.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace jw::render {
+namespace {
+
+void throw_on_gl_error(const GlFunctions& gl, const char* during) {
+    if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {
+        constexpr const char* digits = "0123456789abcdef";
+        const std::string code{digits[(error >> 8U) & 15U], digits[(error >> 4U) & 15U], digits[error & 15U]};
+        throw std::runtime_error(
+            std::string(during) + " failed with OpenGL error 0x" + code +
+            (error == GL_OUT_OF_MEMORY ? " (out of memory)" : ""));
+    }
+}
+
+int integer(const GlFunctions& gl, GLenum name) {
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+/// Mean of the `ratio` x `ratio` device pixels that stand for one pixel of the picture.
+void average_block(const std::uint8_t* rgba, std::size_t columns, std::size_t ratio, std::uint8_t* rgb) {
+    const std::size_t count = ratio * ratio;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        std::size_t sum = count / 2;
+        for (std::size_t n = 0; n < count; ++n) {
+            sum += rgba[4 * (n / ratio * columns + n % ratio) + channel];
+        }
+        rgb[channel] = static_cast<std::uint8_t>(sum / count);
+    }
+}
+
+/// Rows of GL start at the bottom and carry alpha.
+Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
+    const auto width = static_cast<std::size_t>(size.width);
+    const auto height = static_cast<std::size_t>(size.height);
+    const auto ratio = static_cast<std::size_t>(size.pixel_ratio);
+    Image image{size.width, size.height, std::vector<std::uint8_t>(3 * width * height)};
+    for (std::size_t row = 0; row < height; ++row) {
+        const std::uint8_t* from = &rgba[4 * (height - 1 - row) * ratio * width * ratio];
+        std::uint8_t* to = &image.rgb[3 * row * width];
+        for (std::size_t column = 0; column < width; ++column, from += 4 * ratio, to += 3) {
+            if (ratio == 1) {
+                std::copy_n(from, 3, to);
+            } else {
+                average_block(from, width * ratio, ratio, to);
+            }
+        }
+    }
+    return image;
+}
+
+/// What is wanted where there is multisampling, else 1: softpipe says 1 and fails on more.
+int supported_samples(const GlFunctions& gl, int wanted) {
+    const int most = integer(gl, GL_MAX_SAMPLES);
+    return most < 2 ? 1 : std::clamp(wanted, 1, most);
+}
+
+FrameSize checked_size(const GlFunctions& gl, int width, int height, bool doubled) {
+    const FrameSize size{width, height, doubled ? 2 : 1};
+    const int largest = integer(gl, GL_MAX_RENDERBUFFER_SIZE) / size.pixel_ratio;
+    if (width < 1 || height < 1 || width > largest || height > largest) {
+        throw std::runtime_error(
+            "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+            " pixels cannot be drawn; each side must be 1 to " + std::to_string(largest));
+    }
+    return size;
+}
+
+}  // namespace
+
+RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int samples)
+    : gl_(gl),
+      samples_(supported_samples(gl, samples)),
+      size_(checked_size(gl, width, height, samples > 1 && samples_ == 1)),
+      // with a single sample nothing has to be resolved: bodies and panels share one framebuffer
+      flat_(make_target(0, samples_ > 1 ? Depth::without : Depth::with)) {
+    if (samples_ > 1) { multisampled_ = make_target(samples_, Depth::with); }
+}
+
+RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
+    Target target{make_framebuffer(gl_), make_renderbuffer(gl_), {}};
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    attach(target.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples);
+    if (depth == Depth::with) {
+        target.depth = make_renderbuffer(gl_);
+        attach(target.depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, samples);
+    }
+    throw_on_gl_error(gl_, "making the framebuffer");
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw std::runtime_error(
+            "the graphics driver cannot draw into " + std::to_string(device_width()) + " x " +
+            std::to_string(device_height()) + " pixels with " + std::to_string(samples) + " samples");
+    }
+    return target;
+}
+
+void RenderTargets::attach(
+    const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const {
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, device_width(), device_height());
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
+}
+
+void RenderTargets::begin_3d() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, (multisampled_ ? *multisampled_ : flat_).framebuffer.name());
+    gl_.Viewport(0, 0, device_width(), device_height());
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.DepthMask(GL_TRUE);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.ClearColor(palette::kPaper.r, palette::kPaper.g, palette::kPaper.b, 1.0F);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void RenderTargets::begin_2d() const {
+    gl_.Disable(GL_SCISSOR_TEST);
+    if (multisampled_) {
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_->framebuffer.name());
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, flat_.framebuffer.name());
+        gl_.BlitFramebuffer(
+            0, 0, device_width(), device_height(), 0, 0, device_width(), device_height(), GL_COLOR_BUFFER_BIT,
+            GL_NEAREST);
+    }
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
+    gl_.Viewport(0, 0, device_width(), device_height());
+}
+
+Image RenderTargets::read() {
+    rgba_.resize(4 * static_cast<std::size_t>(device_width()) * static_cast<std::size_t>(device_height()));
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl_.ReadPixels(0, 0, device_width(), device_height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
+    throw_on_gl_error(gl_, "drawing the picture");
+    return picture_of(rgba_, size_);
+}
+
+void RenderTargets::blit_to_window() const {
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, flat_.framebuffer.name());
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    // at double size, linear sampling falls between four device pixels: their mean, as in `read`
+    gl_.BlitFramebuffer(
+        0, 0, device_width(), device_height(), 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+        size_.pixel_ratio == 1 ? GL_NEAREST : GL_LINEAR);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace jw::render

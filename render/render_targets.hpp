@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/frame_size.hpp"
+#include "render/gl_objects.hpp"
+#include "render/image.hpp"
+
+namespace jw::render {
+
+/// Framebuffers for one size of picture in whatever context is current: the window and `Offscreen` draw into
+/// the same, so both show the same pixels and a screenshot is `read`.
+///
+/// One frame is `begin_3d`, draw bodies, `begin_2d`, draw panels, then `read` or `blit_to_window`. Panels go
+/// into the resolved picture, so text is not multisampled: faster and as sharp. For another size make anew.
+class RenderTargets {
+public:
+    /// The context must be current here, in every call and at destruction; `gl` must outlive this.
+    /// @param samples  wanted per pixel: 1 is fast, for pictures on the move. Where more than 1 are wanted
+    /// and
+    ///                 the driver has no multisampling, the picture is drawn at double size instead.
+    /// @throws std::runtime_error if the size is out of the driver's range.
+    RenderTargets(const GlFunctions& gl, int width, int height, int samples = 4);
+
+    FrameSize size() const { return size_; }
+
+    /// Samples per pixel in effect; 1 if drawn at double size.
+    int samples() const { return samples_; }
+
+    /// Clears and binds the framebuffer for bodies.
+    void begin_3d() const;
+
+    /// Resolves what was drawn and binds the flat framebuffer for panels and text.
+    void begin_2d() const;
+
+    /// The picture, top row first.
+    /// @throws std::runtime_error if GL reported an error since the last call.
+    Image read();
+
+    /// Copies the picture to the lower left corner of the context's own framebuffer, which must not be
+    /// multisampled, and leaves that one bound.
+    void blit_to_window() const;
+
+private:
+    /// A framebuffer with colour and, when wanted, depth.
+    struct Target {
+        GlFramebuffer framebuffer;
+        GlRenderbuffer colour;
+        GlRenderbuffer depth;
+    };
+    enum class Depth : bool { without, with };
+
+    Target make_target(int samples, Depth depth) const;
+    void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
+    GLsizei device_width() const { return size_.width * size_.pixel_ratio; }
+    GLsizei device_height() const { return size_.height * size_.pixel_ratio; }
+
+    const GlFunctions& gl_;
+    int samples_;
+    FrameSize size_;
+    Target flat_;
+    std::optional<Target> multisampled_;
+    std::vector<std::uint8_t> rgba_;  // of the device
+};
+
+}  // namespace jw::render

@@ -1,0 +1,140 @@
+#include <catch2/catch.hpp>
+
+#include <memory>
+
+#include "render/framing.hpp"
+#include "render/render_targets.hpp"
+#include "tests/render/support.hpp"
+
+namespace jw::render::test {
+namespace {
+
+Scene one_ball(const Colour& colour) {
+    Scene scene;
+    scene.ground = Ground{};
+    scene.shapes.push_back({Sphere{{0.0, 0.0, 0.5}, 0.5}, colour});
+    return scene;
+}
+
+/// `Surface` is `Offscreen` or `RenderTargets`.
+template <class Surface>
+Image drawn(Surface& surface, const SceneRenderer& renderer, const Scene& scene) {
+    const Rect whole{
+        0.0, 0.0, static_cast<double>(surface.size().width), static_cast<double>(surface.size().height)};
+    surface.begin_3d();
+    renderer.draw(scene, frame_scene(bounds_of(scene), whole), whole, surface.size());
+    surface.begin_2d();
+    return surface.read();
+}
+
+/// A surface with its renderer, which goes first and in its own context.
+struct Painter {
+    Offscreen offscreen;
+    std::unique_ptr<SceneRenderer> renderer;
+
+    Painter(int width, int height)
+        : offscreen(width, height), renderer(std::make_unique<SceneRenderer>(offscreen.gl())) {}
+    ~Painter() {
+        offscreen.make_current();
+        renderer.reset();
+    }
+    Painter(const Painter&) = delete;
+    Painter& operator=(const Painter&) = delete;
+
+    Image paint(const Scene& scene) { return drawn(offscreen, *renderer, scene); }
+};
+
+Image alone(const Scene& scene, int width, int height) { return Painter(width, height).paint(scene); }
+
+}  // namespace
+
+TEST_CASE("a surface that was resized draws what a new one of that size draws", "[render][surface]") {
+    const Scene scene = one_ball(palette::kOrange);
+    Painter painter(160, 90);
+    const Image before = painter.paint(scene);
+    painter.offscreen.resize(210, 131);
+    CHECK(painter.paint(scene) == alone(scene, 210, 131));
+    CHECK_THROWS_WITH(painter.offscreen.resize(0, 90), Catch::Contains("cannot be drawn"));
+    CHECK(painter.offscreen.size().width == 210);
+    painter.offscreen.resize(160, 90);
+    CHECK(painter.paint(scene) == before);
+}
+
+TEST_CASE("two contexts draw in turns and neither disturbs the other", "[render][surface]") {
+    const Scene orange = one_ball(palette::kOrange);
+    const Scene blue = one_ball(palette::kBlue);
+    const Image first = alone(orange, 160, 90);
+    const Image second = alone(blue, 120, 80);
+    CHECK_FALSE(alone(blue, 160, 90) == first);
+
+    Painter one(160, 90);
+    auto other = std::make_unique<Painter>(120, 80);
+    CHECK(one.paint(orange) == first);
+    CHECK(other->paint(blue) == second);
+    one.offscreen.begin_3d();
+    CHECK(other->paint(blue) == second);
+    // left in the middle of a frame: paper and nothing else
+    one.offscreen.begin_2d();
+    const Image empty = one.offscreen.read();
+    CHECK(std::equal(empty.rgb.begin() + 3, empty.rgb.end(), empty.rgb.begin()));
+    other.reset();
+    CHECK(one.paint(orange) == first);
+}
+
+TEST_CASE(
+    "any context's targets give the picture of Offscreen, with 1 sample and with 4", "[render][surface]") {
+    const Scene scene = one_ball(palette::kGreen);
+    Painter painter(160, 90);
+    const int samples = GENERATE(1, 4);
+    Offscreen reference(160, 90, samples);
+    const SceneRenderer renderer(reference.gl());
+    const Image expected = drawn(reference, renderer, scene);
+
+    painter.offscreen.make_current();
+    RenderTargets targets(painter.offscreen.gl(), 160, 90, samples);
+    const Image image = drawn(targets, *painter.renderer, scene);
+    CHECK(image == expected);
+    CHECK(targets.samples() == reference.samples());
+    reference.make_current();  // its renderer goes first
+}
+
+TEST_CASE("one sample gives the same picture but for its borders", "[render][surface]") {
+    const Scene scene = one_ball(palette::kVermilion);
+    Painter painter(160, 90);
+    const Image smooth = painter.paint(scene);
+    RenderTargets targets(painter.offscreen.gl(), 160, 90, 1);
+    const Image quick = drawn(targets, *painter.renderer, scene);
+    int different = 0;
+    for (std::size_t n = 0; n < smooth.rgb.size(); n += 3) {
+        if (std::abs(smooth.rgb[n] - quick.rgb[n]) > 8) { ++different; }
+    }
+    // the outline of a ball some 60 pixels wide is 200 pixels long; its border touches one or two on each
+    // side
+    CHECK(different > 50);
+    CHECK(different < 900);
+}
+
+TEST_CASE("what is copied to the window is what a screenshot shows", "[render][surface]") {
+    // the framebuffer of an OSMesa context is 16 x 16
+    Painter painter(16, 16);
+    const GlFunctions& gl = painter.offscreen.gl();
+    RenderTargets targets(gl, 16, 16);
+    const Image screenshot = drawn(targets, *painter.renderer, one_ball(palette::kPurple));
+    targets.blit_to_window();
+    std::vector<std::uint8_t> window(16 * 16 * 4);
+    gl.ReadPixels(0, 0, 16, 16, GL_RGBA, GL_UNSIGNED_BYTE, window.data());
+    CHECK(gl.GetError() == GL_NO_ERROR);
+    int equal = 0;
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            equal += std::equal(
+                         screenshot.at(x, y), screenshot.at(x, y) + 3,
+                         &window[static_cast<std::size_t>(4 * ((15 - y) * 16 + x))])
+                         ? 1
+                         : 0;
+        }
+    }
+    CHECK(equal == 16 * 16);
+}
+
+}  // namespace jw::render::test
