@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "render/orbit.hpp"
 #include "render/shaders.hpp"
 
 namespace jw::render {
@@ -204,9 +205,7 @@ void SceneRenderer::draw_backdrop() const {
 
 void SceneRenderer::draw_ground(const Pass& pass, const Ground& ground) const {
     const Vector3d normal = ground.normal.normalized();
-    // lines run along the axes of the global frame wherever the plane has one
-    const Vector3d along = std::abs(normal.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
-    const Vector3d u = (along - normal * normal.dot(along)).normalized();
+    const Vector3d u = level_axis(normal);
     ground_.use();
     ground_.set("clip_from_world", pass.clip_from_world);
     ground_.set("shadow_from_world", pass.shadow.map_from_world);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "render/camera.hpp"
+
+/// Moves of a camera by hand, and what the pointer points at. Pixels are those of `project`: y down.
+///
+/// Cameras turn about their target as on a turntable: `up` stays, and the eye comes no nearer to the poles
+/// than 1e-3 rad, where the picture still has a definite heading and no straight line looks tilted.
+namespace jw::render {
+
+/// Turned so that the scene seems to follow the pointer: `dx_rad` to the right about `up`, `dy_rad` down.
+Camera orbited(const Camera& camera, double dx_rad, double dy_rad);
+
+/// Shifted so that the point at the target moves by (dx_px, dy_px) on the picture.
+Camera panned(const Camera& camera, const Rect& viewport, double dx_px, double dy_px);
+
+/// Magnified by `factor` > 0 about what is seen at (x, y) in the depth of the target.
+/// @param scene_size  [m] the distance stays within 0.01 to 10 of it, so that nobody gets lost; a camera that
+///                    is already beyond goes no further
+Camera zoomed(
+    const Camera& camera, const Rect& viewport, double factor, double x, double y, double scene_size);
+
+enum class StandardView { front, back, left, right, top, bottom, isometric };
+
+/// The horizontal axis that the fronts of scenes face along: x of the global frame where `up` is not along
+/// it, else y; made perpendicular to `up`. Unit.
+Vector3d level_axis(const Vector3d& up);
+
+/// From another side, around the same target at the same distance. With up = z, front looks along y with x
+/// to the right, `right` looks along −x, and top shows x to the right and y up; with up = y, front looks
+/// along −z.
+Camera standard_view(const Camera& camera, StandardView view);
+
+/// On the way from one camera to another: around the target, not through it. Fraction 0 gives `from` and 1
+/// gives `to`, exactly.
+Camera blended(const Camera& from, const Camera& to, double fraction);
+
+struct Ray {
+    Vector3d origin;
+    Vector3d direction;  ///< unit, away from the viewer
+
+    Vector3d point(double distance) const { return origin + distance * direction; }
+};
+
+/// All points that are seen at (x, y).
+Ray ray_through(const Camera& camera, const Rect& viewport, double x, double y);
+
+/// Where the ray through (x, y) meets the plane through `through` that is parallel to the picture: what is
+/// grabbed at `through` and dragged to (x, y) comes to lie there. `through` must be in front of the eye.
+Vector3d point_at_depth(
+    const Camera& camera, const Rect& viewport, double x, double y, const Vector3d& through);
+
+}  // namespace jw::render
