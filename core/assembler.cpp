@@ -107,14 +107,15 @@ double Layout<C>::largest_turn(const VectorX& delta) const {
 }
 
 template <class C>
-Assembler<C>::Assembler(const System& system)
+Assembler<C>::Assembler(const System& system, bool normalisation_rows)
     : system_(&system),
       layout_(system),
+      normalisation_rows_(C::kNormalised && normalisation_rows),
       bodies_(system.mechanism().bodies.size()),
-      phi_(VectorX::Zero(layout_.rows())),
-      jacobian_(MatrixX::Zero(layout_.rows(), layout_.columns())),
-      nu_(VectorX::Zero(layout_.rows())),
-      gamma_(VectorX::Zero(layout_.rows())) {}
+      phi_(VectorX::Zero(system.rows(normalisation_rows_))),
+      jacobian_(MatrixX::Zero(phi_.size(), layout_.columns())),
+      nu_(VectorX::Zero(phi_.size())),
+      gamma_(VectorX::Zero(phi_.size())) {}
 
 template <class C>
 template <Content K>
@@ -134,13 +135,14 @@ void Assembler<C>::set_bodies(const State& state, const Motion* motion) {
 
 template <class C>
 template <class J>
-void Assembler<C>::write_rows(const J& jet, int body_i, int body_j, int theta, int dropped, int first_row) {
+void Assembler<C>::write_rows(
+    const J& jet, int body_i, int body_j, int theta, unsigned left_out, int first_row) {
     constexpr int width = kColumnsPerBody<C>;
     const int column_i = system_->body_column(body_i, C::kAngular);
     const int column_j = system_->body_column(body_j, C::kAngular);
     int row = first_row;
     for (int component = 0; component < J::kDim; ++component) {
-        if (component == dropped) { continue; }
+        if (((left_out >> component) & 1U) != 0) { continue; }
         phi_(row) = jet.value(component);
         if constexpr ((J::kSides & kBodyI) != 0) {
             if (column_i >= 0) {
@@ -170,7 +172,7 @@ void Assembler<C>::assemble_phi_and_jacobian(const State& state, double t) {
             [&](const auto& primitive) {
                 const auto jet = equations<Content::jacobian>(
                     primitive, body(c.body_i), body(c.body_j), theta_of(c.theta, state, nullptr));
-                write_rows(jet, c.body_i, c.body_j, c.theta, c.dropped, c.first_row);
+                write_rows(jet, c.body_i, c.body_j, c.theta, c.left_out(), c.first_row);
             },
             c.primitive);
     }
@@ -182,11 +184,12 @@ void Assembler<C>::assemble_phi_and_jacobian(const State& state, double t) {
                     measure, body(d.body_i), body(d.body_j), theta_of(c.theta, state, nullptr));
                 jet.value(0) =
                     driver_residual(d.measure, jet.value(0), target_of(d.measure, d.function, t).f);
-                write_rows(jet, d.body_i, d.body_j, c.theta, -1, c.row);
+                write_rows(jet, d.body_i, d.body_j, c.theta, 0U, c.row);
             },
             d.measure);
     }
     if constexpr (C::kNormalised) {
+        if (!normalisation_rows_) { return; }
         int row = system_->rows();
         for (const int b : system_->moving_bodies()) {
             phi_(row) = body(b).p.squaredNorm() - 1.0;
@@ -217,7 +220,7 @@ void Assembler<C>::assemble_gamma(const State& state, const Motion& motion, doub
                     primitive, body(c.body_i), body(c.body_j), theta_of(c.theta, state, &motion));
                 int row = c.first_row;
                 for (int component = 0; component < jet.kDim; ++component) {
-                    if (component != c.dropped) { gamma_(row++) = -jet.bias(component); }
+                    if (c.has_row(component)) { gamma_(row++) = -jet.bias(component); }
                 }
             },
             c.primitive);
@@ -233,6 +236,7 @@ void Assembler<C>::assemble_gamma(const State& state, const Motion& motion, doub
             d.measure);
     }
     if constexpr (C::kNormalised) {
+        if (!normalisation_rows_) { return; }
         int row = system_->rows();
         for (const int b : system_->moving_bodies()) { gamma_(row++) = -2.0 * body(b).p_dot.squaredNorm(); }
     }

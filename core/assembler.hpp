@@ -14,7 +14,6 @@ public:
     explicit Layout(const System& system) : system_(&system) {}
 
     int columns() const { return system_->columns(C::kAngular); }
-    int rows() const { return system_->rows(C::kNormalised); }
 
     /// Velocities as columns: ṙ and ṗ (ω', ω), θ̇.
     VectorX columns_of(const State& state, const Motion& motion) const;
@@ -31,12 +30,13 @@ private:
 };
 
 /// Assembles into matrices that are allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in
-/// the (r, p) choices. Columns: 7 or 6 per moving body, then the artificial coordinates.
+/// the (r, p) choices unless they are left out. Columns: 7 or 6 per moving body, then the artificial
+/// coordinates.
 template <class C>
 class Assembler {
 public:
     /// `system` must outlive the assembler; rows may be chosen anew in between.
-    explicit Assembler(const System& system);
+    explicit Assembler(const System& system, bool normalisation_rows = true);
 
     const Layout<C>& layout() const { return layout_; }
     const System& system() const { return *system_; }
@@ -57,10 +57,11 @@ private:
     template <Content K>
     void set_bodies(const State& state, const Motion* motion);
     template <class J>
-    void write_rows(const J& jet, int body_i, int body_j, int theta, int dropped, int first_row);
+    void write_rows(const J& jet, int body_i, int body_j, int theta, unsigned left_out, int first_row);
 
     const System* system_;
     Layout<C> layout_;
+    bool normalisation_rows_;
     std::vector<BodyKinematics<C>> bodies_;
     VectorX phi_;
     MatrixX jacobian_;
@@ -68,7 +69,7 @@ private:
     VectorX gamma_;
 };
 
-/// Φ of all equations of a constraint at `state`, the dropped one included.
+/// Φ of all equations of a constraint at `state`, those without a row included.
 VectorX values_of(const Constraint& constraint, const State& state);
 
 /// Value, rate and acceleration of a measure between two bodies (θ for a screw) at given motion.

@@ -28,6 +28,17 @@ double alignment(const Joint& joint, const State& state) {
     return s_i.dot(turned(state, joint.body_j, joint.geometry.s_j_local.normalized()));
 }
 
+/// False where equations taken out by hand leave the axes of the constraint's joint free to part.
+bool axes_held(const System& system, const Constraint& c, const State& state) {
+    for (const Constraint& other : system.constraints()) {
+        if (other.joint != c.joint || other.role != Role::axes_parallel || other.taken_out == 0) { continue; }
+        if (other.rows() < 2) { return false; }
+        // two rows taken by hand say nothing of an axis that lies in their plane
+        if (values_of(other, state).cwiseAbs().maxCoeff() > kHolds * other.unit) { return false; }
+    }
+    return true;
+}
+
 /// (h_i x h_j)·s_i of unit vectors.
 double handedness(const Joint& joint, const State& state) {
     const Vec3 h_i = turned(state, joint.body_i, joint.geometry.h_i_local.normalized());
@@ -68,6 +79,7 @@ std::optional<WrongBranch> find_wrong_branch(
         const Constraint& c = system.constraints()[k];
         const Joint& joint = joint_of(system, c);
         const int index = static_cast<int>(k);
+        if (c.rows() == 0 || !axes_held(system, c, state)) { continue; }
         if (c.role == Role::axes_parallel) {
             const double cosine = alignment(joint, state);
             if (cosine < 0.0) { return WrongBranch{WrongBranch::Kind::anti_parallel, index, cosine}; }
@@ -86,7 +98,9 @@ std::optional<WrongBranch> find_wrong_branch(
 
 bool left_out_rows_hold(const System& system, const State& state) {
     for (const Constraint& c : system.constraints()) {
-        if (c.dropped < 0 || joint_of(system, c).parallel_form != ParallelForm::rule) { continue; }
+        if (c.dropped < 0 || c.taken_out != 0 || joint_of(system, c).parallel_form != ParallelForm::rule) {
+            continue;
+        }
         if (std::abs(values_of(c, state)(c.dropped)) > kHolds * c.unit) { return false; }
     }
     return true;

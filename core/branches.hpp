@@ -20,7 +20,8 @@ struct WrongBranch {
 /// One entry per constraint of the system.
 std::vector<int> intended_sides(const System& system);
 
-/// The first constraint that is satisfied on the wrong branch at `state`.
+/// The first constraint that is satisfied on the wrong branch at `state`. A joint whose axes may part because
+/// equations are taken out by hand has one branch only: what looks wrong there can be reached by moving.
 /// @param sides from `intended_sides`
 std::optional<WrongBranch> find_wrong_branch(
     const System& system, const State& state, const std::vector<int>& sides);

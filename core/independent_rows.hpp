@@ -27,11 +27,13 @@ struct RowChoice {
     ParallelForm form = ParallelForm::rule;
     int dropped = -1;         ///< 0, 1, 2 = x, y, z; -1: none (all three, or the n1 / n2 pair)
     int previous = -1;        ///< what was dropped before, -1 if nothing
+    unsigned taken_out = 0;   ///< bit k: equation k is taken out by hand
     Vec3 s_i = Vec3::Zero();  ///< global axis, unit
     /// Condition number (largest by smallest singular value) of the two rows left when x, y or z is dropped,
     /// of their (r, ω') matrix over the moving bodies; infinite when the pair has lost rank.
     std::array<double, 3> pair_condition{};
-    double form_condition = 0.0;  ///< of the rows kept now; all three rows: of their two nonzero directions
+    /// Of the rows kept now; all three rows: of their two nonzero directions. Infinite where none is left.
+    double form_condition = 0.0;
 };
 
 }  // namespace jw

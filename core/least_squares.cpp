@@ -8,9 +8,9 @@
 namespace jw {
 
 template <class C>
-Scaling scaling_of(const System& system) {
+Scaling scaling_of(const System& system, bool normalisation_rows) {
     Scaling scaling;
-    const int rows = system.rows(C::kNormalised);
+    const int rows = system.rows(C::kNormalised && normalisation_rows);
     scaling.row.resize(rows);
     for (int row = 0; row < rows; ++row) { scaling.row(row) = system.row_unit(row); }
     scaling.column = VectorX::Ones(system.columns(C::kAngular));
@@ -20,10 +20,10 @@ Scaling scaling_of(const System& system) {
     return scaling;
 }
 
-template Scaling scaling_of<TrueEulerParameters>(const System&);
-template Scaling scaling_of<ModifiedEulerParameters>(const System&);
-template Scaling scaling_of<OmegaLocal>(const System&);
-template Scaling scaling_of<OmegaGlobal>(const System&);
+template Scaling scaling_of<TrueEulerParameters>(const System&, bool);
+template Scaling scaling_of<ModifiedEulerParameters>(const System&, bool);
+template Scaling scaling_of<OmegaLocal>(const System&, bool);
+template Scaling scaling_of<OmegaGlobal>(const System&, bool);
 
 LeastSquares::LeastSquares(Scaling scaling)
     : scaling_(std::move(scaling)),
@@ -97,14 +97,25 @@ void LeastSquares::solve(const VectorX& b, int rank, VectorX& x) {
     solve_lower(rank, c_);
     y_.setZero();
     y_.head(rank) = c_.head(rank);
+    for (Eigen::Index k = rank - 1; k >= 0; --k) { reflect(k); }
+    x = y_.cwiseProduct(scaling_.column);
+}
+
+void LeastSquares::reflect(Eigen::Index k) {
     const MatrixX& QR = qr_.matrixQR();
-    for (Eigen::Index k = rank - 1; k >= 0; --k) {
-        const auto tail = QR.col(k).tail(QR.rows() - k - 1);
-        auto y_tail = y_.tail(QR.rows() - k - 1);
-        const double projection = qr_.hCoeffs()(k) * (y_(k) + tail.dot(y_tail));
-        y_(k) -= projection;
-        y_tail -= projection * tail;
-    }
+    const auto tail = QR.col(k).tail(QR.rows() - k - 1);
+    auto y_tail = y_.tail(QR.rows() - k - 1);
+    const double projection = qr_.hCoeffs()(k) * (y_(k) + tail.dot(y_tail));
+    y_(k) -= projection;
+    y_tail -= projection * tail;
+}
+
+void LeastSquares::keep_free_part(int rank, VectorX& x) {
+    // Q1ᵀ x is what the independent rows see: the reflections applied first to last, and back without it
+    y_ = x.cwiseQuotient(scaling_.column);
+    for (Eigen::Index k = 0; k < rank; ++k) { reflect(k); }
+    y_.head(rank).setZero();
+    for (Eigen::Index k = rank - 1; k >= 0; --k) { reflect(k); }
     x = y_.cwiseProduct(scaling_.column);
 }
 

@@ -16,7 +16,7 @@ struct Scaling {
     VectorX column;  ///< one per column
 };
 template <class C>
-Scaling scaling_of(const System& system);
+Scaling scaling_of(const System& system, bool normalisation_rows = true);
 
 /// Φqᵀ P = Q R with column pivoting picks the independent equations first; the others are W times those.
 /// Works in place after the first use: nothing is allocated as long as the size stays.
@@ -37,7 +37,12 @@ public:
     /// first `rank` pivots as independent.
     void solve(const VectorX& b, int rank, VectorX& x);
 
+    /// Leaves of `x` (unknowns, not scaled) the part that the first `rank` pivots do not see: the free motion
+    /// with Φq x = 0 that is nearest to it in scaled unknowns.
+    void keep_free_part(int rank, VectorX& x);
+
 private:
+    void reflect(Eigen::Index k);
     void solve_lower(int rank, VectorX& c) const;
 
     Scaling scaling_;

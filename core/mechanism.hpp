@@ -19,6 +19,14 @@ struct Body {
     Vec3 omega_local = Vec3::Zero();  ///< [rad/s]
 };
 
+/// One equation of a joint: a component of the primitive with this role.
+struct EquationOut {
+    Role role = Role::same_point;
+    int component = 0;  ///< 0, 1, 2 = x, y, z; of a pair form 0, 1
+
+    bool operator==(const EquationOut&) const = default;
+};
+
 struct Joint {
     std::string name;
     const JointType* type = nullptr;  ///< entry of kJointTypes
@@ -26,6 +34,9 @@ struct Joint {
     int body_j = 0;
     JointGeometry geometry;
     ParallelForm parallel_form = ParallelForm::rule;
+    /// Equations taken out by hand, whatever the form keeps; one that the joint does not have changes
+    /// nothing.
+    std::vector<EquationOut> without;
 };
 
 /// Prescribes a measure between two bodies as a function of time.

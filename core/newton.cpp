@@ -18,6 +18,10 @@ constexpr double kPromisedRest = 0.1;
 // independent by rounding only makes them grow from 1e-8, say, to the size of the machine
 constexpr double kNear = 1e-3;
 constexpr double kLargestGrowth = 10.0;
+// Armijo's test: a ten-thousandth of the fall that the tangent promises is a fall, and no rounding; where a
+// millionth of the step brings none, the direction leads nowhere
+constexpr double kSufficient = 1e-4;
+constexpr double kSmallestFraction = 1e-6;
 
 double largest_coordinate(const State& state) {
     double largest = 0.0;
@@ -28,8 +32,12 @@ double largest_coordinate(const State& state) {
 }  // namespace
 
 template <class C>
-NewtonStepper<C>::NewtonStepper(const System& system)
-    : system_(&system), assembler_(system), scaling_(scaling_of<C>(system)), least_squares_(scaling_) {
+NewtonStepper<C>::NewtonStepper(const System& system, NewtonOptions options)
+    : system_(&system),
+      options_(options),
+      assembler_(system, options.normalisation_rows),
+      scaling_(scaling_of<C>(system, options.normalisation_rows)),
+      least_squares_(scaling_) {
     right_side_.setZero(scaling_.row.size());
     delta_.setZero(scaling_.column.size());
     linear_residual_.setZero(scaling_.row.size());
@@ -65,21 +73,32 @@ template <class C>
 void NewtonStepper<C>::finish(const NewtonStep& step, bool converged, bool at_floor) {
     outcome_ =
         NewtonOutcome{converged, at_floor, iteration_, step.residual, step.largest_row, step.largest_value};
-    if (!converged) { return; }
+    if (!converged || (C::kNormalised && !options_.normalisation_rows)) { return; }
     // p to unit length as a step of its own: what is left of pᵀp - 1 is below the tolerance
     for (const int body : system_->moving_bodies()) { state_.p[static_cast<std::size_t>(body)].normalize(); }
 }
 
 template <class C>
 double NewtonStepper<C>::limited_fraction() const {
+    if (options_.rule != StepRule::limited) { return 1.0; }
     const double turn = assembler_.layout().largest_turn(delta_);
     return turn > kLargestTurn ? kLargestTurn / turn : 1.0;
 }
 
 template <class C>
-double NewtonStepper<C>::residual_norm_after_delta() {
+double NewtonStepper<C>::searched_fraction() {
+    if (options_.rule != StepRule::line_search) { return limited_fraction(); }
+    const double now = right_side_.cwiseQuotient(scaling_.row).norm();
+    for (double fraction = 1.0; fraction > kSmallestFraction; fraction *= 0.5) {
+        if (residual_norm_after(fraction) <= (1.0 - kSufficient * fraction) * now) { return fraction; }
+    }
+    return 0.0;
+}
+
+template <class C>
+double NewtonStepper<C>::residual_norm_after(double fraction) {
     trial_ = state_;
-    trial_delta_ = limited_fraction() * delta_;
+    trial_delta_ = fraction * delta_;
     assembler_.layout().advance(trial_, trial_delta_);
     assembler_.assemble_phi_and_jacobian(trial_, t_);
     return assembler_.phi().cwiseQuotient(scaling_.row).norm();
@@ -106,7 +125,9 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     // that closes to its typed digits only, such a step is rounding over rounding
     truncated_delta_ = delta_;
     least_squares_.solve(right_side_, full_rank, delta_);
-    if (residual > kNear || residual_norm_after_delta() < kLargestGrowth * now) { return full_rank; }
+    if (residual > kNear || residual_norm_after(limited_fraction()) < kLargestGrowth * now) {
+        return full_rank;
+    }
     delta_ = truncated_delta_;
     return tied_rank;
 }
@@ -133,8 +154,13 @@ NewtonStep NewtonStepper<C>::step() {
     previous_residual_ = step.residual;
 
     step.rank = solve_for_delta(step.residual);
+    step.fraction = searched_fraction();
+    if (step.fraction == 0.0) {
+        step.converged = step.residual <= kFloorTolerance;
+        finish(step, step.converged, step.converged);
+        return step;
+    }
     step.turn = assembler_.layout().largest_turn(delta_);
-    step.fraction = limited_fraction();
     delta_ *= step.fraction;
     step.delta_norm = delta_.norm();
     assembler_.layout().advance(state_, delta_);

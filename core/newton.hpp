@@ -17,6 +17,18 @@ inline constexpr int kMostIterations = 60;
 /// A lesson's own numbers may close to no better than their typed digits: seven of them are enough to go on.
 inline constexpr double kFloorTolerance = 1e-7;
 
+/// How much of a step is taken.
+enum class StepRule {
+    limited,      ///< no body turns by more than kLargestTurn: what the program solves with
+    whole,        ///< all of it, wherever that leads
+    line_search,  ///< halved until ‖Φ‖ (scaled) falls
+};
+struct NewtonOptions {
+    StepRule rule = StepRule::limited;
+    /// False leaves pᵀp - 1 out in the (r, p) choices; p is then not made unit in the end either.
+    bool normalisation_rows = true;
+};
+
 /// One iteration: the residual at its start, and the step that was taken from there.
 struct NewtonStep {
     int iteration = 0;           ///< 0 for the first look
@@ -27,7 +39,7 @@ struct NewtonStep {
     bool converged = false;      ///< no step was needed: the members below are 0
     double delta_norm = 0.0;     ///< ‖Δq‖ of the step taken
     double turn = 0.0;           ///< largest turn of a body in the full step [rad]
-    double fraction = 1.0;       ///< of the full step that was taken; below 1 where the turn was limited
+    double fraction = 1.0;       ///< of the full step that was taken; below 1 where the rule shortened it
     int rank = 0;                ///< independent equations used
 };
 
@@ -45,7 +57,7 @@ template <class C>
 class NewtonStepper {
 public:
     /// `system` must outlive this; its rows may be chosen anew between solves.
-    explicit NewtonStepper(const System& system);
+    explicit NewtonStepper(const System& system, NewtonOptions options = {});
 
     void start(State state, double t);
     /// Looks at the residual and takes one step unless it is small enough. Call while `outcome()` is empty.
@@ -60,9 +72,11 @@ private:
     void finish(const NewtonStep& step, bool converged, bool at_floor);
     int solve_for_delta(double residual);
     double limited_fraction() const;
-    double residual_norm_after_delta();
+    double searched_fraction();
+    double residual_norm_after(double fraction);
 
     const System* system_;
+    NewtonOptions options_;
     Assembler<C> assembler_;
     Scaling scaling_;
     LeastSquares least_squares_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -152,13 +151,6 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
     return motions;
 }
 
-double condition_of_rows(const MatrixX& rows) {
-    const VectorX sigma = singular_values_of(rows);
-    if (sigma.size() == 0 || sigma(0) == 0.0) { return std::numeric_limits<double>::infinity(); }
-    const double smallest = sigma(sigma.size() - 1);
-    return smallest > kRounding * sigma(0) ? sigma(0) / smallest : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 VectorX singular_values_of(const MatrixX& matrix) {
@@ -171,7 +163,9 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
     report.rows = static_cast<int>(jacobian.rows());
     report.columns = static_cast<int>(jacobian.cols());
     int promised = static_cast<int>(system.drivers().size());
-    for (const Constraint& c : system.constraints()) { promised += independent_equations(c.role); }
+    for (const Constraint& c : system.constraints()) {
+        promised += std::min(independent_equations(c.role), c.rows());
+    }
     report.mobility_by_counting = report.columns - promised;
     const Scaling scaling = scaling_of<OmegaLocal>(system);
     if (jacobian.size() == 0) {
@@ -214,53 +208,6 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
         report.free_motions = readable_basis(svd.matrixV().rightCols(report.dof), scaling.column);
     }
     return report;
-}
-
-RowChoice explain_choice(const System& system, int constraint, const State& state, int previous) {
-    const Constraint& c = system.constraints()[static_cast<std::size_t>(constraint)];
-    const Mechanism& mechanism = system.mechanism();
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
-
-    RowChoice choice;
-    choice.form = joint.parallel_form;
-    choice.dropped = c.dropped;
-    choice.previous = previous;
-    choice.s_i =
-        rotation_matrix(state.p[static_cast<std::size_t>(c.body_i)]) * joint.geometry.s_i_local.normalized();
-
-    // the joint alone with all three rows, to compare the pairs on equal terms
-    Mechanism alone = mechanism;
-    alone.joints = {joint};
-    alone.drivers.clear();
-    const auto rows_of = [&](ParallelForm form) {
-        alone.joints[0].parallel_form = form;
-        State local = state;
-        local.theta.assign(static_cast<std::size_t>(alone.thetas_count()), 0.0);
-        const System system_alone(alone, everything(alone));
-        Assembler<OmegaLocal> assembler(system_alone);
-        assembler.assemble_phi_and_jacobian(local, 0.0);
-        const auto& constraints = system_alone.constraints();
-        const auto own = std::ranges::find(constraints, c.role, &Constraint::role);
-        MatrixX rows =
-            assembler.jacobian().middleRows(own->first_row, own->equations - (own->dropped >= 0 ? 1 : 0));
-        for (const int body : system_alone.moving_bodies()) {
-            rows.middleCols<3>(system_alone.body_column(body, 3)) *= system.length_unit();
-        }
-        return rows;
-    };
-    for (int k = 0; k < 3; ++k) {
-        const std::array forms{ParallelForm::drop_x, ParallelForm::drop_y, ParallelForm::drop_z};
-        choice.pair_condition[static_cast<std::size_t>(k)] =
-            condition_of_rows(rows_of(forms[static_cast<std::size_t>(k)]));
-    }
-    if (choice.dropped >= 0) {
-        choice.form_condition = choice.pair_condition[static_cast<std::size_t>(choice.dropped)];
-    } else {
-        const VectorX sigma = singular_values_of(rows_of(joint.parallel_form));
-        choice.form_condition =
-            sigma.size() > 1 ? sigma(0) / sigma(1) : std::numeric_limits<double>::infinity();
-    }
-    return choice;
 }
 
 }  // namespace jw

@@ -36,14 +36,15 @@ struct RankReport {
     int rows = 0;
     int columns = 0;
     int rank = 0;
-    int dof = 0;                   ///< columns - rank
-    int mobility_by_counting = 0;  ///< Grübler: columns minus the equations that the joint types promise
-    VectorX singular_values;       ///< of the matrix in the scene's unit of length, largest first
-    double threshold = 0.0;        ///< absolute; singular values up to it count as zero
-    double residual = 0.0;         ///< largest |Φ|, scaled
-    double largest_gap = 0.0;      ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
-    bool assembled = true;         ///< false: residual so large that only the matrix is described
-    bool near_singular = false;    ///< σ_r is small against σ_(r-1)
+    int dof = 0;  ///< columns - rank
+    int mobility_by_counting =
+        0;  ///< Grübler: columns minus the equations that the joint types promise, less those taken out
+    VectorX singular_values;     ///< of the matrix in the scene's unit of length, largest first
+    double threshold = 0.0;      ///< absolute; singular values up to it count as zero
+    double residual = 0.0;       ///< largest |Φ|, scaled
+    double largest_gap = 0.0;    ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
+    bool assembled = true;       ///< false: residual so large that only the matrix is described
+    bool near_singular = false;  ///< σ_r is small against σ_(r-1)
     std::vector<RedundantRow> redundant_rows;
     std::vector<FreeMotion> free_motions;
 

@@ -106,6 +106,11 @@ void System::add_joint(int joint, int theta) {
         c.theta = theta;
         c.equations = equations_of(c.primitive);
         c.unit = unit_of(c.primitive, length_unit_);
+        for (const EquationOut& out : j.without) {
+            if (out.role == role && out.component >= 0 && out.component < c.equations) {
+                c.taken_out |= 1U << out.component;
+            }
+        }
         if (is_parallel(role)) { c.dropped = forced_drop(j.parallel_form); }
         constraints_.push_back(c);
     }
@@ -117,7 +122,7 @@ void System::number_rows() {
         Constraint& c = constraints_[k];
         c.first_row = static_cast<int>(origins_.size());
         for (int component = 0; component < c.equations; ++component) {
-            if (component == c.dropped) { continue; }
+            if (!c.has_row(component)) { continue; }
             origins_.push_back({RowOrigin::Kind::constraint, static_cast<int>(k), component});
         }
     }
@@ -147,6 +152,7 @@ bool System::choose_rows(const State& state) {
     for (Constraint& c : constraints_) {
         const Joint& joint = mechanism_->joints[static_cast<std::size_t>(c.joint)];
         if (!is_parallel(c.role) || joint.parallel_form != ParallelForm::rule) { continue; }
+        if (c.taken_out != 0 && c.dropped >= 0) { continue; }
         const Vec3 s_i =
             rotation_matrix(state.p[static_cast<std::size_t>(c.body_i)]) * joint.geometry.s_i_local;
         const int dropped = choose_dropped(s_i, c.dropped);
@@ -159,9 +165,11 @@ bool System::choose_rows(const State& state) {
 
 void System::inherit_rows(const System& other) {
     for (Constraint& c : constraints_) {
+        const Joint& joint = mechanism_->joints[static_cast<std::size_t>(c.joint)];
+        if (!is_parallel(c.role) || joint.parallel_form != ParallelForm::rule) { continue; }
         const auto same = std::ranges::find_if(
             other.constraints_, [&](const Constraint& o) { return o.joint == c.joint && o.role == c.role; });
-        if (same != other.constraints_.end() && same->equations == c.equations) { c.dropped = same->dropped; }
+        if (same != other.constraints_.end() && same->dropped >= 0) { c.dropped = same->dropped; }
     }
     number_rows();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <vector>
 
 #include "core/independent_rows.hpp"
@@ -16,11 +17,17 @@ struct Constraint {
     Primitive primitive;
     int body_i = 0;
     int body_j = 0;
-    int theta = -1;    ///< index of the artificial coordinate, -1 if none
-    int dropped = -1;  ///< component left out, -1 if none
+    int theta = -1;          ///< index of the artificial coordinate, -1 if none
+    int dropped = -1;        ///< component left out by its form, -1 if none
+    unsigned taken_out = 0;  ///< bit k: component k is taken out by hand (Joint::without)
     int first_row = 0;
-    int equations = 0;  ///< all of them, dropped one included
+    int equations = 0;  ///< all of them, those without a row included
     double unit = 1.0;  ///< size of one equation in the scene's units; see System::row_unit
+
+    /// Bit k: component k has no row.
+    unsigned left_out() const { return taken_out | (dropped >= 0 ? 1U << dropped : 0U); }
+    bool has_row(int component) const { return ((left_out() >> component) & 1U) == 0; }
+    int rows() const { return equations - std::popcount(left_out()); }
 };
 
 /// A driver, one row.
@@ -86,10 +93,11 @@ public:
     /// it before they are compared, so that long vectors and other length units change no verdict.
     double row_unit(int row) const;
 
-    /// Applies the rule of slide 5 at `state` to every p1 / p2 under ParallelForm::rule.
+    /// Applies the rule of slide 5 at `state` to every p1 / p2 under ParallelForm::rule. Where an equation is
+    /// taken out by hand the first choice stays: the others no longer imply the one that the rule leaves out.
     /// @return true if a choice changed
     bool choose_rows(const State& state);
-    /// Takes over the choices of another system over the same mechanism, where both have the constraint.
+    /// Takes over the choices that the rule has made in another system, where both have the constraint.
     void inherit_rows(const System& other);
 
 private:

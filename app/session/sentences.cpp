@@ -53,7 +53,7 @@ std::string counts_by_primitive(const System& system, int joint) {
     std::string text;
     for (const Constraint& c : system.constraints()) {
         if (c.joint != joint) { continue; }
-        const int kept = c.equations - (c.dropped >= 0 ? 1 : 0);
+        const int kept = c.rows();
         text += (text.empty() ? "" : ", ") + std::to_string(kept);
         if (kept < c.equations) { text += " of " + std::to_string(c.equations); }
         text += " from " + name_of_role(c.role, joint_at(system.mechanism(), joint).parallel_form);

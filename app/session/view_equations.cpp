@@ -108,7 +108,7 @@ std::vector<EquationGroup> equations_of_joint(
             EquationRow entry;
             entry.component = component_name(c, k);
             entry.value = values(k);
-            entry.row = k == c.dropped ? -1 : row++;
+            entry.row = c.has_row(k) ? row++ : -1;
             if (entry.row < 0) {
                 entry.status = EquationRow::Status::dropped;
             } else if (is_redundant(report, entry.row)) {

@@ -133,6 +133,21 @@ TEMPLATE_TEST_CASE(
 }
 
 TEMPLATE_TEST_CASE(
+    "Derivatives hold for what is left when single equations are taken out", "[core][derivatives]",
+    TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
+    const auto form = GENERATE(ParallelForm::rule, ParallelForm::all_three, ParallelForm::pair);
+    for (const JointType& type : kJointTypes) {
+        if (type.independent_rows() < 2) { continue; }
+        test::Random random(5);
+        Mechanism mechanism = test::random_joint(random, type, form, ScrewAngleForm::rotation);
+        mechanism.joints[0].without = {{type.roles.front(), 0}};
+        if (type.roles.size() > 1) { mechanism.joints[0].without.push_back({type.roles[1], 1}); }
+        CAPTURE(type.name, static_cast<int>(form));
+        check_against_differences<TestType>(mechanism, start_state(mechanism), start_motion(mechanism), 5);
+    }
+}
+
+TEMPLATE_TEST_CASE(
     "Both Euler parameter choices are exact for p of any length", "[core][derivatives]", TrueEulerParameters,
     ModifiedEulerParameters) {
     for (const JointType& type : kJointTypes) {

@@ -102,7 +102,7 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
             }
         }
         for (std::size_t k = 0; k < all.size(); ++k) {
-            if (static_cast<int>(k) != c.dropped) { rows.push_back(all[k]); }
+            if (c.has_row(static_cast<int>(k))) { rows.push_back(all[k]); }
         }
     }
 
