@@ -15,6 +15,8 @@ struct Rect {
     double width = 1280.0;
     double height = 720.0;
 
+    bool operator==(const Rect&) const = default;
+
     bool contains(double px, double py) const {
         return px >= x && px <= x + width && py >= y && py <= y + height;
     }
@@ -30,6 +32,8 @@ struct Camera {
     Vector3d up = Vector3d::UnitZ();
     double field_of_view = 0.5;  ///< vertical [rad]
     bool orthographic = false;   ///< the height of the picture at the target stays as with a pinhole
+
+    bool operator==(const Camera&) const = default;
 
     double distance() const { return (target - eye).norm(); }
 };

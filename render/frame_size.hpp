@@ -8,6 +8,8 @@ struct FrameSize {
     int width = 0;  ///< pixels of the picture
     int height = 0;
     int pixel_ratio = 1;
+
+    bool operator==(const FrameSize&) const = default;
 };
 
 }  // namespace jw::render

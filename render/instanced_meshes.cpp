@@ -83,6 +83,7 @@ LineBatch::LineBatch(const GlFunctions& gl)
     attribute(gl_, 1, 3, stride, offsetof(LineSegment, to), Advance::per_instance);
     attribute(gl_, 2, 1, stride, offsetof(LineSegment, width), Advance::per_instance);
     attribute(gl_, 3, 4, stride, offsetof(LineSegment, colour), Advance::per_instance);
+    attribute(gl_, 4, 1, stride, offsetof(LineSegment, id), Advance::per_instance);
     gl_.BindVertexArray(0);
 }
 

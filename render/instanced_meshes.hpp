@@ -44,4 +44,12 @@ private:
     GlBuffer segments_;
 };
 
+/// What every program that draws scenes needs on the graphics card.
+struct SceneMeshes {
+    explicit SceneMeshes(const GlFunctions& gl) : solids(gl), lines(gl) {}
+
+    InstancedMeshes solids;
+    LineBatch lines;
+};
+
 }  // namespace jw::render

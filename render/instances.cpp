@@ -43,20 +43,27 @@ Pose frame_along(const Vector3d& origin, const Vector3d& axis) {
     return frame_along(origin, axis, axis.unitOrthogonal());
 }
 
+struct Look {
+    Colour colour;
+    float edge_width;
+    Colour edge_colour;
+    int id;
+};
+
 /// Adds instances of one look to one group of lists.
 class Builder {
 public:
-    Builder(InstanceLists& lists, Colour colour, float edge_width, Colour edge_colour)
-        : lists_(lists), colour_(colour), edge_width_(edge_width), edge_colour_(edge_colour) {}
+    Builder(InstanceLists& lists, const Look& look) : lists_(lists), look_(look) {}
 
     void add(MeshKind kind, const Pose& pose, const Vector3d& size, double inner, double rounding) {
         Instance instance;
         instance.pose << pose.A.cast<float>(), pose.r.cast<float>();
         instance.size << size.cast<float>(), static_cast<float>(inner);
         instance.rounding = static_cast<float>(rounding);
-        instance.edge_width = edge_width_;
-        instance.colour = colour_;
-        instance.edge_colour = edge_colour_;
+        instance.edge_width = look_.edge_width;
+        instance.id = static_cast<float>(look_.id);
+        instance.colour = look_.colour;
+        instance.edge_colour = look_.edge_colour;
         lists_[static_cast<std::size_t>(kind)].push_back(instance);
     }
 
@@ -147,9 +154,7 @@ private:
     }
 
     InstanceLists& lists_;
-    Colour colour_;
-    float edge_width_;
-    Colour edge_colour_;
+    Look look_;
 };
 
 /// Calls `piece(from, to)` for every dash of the path, which begins and ends with half a dash. A dash that
@@ -185,15 +190,14 @@ InstanceLists& list_for(DrawLists& lists, InstanceLists& otherwise, float alpha,
 void add_shape(DrawLists& lists, const Shape& shape) {
     InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through);
     const Colour dark = with_alpha(mix(shape.colour, palette::kInk, kEdgeDarkening), shape.colour.a);
-    std::visit(
-        shape.highlighted ? Builder(list, shape.colour, kStrongEdge, palette::kInk)
-                          : Builder(list, shape.colour, kFineEdge, dark),
-        shape.geometry);
+    const Look look = shape.highlighted ? Look{shape.colour, kStrongEdge, palette::kInk, shape.id}
+                                        : Look{shape.colour, kFineEdge, dark, shape.id};
+    std::visit(Builder(list, look), shape.geometry);
 }
 
 void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length) {
     InstanceLists& list = list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through);
-    Builder builder(list, arrow.colour, kLightRim, with_alpha(palette::kPaper, arrow.colour.a));
+    Builder builder(list, {arrow.colour, kLightRim, with_alpha(palette::kPaper, arrow.colour.a), arrow.id});
     const double length = (arrow.to - arrow.from).norm();
     const double head = std::min(2.5 * arrow.radius * static_cast<double>(kConeLength), length);
     if (!arrow.dashed || length <= 2.0 * head) { return builder.arrow(arrow.from, arrow.to, arrow.radius); }
@@ -210,18 +214,20 @@ void add_triad(DrawLists& lists, const Triad& triad) {
     InstanceLists& list = list_for(lists, lists.annotations, triad.alpha, triad.see_through);
     const Colour rim = with_alpha(palette::kPaper, triad.alpha);
     for (int axis = 0; axis < 3; ++axis) {
-        Builder builder(
-            list, with_alpha(palette::kAxes[static_cast<std::size_t>(axis)], triad.alpha), kLightRim, rim);
+        const Colour colour = with_alpha(palette::kAxes[static_cast<std::size_t>(axis)], triad.alpha);
+        Builder builder(list, {colour, kLightRim, rim, triad.id});
         builder.arrow(triad.pose.r, triad.pose.r + triad.length * triad.pose.A.col(axis), triad.radius);
     }
-    Builder hub(list, with_alpha(palette::kInkSoft, triad.alpha), kLightRim, rim);
+    Builder hub(list, {with_alpha(palette::kInkSoft, triad.alpha), kLightRim, rim, triad.id});
     hub(Sphere{triad.pose.r, 1.7 * triad.radius});
 }
 
 void add_polyline(DrawLists& lists, const Polyline& line, double dash_length) {
     std::vector<LineSegment>& list = line.see_through ? lists.see_through_lines : lists.lines;
     const auto piece = [&](const Vector3d& from, const Vector3d& to) {
-        list.push_back({from.cast<float>(), to.cast<float>(), static_cast<float>(line.width), line.colour});
+        list.push_back(
+            {from.cast<float>(), to.cast<float>(), static_cast<float>(line.width), line.colour,
+             static_cast<float>(line.id)});
     };
     std::vector<Vector3d> path = line.points;
     if (line.closed && !path.empty()) { path.push_back(path.front()); }

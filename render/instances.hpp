@@ -17,7 +17,8 @@ struct Instance {
     Eigen::Vector4f size = Eigen::Vector4f::Ones();    ///< of the core: x, y, z, and the inner radius
     float rounding = 0.0F;
     float edge_width = 0.0F;  ///< of the outline, in pixels of a picture 720 high
-    float padding[2] = {0.0F, 0.0F};
+    float id = 0.0F;          ///< exact: below 2^24
+    float padding = 0.0F;
     Colour colour;
     Colour edge_colour;
 };
@@ -32,8 +33,9 @@ struct LineSegment {
     Eigen::Vector3f to;
     float width = 1.0F;  ///< pixels of a picture 720 high
     Colour colour;
+    float id = 0.0F;
 };
-static_assert(sizeof(LineSegment) == 11 * sizeof(float), "attribute pointers assume no gaps");
+static_assert(sizeof(LineSegment) == 12 * sizeof(float), "attribute pointers assume no gaps");
 
 struct DrawLists {
     InstanceLists bodies;       ///< opaque, cast and receive shadow

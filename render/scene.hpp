@@ -9,10 +9,15 @@
 #include "render/palette.hpp"
 
 /// What is to be drawn, as plain values: no mechanism, no GL, no window. Lengths in m, global frame.
+///
+/// An `id` names what the pointer hits (see `IdBuffer`): 1 to `kMostIds`, several parts may share one; 0: the
+/// pointer does not see it.
 namespace jw::render {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+inline constexpr int kMostIds = (1 << 24) - 1;
 
 /// A body frame: columns of A are its axes, r its origin.
 struct Pose {
@@ -87,6 +92,7 @@ struct Shape {
     Colour colour = palette::kSteel;  ///< alpha < 1: a ghost, drawn last and without shadow
     bool highlighted = false;         ///< outlined in the ink colour
     bool see_through = false;         ///< shows faintly through what hides it: points and pins inside bodies
+    int id = 0;
 };
 
 /// A vector: shaft and cone, tip at `to`. Nothing is drawn for a zero vector.
@@ -97,6 +103,7 @@ struct Arrow {
     Colour colour = palette::kVectorI;
     bool dashed = false;
     bool see_through = true;
+    int id = 0;
 };
 
 /// Axes of a frame: x, y, z in the colours of `palette::kAxes`.
@@ -106,6 +113,7 @@ struct Triad {
     double radius = 0.006;
     float alpha = 1.0F;
     bool see_through = true;
+    int id = 0;
 };
 
 /// Path of a point, distance line, axis. Always faces the camera.
@@ -116,6 +124,7 @@ struct Polyline {
     bool dashed = false;
     bool closed = false;
     bool see_through = true;
+    int id = 0;
 };
 
 /// A plane with a fine grid that fades out, and the soft shadow of everything above it.

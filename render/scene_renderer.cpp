@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "render/orbit.hpp"
+#include "render/scene_view.hpp"
 #include "render/shaders.hpp"
 
 namespace jw::render {
@@ -13,8 +14,6 @@ namespace {
 constexpr int kShadowTexels = 1024;
 constexpr double kShadowBorder = 0.006;  // softness of shadows, in widths of the map
 constexpr float kHiddenAlpha = 0.50F;    // of what is seen through a body
-constexpr double kDashPixels = 9.0;
-constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
 
 /// Lamps stand relative to the camera, so every view is lit well: key from the upper left behind the viewer,
 /// fill from the right.
@@ -66,20 +65,6 @@ GlFramebuffer make_shadow_framebuffer(const GlFunctions& gl, const GlTexture& ma
     return framebuffer;
 }
 
-struct DeviceRect {
-    GLint x, y;
-    GLsizei width, height;
-};
-
-/// GL counts pixels from the bottom.
-DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
-    const auto pixels = [&](double length) {
-        return static_cast<GLint>(std::lround(length * frame.pixel_ratio));
-    };
-    return {
-        pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
-}
-
 }  // namespace
 
 const SceneRenderer::Surface SceneRenderer::kBody{0.75F, 0.0F, 1.0F};
@@ -88,27 +73,12 @@ const SceneRenderer::Surface SceneRenderer::kHidden{0.0F, 0.45F, kHiddenAlpha};
 const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
 /// What all steps of one frame share.
-struct SceneRenderer::Pass {
-    const Camera& camera;
-    DrawLists lists;
+struct SceneRenderer::Pass : SceneView {
     Light light;
     ShadowView shadow;
-    Matrix4d clip_from_world;
-    float clip_per_pixel_x;
-    float clip_per_pixel_y;
-    float pixel_scale;  ///< device pixels per pixel of a picture 720 high
 
     Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame)
-        : camera(seen_by),
-          lists(draw_lists_of(
-              scene,
-              kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target))),
-          light(light_for(scene, seen_by)),
-          clip_from_world(
-              projection_matrix(seen_by, viewport.width / viewport.height) * view_matrix(seen_by)),
-          clip_per_pixel_x(static_cast<float>(2.0 / (viewport.width * frame.pixel_ratio))),
-          clip_per_pixel_y(static_cast<float>(2.0 / (viewport.height * frame.pixel_ratio))),
-          pixel_scale(static_cast<float>(frame.pixel_ratio * frame.height / kReferenceHeight)) {
+        : SceneView(scene, seen_by, viewport, frame), light(light_for(scene, seen_by)) {
         Scene casters;
         casters.shapes = scene.shapes;
         shadow = shadow_view(bounds_of(casters), light.towards_key, kShadowTexels);
@@ -116,10 +86,8 @@ struct SceneRenderer::Pass {
 
     /// Uniforms of `shaders::body_vertex`.
     void set_vertex_uniforms(const GlProgram& program, float edge_scale) const {
-        program.set("clip_from_world", clip_from_world);
+        set_solid_uniforms(program, edge_scale);
         program.set("shadow_from_world", shadow.map_from_world);
-        program.set("clip_per_pixel", clip_per_pixel_x, clip_per_pixel_y);
-        program.set("edge_scale", edge_scale);
         // one and a half texels: what a slope of 45 degrees rises within a tap and its neighbours
         program.set(
             "shadow_offset",
@@ -140,17 +108,17 @@ SceneRenderer::SceneRenderer(const GlFunctions& gl)
       backdrop_(gl, "backdrop", shaders::backdrop_vertex(), shaders::backdrop_fragment()),
       line_(gl, "line", shaders::line_vertex(), shaders::line_fragment()),
       meshes_(gl),
-      line_batch_(gl),
       no_attributes_(make_vertex_array(gl)),
       shadow_map_(make_shadow_map(gl)),
       shadow_framebuffer_(make_shadow_framebuffer(gl, shadow_map_)) {}
 
 void SceneRenderer::draw(
     const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const {
+    const DeviceRect rect = device_rect(viewport, frame);
+    if (rect.width < 1 || rect.height < 1) { return; }
     const Pass pass(scene, camera, viewport, frame);
     draw_shadow_map(pass);
 
-    const DeviceRect rect = device_rect(viewport, frame);
     gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
     gl_.Scissor(rect.x, rect.y, rect.width, rect.height);
     gl_.Enable(GL_SCISSOR_TEST);
@@ -187,7 +155,7 @@ void SceneRenderer::draw_shadow_map(const Pass& pass) const {
     depth_.use();
     pass.set_vertex_uniforms(depth_, 0.0F);
     depth_.set("clip_from_world", pass.shadow.clip_from_world);
-    meshes_.draw(pass.lists.bodies);
+    meshes_.solids.draw(pass.lists.bodies);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
@@ -283,7 +251,7 @@ void SceneRenderer::shade(const Pass& pass, const InstanceLists& lists, const Su
     body_.set("shadow_strength", surface.shadow_strength);
     body_.set("flatness", surface.flatness);
     body_.set("alpha_scale", surface.alpha);
-    meshes_.draw(lists);
+    meshes_.solids.draw(lists);
 }
 
 void SceneRenderer::draw_edges(const Pass& pass, const InstanceLists& lists) const {
@@ -291,7 +259,7 @@ void SceneRenderer::draw_edges(const Pass& pass, const InstanceLists& lists) con
     gl_.CullFace(GL_FRONT);
     edge_.use();
     pass.set_vertex_uniforms(edge_, pass.pixel_scale);
-    meshes_.draw(lists);
+    meshes_.solids.draw(lists);
     gl_.CullFace(GL_BACK);
 }
 
@@ -301,13 +269,9 @@ void SceneRenderer::draw_lines(const Pass& pass, const std::vector<LineSegment>&
     // the soft border of one segment must not hide the next
     gl_.DepthMask(GL_FALSE);
     line_.use();
-    line_.set("clip_from_world", pass.clip_from_world);
-    line_.set("clip_per_pixel", pass.clip_per_pixel_x, pass.clip_per_pixel_y);
-    line_.set("width_scale", pass.pixel_scale);
-    // beyond 0, where there is no direction on the picture, and before the near plane at 5 % of the distance
-    line_.set("near_w", pass.camera.orthographic ? 0.0F : static_cast<float>(0.01 * pass.camera.distance()));
+    pass.set_line_uniforms(line_);
     line_.set("alpha_scale", alpha);
-    line_batch_.draw(lines);
+    meshes_.lines.draw(lines);
     gl_.DepthMask(GL_TRUE);
     gl_.Disable(GL_BLEND);
 }

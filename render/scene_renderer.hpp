@@ -21,8 +21,12 @@ public:
     explicit SceneRenderer(const GlFunctions& gl);
 
     /// Draws into the rectangle `viewport` of the framebuffer that is bound, which has a depth buffer.
-    /// The point that `project(camera, viewport, point)` names is where a point appears.
+    /// The point that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn into
+    /// a viewport without pixels.
     void draw(const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const;
+
+    /// For an `IdBuffer` of the same context.
+    const SceneMeshes& meshes() const { return meshes_; }
 
 private:
     struct Pass;
@@ -56,8 +60,7 @@ private:
     GlProgram ground_;
     GlProgram backdrop_;
     GlProgram line_;
-    InstancedMeshes meshes_;
-    LineBatch line_batch_;
+    SceneMeshes meshes_;
     GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
     GlTexture shadow_map_;
     GlFramebuffer shadow_framebuffer_;

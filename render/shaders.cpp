@@ -32,6 +32,18 @@ vec3 linear_from_srgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) 
 vec3 srgb_from_linear(vec3 c) { return max(1.055 * pow(max(c, vec3(0.0)), vec3(0.41666)) - 0.055, vec3(0.0)); }
 )";
 
+/// Three digits to the base 256, exact in 8 bits a channel.
+constexpr const char* kIdColour = R"(
+flat in float picked_id;
+uniform float rank;
+out vec4 pixel;
+
+vec4 id_colour() {
+    vec3 digits = vec3(mod(picked_id, 256.0), mod(floor(picked_id / 256.0), 256.0), floor(picked_id / 65536.0));
+    return vec4(digits / 255.0, rank);
+}
+)";
+
 }  // namespace
 
 std::string body_vertex() {
@@ -42,7 +54,7 @@ layout(location = 2) in vec4 pose_x;
 layout(location = 3) in vec4 pose_y;
 layout(location = 4) in vec4 pose_z;
 layout(location = 5) in vec4 size;
-layout(location = 6) in vec4 widths;  // rounding [m], edge [pixels]
+layout(location = 6) in vec4 widths;  // rounding [m], edge [pixels], id
 layout(location = 7) in vec4 colour;
 layout(location = 8) in vec4 edge_colour;
 
@@ -57,6 +69,7 @@ out vec3 surface_normal;
 out vec3 shadow_position;
 out vec4 body_colour;
 out vec4 outline_colour;
+flat out float picked_id;
 
 void main() {
     vec3 scale = mix(size.xyz, vec3(size.w, size.w, size.z), core.w);
@@ -66,6 +79,7 @@ void main() {
     shadow_position = (shadow_from_world * vec4(position + surface_normal * shadow_offset, 1.0)).xyz;
     body_colour = colour;
     outline_colour = edge_colour;
+    picked_id = widths.z;
 
     gl_Position = clip_from_world * vec4(position, 1.0);
     // the outline is the back of the body, blown up by a constant width on the picture
@@ -217,6 +231,7 @@ layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in float width;
 layout(location = 3) in vec4 colour;
+layout(location = 4) in float id;
 
 uniform mat4 clip_from_world;
 uniform vec2 clip_per_pixel;
@@ -227,6 +242,7 @@ out vec2 offset;          // from the axis of the segment, in pixels
 flat out float half_length;
 flat out float half_width;
 flat out vec4 line_colour;
+flat out float picked_id;
 
 void main() {
     vec4 a = clip_from_world * vec4(from, 1.0);
@@ -248,6 +264,7 @@ void main() {
     vec2 pixels = corner.x * reach * along + corner.y * reach * vec2(-along.y, along.x);
     gl_Position = end + vec4(pixels * clip_per_pixel * end.w, 0.0, 0.0);
     line_colour = colour;
+    picked_id = id;
 }
 )";
 }
@@ -268,6 +285,26 @@ void main() {
     // transparent round ends would show as dots where segments meet
     if (covered <= 0.0 || (line_colour.a * alpha_scale < 1.0 && beyond > 0.5)) { discard; }
     pixel = vec4(line_colour.rgb, line_colour.a * covered * alpha_scale);
+}
+)";
+}
+
+std::string body_id_fragment() {
+    return std::string(kVersion) + kIdColour + R"(
+void main() { pixel = id_colour(); }
+)";
+}
+
+std::string line_id_fragment() {
+    return std::string(kVersion) + kIdColour + R"(
+in vec2 offset;
+flat in float half_length;
+flat in float half_width;
+
+void main() {
+    float beyond = max(abs(offset.x) - half_length, 0.0);
+    if (length(vec2(beyond, offset.y)) > half_width) { discard; }
+    pixel = id_colour();
 }
 )";
 }

@@ -15,5 +15,7 @@ std::string backdrop_vertex();
 std::string backdrop_fragment();
 std::string line_vertex();
 std::string line_fragment();
+std::string body_id_fragment();  ///< with body_vertex: the id as colour
+std::string line_id_fragment();  ///< with line_vertex
 
 }  // namespace jw::render::shaders

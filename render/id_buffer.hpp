@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/instanced_meshes.hpp"
+#include "render/scene_view.hpp"
+
+namespace jw::render {
+
+/// What of a scene the pointer hits: the scene drawn once more with ids for colours, by the same meshes and
+/// vertex shaders as the picture, so that both agree to the pixel. No blending, no multisampling.
+///
+/// Vectors, points and lines that are seen through bodies are hit through bodies. Opaque bodies without an id
+/// hide what is behind them; anything else without one lets the pointer through.
+class IdBuffer {
+public:
+    /// @param meshes  of the `SceneRenderer` of the same context. Both must outlive this; the context must be
+    ///                current here, in every call and at destruction.
+    IdBuffer(const GlFunctions& gl, const SceneMeshes& meshes);
+
+    /// Draws the ids, unless version, camera, viewport and frame are those of the call before. Leaves the
+    /// framebuffer that was bound bound.
+    /// @param version  a number that is another one whenever the scene is another
+    /// @return whether anything had to be drawn
+    /// @throws std::invalid_argument if an id is out of range
+    bool update(
+        const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
+        std::uint64_t version);
+
+    /// The id at a point of the frame as of the last `update`; 0 where nothing is, and outside the viewport.
+    int id_at(double x, double y) const { return nearest_id(x, y, 0.0); }
+
+    /// The id for a pointer that need not be exact: that of the nearest vector, point or line within `radius`
+    /// pixels, else of the body under the pointer, else of the nearest body within `radius`, else 0.
+    int nearest_id(double x, double y, double radius) const;
+
+private:
+    /// Everything that `update` compares.
+    struct Seen {
+        std::uint64_t version = 0;
+        Camera camera;
+        Rect viewport;
+        FrameSize frame;
+
+        bool operator==(const Seen&) const = default;
+    };
+
+    void make_framebuffer_for(const DeviceRect& rect);
+    void draw(const SceneView& view) const;
+    void draw_solids(const SceneView& view, const InstanceLists& lists, float rank) const;
+    void draw_solid_parts(const SceneView& view, const InstanceLists& lists, float rank, bool edges) const;
+    void draw_lines(const SceneView& view, const std::vector<LineSegment>& lines) const;
+
+    const GlFunctions& gl_;
+    const SceneMeshes& meshes_;
+    GlProgram solid_;
+    GlProgram line_;
+    GlFramebuffer framebuffer_;
+    GlRenderbuffer colour_;
+    GlRenderbuffer depth_;
+    DeviceRect rect_{};  // the viewport; empty before the first `update`
+    Seen seen_;
+};
+
+}  // namespace jw::render

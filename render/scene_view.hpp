@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/frame_size.hpp"
+#include "render/gl_objects.hpp"
+#include "render/instances.hpp"
+#include "render/scene.hpp"
+
+namespace jw::render {
+
+/// A scene as one camera sees it: what picture and id picture have in common, so that they agree.
+struct SceneView {
+    Camera camera;
+    DrawLists lists;
+    Matrix4d clip_from_world;
+    float clip_per_pixel_x;
+    float clip_per_pixel_y;
+    float pixel_scale;  ///< device pixels per pixel of a picture 720 high
+
+    SceneView(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame);
+
+    /// Uniforms of `shaders::body_vertex` but for shadow. @param edge_scale  0 or `pixel_scale`
+    void set_solid_uniforms(const GlProgram& program, float edge_scale) const;
+
+    /// Uniforms of `shaders::line_vertex`.
+    void set_line_uniforms(const GlProgram& program) const;
+};
+
+/// Pixels of the device, counted from the bottom as GL does.
+struct DeviceRect {
+    GLint x, y;
+    GLsizei width, height;
+};
+
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame);
+
+}  // namespace jw::render
