@@ -1,0 +1,256 @@
+#include "app/session/series.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "app/session/view.hpp"
+#include "lessons/reader.hpp"
+#include "tests/app/program.hpp"
+#include "tests/app/session/picture_lessons.hpp"
+
+namespace jw::test {
+
+namespace {
+
+Lesson shipped(const std::string& name) {
+    ReadResult read = read_lesson_file(lesson_path(name));
+    INFO(read.report());
+    REQUIRE(read.lesson.has_value());
+    return *read.lesson;
+}
+
+const Series& series_named(const SeriesSet& set, const std::string& name) {
+    CAPTURE(name);
+    const auto found = std::ranges::find(set.series, name, &Series::name);
+    REQUIRE(found != set.series.end());
+    return *found;
+}
+
+bool is_complete(const SeriesSet& set) {
+    return set.steps.size() == set.at.size() && std::ranges::is_sorted(set.at) &&
+           std::ranges::is_sorted(set.steps) &&
+           std::ranges::all_of(set.series, [&](const Series& s) { return s.values.size() == set.at.size(); });
+}
+
+/// Largest difference between `rate` and the central differences of `value`, in parts of the largest rate.
+double misfit(const SeriesSet& set, const Series& value, const Series& rate) {
+    double largest = 0.0;
+    double wrong = 0.0;
+    for (std::size_t k = 1; k + 1 < set.at.size(); ++k) {
+        const double slope = (value.values[k + 1] - value.values[k - 1]) / (set.at[k + 1] - set.at[k - 1]);
+        largest = std::max(largest, std::abs(rate.values[k]));
+        wrong = std::max(wrong, std::abs(slope - rate.values[k]));
+    }
+    return wrong / std::max(largest, 1e-3);
+}
+
+}  // namespace
+
+TEST_CASE("rates and accelerations are the slopes of what is plotted with them", "[app][series]") {
+    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    StoryOptions options = poses_only(true);
+    options.intervals = 600;
+    const Story story(lesson, options);
+    const SeriesSet set = motion_series(story, {2, Vec3(0.24, 0.0, 0.0)});
+    REQUIRE(is_complete(set));
+    REQUIRE(set.at.size() == 601);
+
+    // h = 0.01 s and ω up to about 3/s: differences are off by ω² h²/6 = 1.5e-4; less where ω̈ is larger
+    const double tolerance = 1e-3;
+    for (const Series& s : set.series) {
+        CAPTURE(s.name);
+        const auto check = [&](const std::string& rate) {
+            CHECK(misfit(set, s, series_named(set, rate)) < tolerance);
+        };
+        const std::string end = s.name.size() > 2 ? s.name.substr(s.name.size() - 2) : "";
+        if (s.name.ends_with(" rate")) { check(s.name.substr(0, s.name.size() - 5) + " acceleration"); }
+        if (s.unit == "deg") { check(s.name + " rate"); }
+        if (s.name.ends_with(".r" + end)) { check(s.name.substr(0, s.name.size() - 4) + ".r_dot" + end); }
+        if (s.name.ends_with(".r_dot" + end)) {
+            check(s.name.substr(0, s.name.size() - 8) + ".r_ddot" + end);
+        }
+        if (s.name.ends_with(".omega" + end)) {
+            check(s.name.substr(0, s.name.size() - 8) + ".omega_dot" + end);
+        }
+    }
+    CHECK(series_named(set, "turntable.angle").values.back() == Approx(360.0));
+    CHECK(series_named(set, "|collar.r|").values.front() == Approx(0.55));
+}
+
+TEST_CASE("the speed of the traced point is the length of its path over time", "[app][series]") {
+    const Lesson lesson = crank();
+    const Story story(lesson);
+    const Vec3 local(0.3, -0.1, 0.2);
+    const SeriesSet set = motion_series(story, {1, local});
+    double path = 0.0;
+    double summed = 0.0;
+    const auto at = [&](const char* axis, std::size_t k) {
+        return series_named(set, std::string("body.point.") + axis).values[k];
+    };
+    const Series& speed = series_named(set, "body.point speed");
+    for (std::size_t k = 1; k < set.at.size(); ++k) {
+        path += Vec3(at("x", k) - at("x", k - 1), at("y", k) - at("y", k - 1), at("z", k) - at("z", k - 1))
+                    .norm();
+        summed += 0.5 * (speed.values[k] + speed.values[k - 1]) * (set.at[k] - set.at[k - 1]);
+    }
+    // a chord of 270/40 deg is shorter than its arc by (0.118)²/24 = 6e-4
+    CHECK(path == Approx(summed).epsilon(1e-3));
+}
+
+TEST_CASE("angles that nobody drives go on beyond half a turn", "[app][series]") {
+    const Lesson lesson = shipped("loops/cardan.toml");
+    const Story story(lesson, poses_only(true));
+    const SeriesSet set = motion_series(story);
+    for (const Series& s : set.series) {
+        if (s.unit != "deg") { continue; }
+        for (std::size_t k = 1; k < s.values.size(); ++k) {
+            CAPTURE(s.name, k);
+            REQUIRE(std::abs(s.values[k] - s.values[k - 1]) < 90.0);
+        }
+    }
+}
+
+TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
+    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Story story(lesson, poses_only(true));
+    const SeriesSet set = motion_series(story);
+    REQUIRE(set.marks.size() == 3);
+    // the lesson's own words: at 67.3, 187.3 and 307.3 deg of 60 deg/s; the first moment after it
+    const double interval = 6.0 / 240.0;
+    const std::vector<std::string> texts{
+        "sleeve p1, p2: drop x", "sleeve p1, p2: drop y", "sleeve p1, p2: drop z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double exact = (67.3 + 120.0 * static_cast<double>(k)) / 60.0;
+        CHECK(set.marks[k].at > exact - 1e-3);  // of the three digits in 67.3
+        CHECK(set.marks[k].at < exact + interval);
+        CHECK(set.marks[k].text == texts[k]);
+    }
+}
+
+TEST_CASE("residuals of all iterations stand in one row, each under its joint", "[app][series]") {
+    for (const char* name : {"loops/four-bar.toml", "hard/anti-parallel.toml", "hard/cannot-close.toml"}) {
+        CAPTURE(name);
+        const Lesson lesson = shipped(name);
+        const Story story(lesson, poses_only());
+        const SeriesSet set = newton_series(story);
+        REQUIRE(is_complete(set));
+        CHECK(set.logarithmic);
+        CHECK(set.series.size() <= lesson.order.size());
+        for (std::size_t k = 0; k < set.at.size(); ++k) {
+            const auto there =
+                std::ranges::count_if(set.series, [k](const Series& s) { return !std::isnan(s.values[k]); });
+            REQUIRE(there == 1);
+        }
+        // the iteration that a step shows is the one whose point leads to it
+        for (std::size_t k = 0; k < set.at.size(); ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(set.steps[k])];
+            if (step.kind != Step::Kind::iteration) { continue; }
+            if (k > 0 && set.steps[k - 1] == set.steps[k]) { continue; }  // left out of the story
+            const View view = view_of(story, set.steps[k]);
+            const Series& own =
+                *std::ranges::find_if(set.series, [k](const Series& s) { return !std::isnan(s.values[k]); });
+            CHECK(own.values[k] == view.newton.back().phi_norm);
+        }
+    }
+}
+
+TEST_CASE("a wrong branch that was left is marked", "[app][series]") {
+    const Lesson lesson = shipped("hard/anti-parallel.toml");
+    const Story story(lesson, poses_only());
+    const SeriesSet set = newton_series(story);
+    REQUIRE(set.marks.size() == 1);
+    CHECK(set.marks[0].text == "wrong branch left");
+}
+
+TEST_CASE("singular values over time are those of the ranks, with their threshold", "[app][series]") {
+    const Lesson lesson = shipped("loops/parallelogram.toml");
+    const Story story(lesson, poses_only(true));
+    const SeriesSet set = singular_value_series(story);
+    REQUIRE(is_complete(set));
+    REQUIRE(set.series.size() > 1);
+    CHECK(set.series.back().name == "threshold");
+    CHECK(set.series.front().name == "σ₁");
+    for (std::size_t k = 0; k < set.at.size(); k += 17) {
+        const Step& step = story.steps()[static_cast<std::size_t>(set.steps[k])];
+        const RankReport report = rank_of(*step.system, step.state, step.t);
+        const auto above = std::ranges::count_if(set.series, [&](const Series& s) {
+            return s.name != "threshold" && s.values[k] > set.series.back().values[k];
+        });
+        CHECK(static_cast<int>(above) == report.rank);
+    }
+}
+
+TEST_CASE("the condition of a pair of rows is one over the component that is dropped", "[app][series]") {
+    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Story story(lesson, poses_only(true));
+    const SeriesSet set = condition_series(story, 1);
+    REQUIRE(is_complete(set));
+    REQUIRE(set.series.size() == 8);  // p1 and p2: three drops and the rows in use
+    for (const char* role : {"p1", "p2"}) {
+        const Series& used = series_named(set, std::string(role) + " in use");
+        // √3/0.8 of docs/notation.md for p1 alone; p2 has arms of up to 0.7 m as well: 2.2 stays in sight of
+        // it
+        for (const double condition : used.values) { CHECK(condition < 3.0); }
+    }
+    const Series& x = series_named(set, "p1 drop x");
+    const Series& used = series_named(set, "p1 in use");
+    const Series& z = series_named(set, "p1 drop z");
+    CHECK(used.values.front() == z.values.front());
+    // at 2 s sᵢ points along x
+    CHECK(used.values[80] == x.values[80]);
+    CHECK(x.values[80] == Approx(1.0).margin(1e-9));
+}
+
+TEST_CASE("where nothing moves there are no points, and a sentence says so", "[app][series]") {
+    const Lesson still = chain();
+    const Story story(still);
+    for (const SeriesSet& set :
+         {motion_series(story), singular_value_series(story), condition_series(story, 0)}) {
+        CHECK(set.at.empty());
+        CHECK(set.why_empty.starts_with("Nothing moves here"));
+    }
+    const Lesson moving = shipped("loops/cardan.toml");
+    const Story with_motion(moving, poses_only(true));
+    int without = -1;
+    for (std::size_t j = 0; j < moving.mechanism.joints.size(); ++j) {
+        if (moving.mechanism.joints[j].type->name == "universal") { without = static_cast<int>(j); }
+    }
+    REQUIRE(without >= 0);
+    CHECK(condition_series(with_motion, without).why_empty.starts_with("This joint has no p1"));
+}
+
+TEST_CASE("a CSV file reads back as the same numbers, commas and quotes in names included", "[app][series]") {
+    SeriesSet set;
+    set.axis = "t [s]";
+    set.at = {0.0, 0.1, 1.0 / 3.0};
+    set.steps = {0, 1, 2};
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    set.series = {{"a, \"b\"", "m", {1e-300, -2.0 / 3.0, none}, 0.0}, {"c", "-", {4.0, 5e17, -0.1}, 0.0}};
+    const std::string text = csv_of(set);
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line == "t [s],\"a, \"\"b\"\" [m]\",c");
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::getline(lines, line);
+        std::istringstream cells(line);
+        for (const double expected : {set.at[k], set.series[0].values[k], set.series[1].values[k]}) {
+            std::string cell;
+            std::getline(cells, cell, ',');
+            if (std::isnan(expected)) {
+                CHECK(cell.empty());
+                continue;
+            }
+            double value = none;
+            std::from_chars(cell.data(), cell.data() + cell.size(), value);
+            CHECK(value == expected);
+        }
+    }
+    CHECK_FALSE(std::getline(lines, line));
+    CHECK(text.find('\r') == std::string::npos);
+}
+
+}  // namespace jw::test
