@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "lessons/typed.hpp"
 
 namespace jw {
 
@@ -281,7 +282,7 @@ std::optional<Located<double>> Fields::angle(std::string_view key) {
     if (!at_most_one({in_degrees, in_radians})) { return std::nullopt; }
     if (!has(in_degrees)) { return number(in_radians); }
     auto value = number(in_degrees);
-    if (value) { value->value *= std::numbers::pi / 180.0; }
+    if (value) { value->value = radians(value->value); }
     return value;
 }
 

@@ -15,26 +15,6 @@ constexpr double kPerpendicular = 1e-3;
 // two points closer than this have no distance worth keeping [m]
 constexpr double kSmallestLength = 1e-9;
 
-/// Which vectors the primitives of a type use.
-struct Needs {
-    explicit Needs(const JointType& type)
-        : two_points(!type.uses(Role::same_point)),
-          points(
-              type.uses(Role::same_point) || type.uses(Role::distance_parallel) ||
-              type.uses(Role::distance_perpendicular) || type.uses(Role::length)),
-          arms(type.uses(Role::axes_perpendicular)),
-          axis_j(type.uses(Role::axes_parallel) || arms),
-          axis(axis_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular)),
-          sides(type.uses(Role::sides_perpendicular) || has_angle(type)) {}
-
-    bool two_points;  ///< the points of i and j need not coincide
-    bool points;
-    bool arms;    ///< axes of the two bodies are perpendicular, not parallel
-    bool axis_j;  ///< a vector in body j too
-    bool axis;
-    bool sides;
-};
-
 double degrees_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
 }
@@ -65,7 +45,7 @@ bool one_way(
 }
 
 void read_points(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
-    const Needs needs(type);
+    const JointNeeds needs(type);
     const auto at = fields.vector("at");
     const auto to = needs.two_points ? fields.vector("to") : std::nullopt;
     const auto point_i = fields.vector("point_i");
@@ -100,7 +80,7 @@ void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, 
 }
 
 /// @return whether the axes are known
-bool read_axes(Fields& fields, const BodyPair& pair, const Needs& needs, JointGeometry& g) {
+bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, JointGeometry& g) {
     const int errors = fields.problems().errors_count();
     const auto axis = fields.direction("axis");
     const auto axis_i = fields.direction("axis_i");
@@ -111,7 +91,7 @@ bool read_axes(Fields& fields, const BodyPair& pair, const Needs& needs, JointGe
     if (!one_way(fields, "axis", local, "an axis, three numbers")) { return false; }
     if (axis) {
         g.s_i_local = pair.vector_i(axis->value.normalized());
-        g.s_j_local = pair.vector_j(axis->value.normalized());
+        if (needs.axis_j) { g.s_j_local = pair.vector_j(axis->value.normalized()); }
         if (needs.arms) { read_arms(fields, pair, *axis, g); }
     } else if (needs.arms && !fields.has("axis") && fields.has("axis2")) {
         fields.problems().add(
@@ -143,16 +123,23 @@ void check_side(
     }
 }
 
-/// Sides from one global direction u: u_i = u_j, h_j = axis × u, once the axis of j has been turned onto
+/// A joint has one side vector in each body: u, from which its angle is measured, or the h of its n1.
+/// The other of the two, which no equation uses, is the same direction.
+void set_sides(const Vec3& side_i, const Vec3& side_j, JointGeometry& g) {
+    g.h_i_local = side_i;
+    g.h_j_local = side_j;
+    g.u_i_local = unit_of(side_i);
+    g.u_j_local = unit_of(side_j);
+}
+
+/// Sides from one global direction: u_i = u_j, or h_j = axis × h_i, once the axis of j has been turned onto
 /// that of i the shortest way (no turn at all where the start is assembled).
-void set_sides(const BodyPair& pair, const Vec3& u, JointGeometry& g) {
+void set_global_sides(const BodyPair& pair, const JointType& type, const Vec3& side, JointGeometry& g) {
     const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
     const Vec3 axis_j = rotation_of(*pair.j) * g.s_j_local.normalized();
     const Mat3 back = Eigen::Quaterniond::FromTwoVectors(axis, axis_j).toRotationMatrix();
-    g.u_i_local = pair.vector_i(u);
-    g.u_j_local = pair.vector_j(back * u);
-    g.h_i_local = g.u_i_local;
-    g.h_j_local = pair.vector_j(back * axis.cross(u));
+    const Vec3 other = has_angle(type) ? side : axis.cross(side);
+    set_sides(pair.vector_i(side), pair.vector_j(back * other), g);
 }
 
 void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
@@ -166,22 +153,35 @@ void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, Joi
     if (!side_i || !side_j) {
         const Vec3 u = side ? side->value.normalized() : perpendicular_to(axis);
         if (side) { check_side(fields, "side", *side, axis, true); }
-        set_sides(pair, u, g);
+        set_global_sides(pair, type, u, g);
         return;
     }
     check_side(fields, "side_i", *side_i, g.s_i_local, has_angle(type));
     check_side(fields, "side_j", *side_j, g.s_j_local, has_angle(type));
-    // h as typed: its length scales the equation; u is a direction
-    g.h_i_local = side_i->value;
-    g.h_j_local = side_j->value;
-    g.u_i_local = side_i->value.normalized();
-    g.u_j_local = side_j->value.normalized();
+    // h as typed, its length scales the equation; u is a direction
+    if (has_angle(type)) {
+        set_sides(unit_of(side_i->value), unit_of(side_j->value), g);
+    } else {
+        set_sides(side_i->value, side_j->value, g);
+    }
+}
+
+void read_pitch(Fields& fields, JointGeometry& g) {
+    if (!fields.at_most_one({"pitch", "advance_per_rad"})) {
+        fields.number("pitch");
+        fields.number("advance_per_rad");
+        return;
+    }
+    if (!fields.has("advance_per_rad")) {
+        fields.require("pitch", "the advance in one turn [m], negative for a left-hand thread");
+    }
+    if (const auto pitch = fields.number("pitch")) { g.alpha = alpha_of_pitch(pitch->value); }
+    if (const auto alpha = fields.number("advance_per_rad")) { g.alpha = alpha->value; }
 }
 
 void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
-    fields.require("pitch", "the advance in one turn [m], negative for a left-hand thread");
-    if (const auto pitch = fields.number("pitch")) { g.alpha = pitch->value / (2.0 * std::numbers::pi); }
-    if (const auto form = fields.word("angle_row", {"rotation", "cosine", "sine"})) {
+    read_pitch(fields, g);
+    if (const auto form = fields.word("angle_row", strings(kAngleRows))) {
         g.screw_angle_form = static_cast<ScrewAngleForm>(*form);
     }
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
@@ -203,7 +203,7 @@ void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
     if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
         if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
         if (const auto rate = fields.number("theta_dot_deg_per_s")) {
-            g.theta_dot_start = rate->value * std::numbers::pi / 180.0;
+            g.theta_dot_start = radians(rate->value);
         }
     }
 }
@@ -236,7 +236,7 @@ double start_displacement(const BodyPair& pair, const JointGeometry& g) {
 
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const JointType& type = *joint.type;
-    const Needs needs(type);
+    const JointNeeds needs(type);
     JointGeometry& g = joint.geometry;
     const int errors = fields.problems().errors_count();
     if (needs.points) { read_points(fields, pair, type, g); }

@@ -53,7 +53,7 @@ void read_velocities(Fields& fields, Body& body) {
         const auto deg = fields.vector(key + "_deg_per_s");
         std::optional<Vec3> omega;
         if (rad) { omega = rad->value; }
-        if (deg) { omega = deg->value * (std::acos(-1.0) / 180.0); }
+        if (deg) { omega = deg->value.unaryExpr(&radians); }
         return omega;
     };
     if (const auto omega = in_radians("omega_local")) { body.omega_local = *omega; }

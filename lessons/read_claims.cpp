@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numbers>
 
 #include "lessons/quantities.hpp"
 #include "lessons/reading.hpp"
@@ -126,10 +125,10 @@ void read_value(Fields& fields, QuantityClaim& claim) {
     fields.require("value" + ending, "the value of " + in_quotes(claim.text) + unit);
     fields.require("tolerance" + ending, "how far it may be off, in the unit of the value");
     claim.in_degrees = ending.starts_with("_deg");
-    const double factor = claim.in_degrees ? std::numbers::pi / 180.0 : 1.0;
-    if (const auto value = fields.number("value" + ending)) { claim.value = factor * value->value; }
+    const auto in_si = [&](double typed) { return claim.in_degrees ? radians(typed) : typed; };
+    if (const auto value = fields.number("value" + ending)) { claim.value = in_si(value->value); }
     if (const auto tolerance = fields.positive("tolerance" + ending)) {
-        claim.tolerance = factor * tolerance->value;
+        claim.tolerance = in_si(tolerance->value);
     }
 }
 

@@ -63,7 +63,7 @@ std::optional<double> place_between_points(Fields& fields, const Reading& readin
 std::optional<double> place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
     const auto name = fields.text("body");
     fields.require("body", "the body whose coordinate is driven");
-    const auto coordinate = fields.word("coordinate", {"x", "y", "z", "e0", "e1", "e2", "e3"});
+    const auto coordinate = fields.word("coordinate", strings(kCoordinates));
     fields.require("coordinate", "one of x, y, z, e0, e1, e2, e3");
     const Named* named = name ? reading.body(*name) : nullptr;
     if (named == nullptr || !coordinate) { return std::nullopt; }

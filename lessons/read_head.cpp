@@ -20,7 +20,7 @@ void read_head(Fields& root, Lesson& lesson) {
     take("chapter", lesson.chapter);
     take("source", lesson.source);
     take("text", lesson.text);
-    const auto choice = root.word("coordinates", {"rp", "rp-modified", "omega-local", "omega-global"});
+    const auto choice = root.word("coordinates", strings(kChoices));
     if (choice) { lesson.coordinates = static_cast<CoordinateChoice>(*choice); }
 }
 
@@ -49,10 +49,10 @@ void read_camera(Fields& root, Lesson& lesson) {
     auto fields = root.table("camera");
     if (!fields) { return; }
     CameraWish& camera = lesson.camera;
-    if (const auto from = fields->direction("from")) { camera.from = from->value.normalized(); }
+    if (const auto from = fields->direction("from")) { camera.from = unit_of(from->value); }
     if (const auto target = fields->vector("target")) { camera.target = target->value; }
     if (const auto distance = fields->positive("distance")) { camera.distance = distance->value; }
-    if (const auto up = fields->direction("up")) { camera.up = up->value.normalized(); }
+    if (const auto up = fields->direction("up")) { camera.up = unit_of(up->value); }
     if (const auto flat = fields->flag("orthographic")) { camera.orthographic = flat->value; }
     fields->finish();
     if (camera.from && camera.from->cross(camera.up.value_or(Vec3::UnitZ())).norm() < kAlongUp) {

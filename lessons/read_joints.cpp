@@ -18,7 +18,7 @@ void check_keys(Fields& fields) {
     for (const char* key : {"axis", "axis2", "axis_i", "axis_j", "side", "side_i", "side_j"}) {
         fields.direction(key);
     }
-    for (const char* key : {"pitch", "d_0"}) { fields.number(key); }
+    for (const char* key : {"pitch", "advance_per_rad", "d_0"}) { fields.number(key); }
     fields.positive("length");
     for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
     for (const char* key : {"theta_dot_rad_per_s", "theta_dot_deg_per_s"}) { fields.number(key); }
@@ -27,7 +27,7 @@ void check_keys(Fields& fields) {
 
 void read_parallel_form(Fields& fields, Joint& joint) {
     if (!std::ranges::any_of(joint.type->roles, is_parallel)) { return; }
-    const auto form = fields.word("parallel", {"rule", "drop x", "drop y", "drop z", "all three", "pair"});
+    const auto form = fields.word("parallel", strings(kParallelForms));
     if (form) { joint.parallel_form = static_cast<ParallelForm>(*form); }
 }
 
@@ -61,12 +61,6 @@ void read_joint(Fields& fields, Reading& reading) {
 }
 
 }  // namespace
-
-bool has_angle(const JointType& type) {
-    return type.uses(Role::axes_parallel) && !type.uses(Role::sides_perpendicular);
-}
-
-bool has_displacement(const JointType& type) { return type.uses(Role::distance_parallel); }
 
 std::string types_with(bool (*has)(const JointType&)) {
     std::vector<std::string> names;

@@ -78,8 +78,9 @@ std::optional<Shape> read_shape(Fields& fields) {
     return shape;
 }
 
-/// x kept, y turned in their plane, z across both: exactly orthonormal.
+/// x kept, y turned in their plane, z across both: exactly orthonormal. What is so already stays.
 Mat3 made_exact(const Mat3& axes) {
+    if (is_frame(axes)) { return axes; }
     Mat3 A;
     A.col(0) = axes.col(0).normalized();
     A.col(2) = A.col(0).cross(axes.col(1)).normalized();
@@ -108,7 +109,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
 
     Mat3 A;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (given[k]) { A.col(static_cast<int>(k)) = given[k]->value.normalized(); }
+        if (given[k]) { A.col(static_cast<int>(k)) = unit_of(given[k]->value); }
     }
     const auto count = std::ranges::count_if(given, [](const auto& axis) { return axis.has_value(); });
     if (count < 2) {
@@ -142,20 +143,18 @@ std::optional<Mat3> read_frame(Fields& fields) {
 std::optional<Colour> read_colour(Fields& fields) {
     const auto text = fields.text("colour");
     if (!text) { return std::nullopt; }
-    const std::vector<std::string> names{"blue",   "orange",    "green",  "sky",
-                                         "yellow", "vermilion", "purple", "steel"};
-    constexpr std::array<std::uint32_t, 8> values{0x2F78B7, 0xE08E1A, 0x1F9A76, 0x5FB3E0,
-                                                  0xE3C93C, 0xCF5A1C, 0xB9709E, 0x8A94A0};
-    const auto colour_of = [](std::uint32_t rgb) {
-        return Colour{((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0};
+    const auto colour_of = [](unsigned rgb) {
+        return Colour{((rgb >> 16U) & 255U) / 255.0, ((rgb >> 8U) & 255U) / 255.0, (rgb & 255U) / 255.0};
     };
-    const auto found = std::ranges::find(names, text->value);
-    if (found != names.end()) { return colour_of(values[static_cast<std::size_t>(found - names.begin())]); }
+    const auto found = std::ranges::find(kNamedColours, text->value, &NamedColour::name);
+    if (found != kNamedColours.end()) { return colour_of(found->rgb); }
     const std::string& t = text->value;
     if (t.size() == 7 && t[0] == '#' &&
         t.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
-        return colour_of(static_cast<std::uint32_t>(std::stoul(t.substr(1), nullptr, 16)));
+        return colour_of(static_cast<unsigned>(std::stoul(t.substr(1), nullptr, 16)));
     }
+    std::vector<std::string> names;
+    for (const NamedColour& colour : kNamedColours) { names.emplace_back(colour.name); }
     fields.problems().add(
         text->span,
         "unknown colour " + in_quotes(t) + "; expected \"#rrggbb\" or one of " + comma_list(names),

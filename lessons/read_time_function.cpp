@@ -1,4 +1,4 @@
-#include <numbers>
+#include <algorithm>
 
 #include "lessons/reading.hpp"
 
@@ -26,16 +26,16 @@ struct ValueKeys {
 };
 
 void read_polynomial(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
-    const auto take = [&](const std::string& key, double factor) {
-        if (const auto list = fields.numbers(key, 0, kMostCoefficients)) {
-            for (const double c : list->value) { function.polynomial.push_back(factor * c); }
-        }
+    const auto take = [&](const std::string& key) {
+        const auto list = fields.numbers(key, 0, kMostCoefficients);
+        if (list) { function.polynomial = list->value; }
     };
     if (!keys.angle) {
-        take("polynomial", 1.0);
+        take("polynomial");
     } else if (fields.at_most_one({"polynomial_deg", "polynomial_rad"})) {
-        take("polynomial_deg", std::numbers::pi / 180.0);
-        take("polynomial_rad", 1.0);
+        take("polynomial_deg");
+        std::ranges::transform(function.polynomial, function.polynomial.begin(), radians);
+        take("polynomial_rad");
     }
 }
 
@@ -50,7 +50,7 @@ void read_harmonic(Fields& fields, const ValueKeys& keys, TimeFunction& function
     if (!fields.has("omega_rad_per_s")) { fields.require("frequency_hz", "how often a second it swings"); }
     if (const auto phase = fields.angle("phase")) { harmonic.phase = phase->value; }
     fields.finish();
-    if (frequency) { harmonic.omega = 2.0 * std::numbers::pi * frequency->value; }
+    if (frequency) { harmonic.omega = omega_of_frequency(frequency->value); }
     if (omega) { harmonic.omega = omega->value; }
     function.harmonics.push_back(harmonic);
 }

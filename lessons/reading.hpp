@@ -3,7 +3,9 @@
 #include <map>
 
 #include "lessons/fields.hpp"
+#include "lessons/joint_needs.hpp"
 #include "lessons/lesson.hpp"
+#include "lessons/typed.hpp"
 
 /// Parts of the reader: each turns one kind of table into its part of a Lesson.
 namespace jw::reading {
@@ -72,9 +74,6 @@ TimeFunction read_time_function(Fields& fields, bool angle);
 /// R as the columns of the body's axes in the global frame (p normalised).
 Mat3 rotation_of(const Body& body);
 
-// Freedoms that a joint leaves and that can be driven or claimed.
-bool has_angle(const JointType& type);
-bool has_displacement(const JointType& type);
 /// Names of the joint types for which `has` holds.
 std::string types_with(bool (*has)(const JointType&));
 

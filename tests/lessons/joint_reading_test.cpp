@@ -33,11 +33,14 @@ TEST_CASE("Global points and axes become local ones", "[lessons][reading]") {
     CHECK(is_near(g.P_j_local, Vec3(4, -3, 0)));
     CHECK(is_near(g.s_i_local, Vec3(0, 0.6, 0.8)));
     CHECK(is_near(g.s_j_local, Vec3(0.6, 0, 0.8)));
-    // u_i = u_j = side, h_j = axis × side
+    // u_i = u_j = side
     CHECK(is_near(g.u_i_local, Vec3(1, 0, 0)));
     CHECK(is_near(g.u_j_local, Vec3(0, -1, 0)));
-    CHECK(is_near(g.h_i_local, Vec3(1, 0, 0)));
-    CHECK(is_near(g.h_j_local, Vec3(0.8, 0, -0.6)));
+    // h_i = side, h_j = axis × side
+    const JointGeometry slide =
+        joint_with("type = \"prismatic\"\nat = [4, 6, 3]\naxis = [0, 3, 4]\nside = [2, 0, 0]").geometry;
+    CHECK(is_near(slide.h_i_local, Vec3(1, 0, 0)));
+    CHECK(is_near(slide.h_j_local, Vec3(0.8, 0, -0.6)));
 }
 
 TEST_CASE("Local points and vectors are used exactly as typed", "[lessons][reading]") {
@@ -69,14 +72,16 @@ TEST_CASE("Without a side the start pose has angle 0 and perpendicular h", "[les
         // anti-parallel and oblique starts: after the shortest turn onto each other
         "axis_i = [1, 0, 0]\naxis_j = [0, 1, 0]");
     CAPTURE(axes);
-    const Lesson lesson = lesson_of(with_two_bodies(
-        "[[joint]]\nname = \"j\"\ntype = \"cylindrical\"\nbodies = [\"base\", \"arm\"]\nat = [0, 0, 0]\n" +
-        std::string(axes) + "\n"));
-    const Joint& joint = lesson.mechanism.joints[0];
-    CHECK(std::abs(relative_angle(joint, start_state(lesson.mechanism))) < kRounding);
-    CHECK(std::abs(joint.geometry.u_i_local.dot(joint.geometry.s_i_local)) < kRounding);
-    CHECK(std::abs(joint.geometry.h_j_local.dot(joint.geometry.u_j_local)) < kRounding);
-    CHECK(std::abs(joint.geometry.h_j_local.dot(joint.geometry.s_j_local)) < kRounding);
+    const std::string both = "\"\nbodies = [\"base\", \"arm\"]\nat = [0, 0, 0]\n" + std::string(axes) + "\n";
+    const std::string joints = "[[joint]]\nname = \"turns\"\ntype = \"cylindrical" + both +
+                               "[[joint]]\nname = \"slides\"\ntype = \"prismatic" + both;
+    const Lesson lesson = lesson_of(with_two_bodies(joints));
+    const Joint& turns = lesson.mechanism.joints[0];
+    CHECK(std::abs(relative_angle(turns, start_state(lesson.mechanism))) < kRounding);
+    CHECK(std::abs(turns.geometry.u_i_local.dot(turns.geometry.s_i_local)) < kRounding);
+    const JointGeometry& slides = lesson.mechanism.joints[1].geometry;
+    CHECK(std::abs(slides.h_j_local.dot(turns.geometry.u_j_local)) < kRounding);
+    CHECK(std::abs(slides.h_j_local.dot(slides.s_j_local)) < kRounding);
 }
 
 TEST_CASE("A universal joint takes its two arms globally or locally", "[lessons][reading]") {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/joint_types.hpp"
+
+/// What of a joint's geometry a lesson says.
+namespace jw {
+
+/// The angle about the axis is free: it can be driven or claimed, and sides say from where it is measured.
+inline bool has_angle(const JointType& type) {
+    return type.uses(Role::axes_parallel) && !type.uses(Role::sides_perpendicular);
+}
+
+/// The displacement along the axis is free.
+inline bool has_displacement(const JointType& type) { return type.uses(Role::distance_parallel); }
+
+/// Which vectors the primitives of a type use.
+struct JointNeeds {
+    explicit JointNeeds(const JointType& type)
+        : two_points(!type.uses(Role::same_point)),
+          points(
+              type.uses(Role::same_point) || type.uses(Role::distance_parallel) ||
+              type.uses(Role::distance_perpendicular) || type.uses(Role::length)),
+          arms(type.uses(Role::axes_perpendicular)),
+          axis_j(type.uses(Role::axes_parallel) || arms),
+          axis(axis_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular)),
+          sides(type.uses(Role::sides_perpendicular) || has_angle(type)) {}
+
+    bool two_points;  ///< the points of i and j need not coincide
+    bool points;
+    bool arms;    ///< axes of the two bodies are perpendicular, not parallel
+    bool axis_j;  ///< a vector in body j too
+    bool axis;
+    bool sides;
+};
+
+}  // namespace jw

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/linear.hpp"
+
+/// From what is typed in a lesson to what the program computes with: words and conversions that the reader
+/// applies and the writer must undo exactly.
+namespace jw {
+
+inline double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+inline double omega_of_frequency(double hertz) { return (2.0 * std::numbers::pi) * hertz; }
+/// Advance for a radian [m/rad] of the advance in one turn [m].
+inline double alpha_of_pitch(double pitch) { return pitch / (2.0 * std::numbers::pi); }
+
+// what several roundings leave of unit length or of a right angle
+inline constexpr double kUnitUpToRounding = 64.0 * std::numeric_limits<double>::epsilon();
+
+/// `v` made unit. What is unit already stays as it is, digit for digit: making it unit again would change the
+/// last digit each time a lesson is written and read.
+inline Vec3 unit_of(const Vec3& v) {
+    return std::abs(v.squaredNorm() - 1.0) <= kUnitUpToRounding ? v : Vec3(v.normalized());
+}
+
+/// Whether the columns are a right-handed frame up to rounding.
+inline bool is_frame(const Mat3& A) {
+    return (A.transpose() * A - Mat3::Identity()).cwiseAbs().maxCoeff() <= kUnitUpToRounding &&
+           A.determinant() > 0.0;
+}
+
+// words in the order of the enumerators that they stand for
+inline constexpr std::array<std::string_view, 4> kChoices{"rp", "rp-modified", "omega-local", "omega-global"};
+inline constexpr std::array<std::string_view, 6> kParallelForms{"rule",   "drop x",    "drop y",
+                                                                "drop z", "all three", "pair"};
+inline constexpr std::array<std::string_view, 3> kAngleRows{"rotation", "cosine", "sine"};
+inline constexpr std::array<std::string_view, 7> kCoordinates{"x", "y", "z", "e0", "e1", "e2", "e3"};
+
+/// Colours by name, sRGB.
+struct NamedColour {
+    std::string_view name;
+    unsigned rgb;  ///< 0xrrggbb
+};
+inline constexpr std::array<NamedColour, 8> kNamedColours{{
+    {"blue", 0x2F78B7},
+    {"orange", 0xE08E1A},
+    {"green", 0x1F9A76},
+    {"sky", 0x5FB3E0},
+    {"yellow", 0xE3C93C},
+    {"vermilion", 0xCF5A1C},
+    {"purple", 0xB9709E},
+    {"steel", 0x8A94A0},
+}};
+
+template <std::size_t N>
+std::vector<std::string> strings(const std::array<std::string_view, N>& words) {
+    return {words.begin(), words.end()};
+}
+
+}  // namespace jw

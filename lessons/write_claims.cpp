@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <array>
+
+#include "lessons/typed.hpp"
+#include "lessons/writing.hpp"
+
+namespace jw::writing {
+
+namespace {
+
+/// Place of a fact's key among those of an [[expect]]: the reader takes them in this order.
+int place_of(const Fact& fact) {
+    struct Place {
+        int operator()(const CountClaim& c) const { return static_cast<int>(c.count); }
+        int operator()(const BoundClaim& c) const { return 10 + static_cast<int>(c.bound); }
+        int operator()(const VerdictClaim& c) const { return 20 + static_cast<int>(c.verdict); }
+        int operator()(const DroppedClaim& /*c*/) const { return 30; }
+        int operator()(const QuantityClaim& /*c*/) const { return 40; }
+    };
+    return std::visit(Place{}, fact);
+}
+
+bool same_moment(const Moment& a, const Moment& b) {
+    if (a.index() != b.index()) { return false; }
+    if (const auto* after = std::get_if<AfterAddition>(&a)) {
+        return after->count == std::get<AfterAddition>(b).count;
+    }
+    const auto* at = std::get_if<AtTime>(&a);
+    return at == nullptr || at->t == std::get<AtTime>(b).t;
+}
+
+/// The joint that a claim is about, -1 for none.
+int joint_of(const Fact& fact) {
+    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
+    const auto* quantity = std::get_if<QuantityClaim>(&fact);
+    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
+    return measure != nullptr ? measure->joint : -1;
+}
+
+/// Whether what the claim is about is in the file.
+bool has_meaning(const Claim& claim, const Written& written) {
+    const auto* after = std::get_if<AfterAddition>(&claim.when);
+    if (after != nullptr && after->count > static_cast<int>(written.order.size())) { return false; }
+    if (after != nullptr && after->count == 0 && !written.order.empty()) { return false; }
+    const int joint = joint_of(claim.fact);
+    return joint < 0 || written.has({Addition::Kind::joint, joint});
+}
+
+void write_moment(const Moment& when, const Written& written, Lines& lines) {
+    if (std::holds_alternative<AsGiven>(when)) { lines.key("as_given", "true"); }
+    if (const auto* at = std::get_if<AtTime>(&when)) { lines.key("at_s", at->t); }
+    const auto* after = std::get_if<AfterAddition>(&when);
+    if (after != nullptr && after->count > 0) {
+        const auto last = static_cast<std::size_t>(after->count - 1);
+        lines.key("after", string_text(written.name_of(written.order[last])));
+    }
+}
+
+/// Value and tolerance, both in degrees or both not.
+void write_value(const QuantityClaim& claim, Lines& lines) {
+    const bool is_rate = claim.unit == Unit::radian_per_second;
+    if (claim.unit != Unit::radian && !is_rate) {
+        lines.key("value", claim.value);
+        lines.key("tolerance", claim.tolerance);
+        return;
+    }
+    const int order = claim.derivative + (is_rate ? 1 : 0);
+    const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
+    const std::vector<double> both{claim.value, claim.tolerance};
+    const AngleTexts typed = claim.in_degrees ? typed_angles(both) : AngleTexts{"rad", both};
+    lines.key("value_" + typed.unit + per, typed.values[0]);
+    lines.key("tolerance_" + typed.unit + per, typed.values[1]);
+}
+
+struct FactWriter {
+    const Written& written;
+    Lines& lines;
+
+    void operator()(const CountClaim& c) const {
+        constexpr std::array keys{"rank", "rows", "columns", "dof", "redundant", "mobility_by_counting"};
+        lines.key(keys[static_cast<std::size_t>(c.count)], std::to_string(c.value));
+    }
+    void operator()(const BoundClaim& c) const {
+        constexpr std::array keys{"residual_below", "condition_below", "condition_above"};
+        lines.key(keys[static_cast<std::size_t>(c.bound)], c.limit);
+    }
+    void operator()(const VerdictClaim& c) const {
+        constexpr std::array keys{"change_point", "closes"};
+        lines.key(keys[static_cast<std::size_t>(c.verdict)], c.value ? "true" : "false");
+    }
+    void operator()(const DroppedClaim& c) const {
+        const std::string primitive = c.role == Role::axes_parallel ? " p1 " : " p2 ";
+        const auto component = static_cast<std::size_t>(c.component);
+        lines.key(
+            "dropped", string_text(
+                           written.name_of({Addition::Kind::joint, c.joint}) + primitive +
+                           std::string(kCoordinates[component])));
+    }
+    void operator()(const QuantityClaim& c) const {
+        lines.key("quantity", string_text(c.text));
+        if (c.derivative != 0) { lines.key("derivative", std::to_string(c.derivative)); }
+        const auto* point = std::get_if<PointQuantity>(&c.quantity);
+        if (point != nullptr) { lines.key("point", point->s_local, "m"); }
+        write_value(c, lines);
+    }
+};
+
+/// One [[expect]] for facts of one moment.
+void write_block(std::vector<const Claim*> block, const Written& written, Lines& lines) {
+    lines.table("[[expect]]");
+    write_moment(block.front()->when, written, lines);
+    // equations and unknowns before their rank
+    const auto is_rank = [](const Claim* claim) {
+        const auto* count = std::get_if<CountClaim>(&claim->fact);
+        return count != nullptr && count->count == Count::rank;
+    };
+    if (is_rank(block.front())) {
+        const auto sizes = std::ranges::find_if_not(block.begin() + 1, block.end(), [](const Claim* claim) {
+            const auto* count = std::get_if<CountClaim>(&claim->fact);
+            return count != nullptr && (count->count == Count::rows || count->count == Count::columns);
+        });
+        std::rotate(block.begin(), block.begin() + 1, sizes);
+    }
+    for (const Claim* claim : block) { std::visit(FactWriter{written, lines}, claim->fact); }
+    const std::string& why = block.front()->why;
+    if (!why.empty()) { lines.key("why", string_text(why)); }
+}
+
+}  // namespace
+
+void write_claims(const Written& written, Lines& lines) {
+    std::vector<std::vector<const Claim*>> blocks;
+    for (const Claim& claim : written.lesson->claims) {
+        if (!has_meaning(claim, written)) { continue; }
+        const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
+        // as long as the reader takes them in this order
+        const bool same_block = before != nullptr && same_moment(before->when, claim.when) &&
+                                before->why == claim.why && place_of(before->fact) < place_of(claim.fact);
+        if (!same_block) { blocks.emplace_back(); }
+        blocks.back().push_back(&claim);
+    }
+    if (!blocks.empty()) { lines.section("claims: proved by `jointwise check`"); }
+    for (auto& block : blocks) { write_block(std::move(block), written, lines); }
+}
+
+}  // namespace jw::writing

@@ -1,0 +1,100 @@
+#include "lessons/writer.hpp"
+
+#include <algorithm>
+
+#include "lessons/writing.hpp"
+
+namespace jw {
+
+namespace writing {
+
+namespace {
+
+constexpr std::size_t kPageWidth = 96;
+// where the shipped lessons have their comments
+constexpr std::size_t kCommentColumn = 44;
+
+}  // namespace
+
+void Lines::section(const std::string& title) {
+    std::string line = "# ---- " + title + ' ';
+    line.resize(std::max(line.size(), kPageWidth), '-');
+    text_ += '\n' + line + '\n';
+}
+
+void Lines::table(const std::string& header) { text_ += '\n' + header + '\n'; }
+
+void Lines::key(const std::string& name, const std::string& value, const std::string& comment) {
+    std::string line = name + " = " + value;
+    if (!comment.empty()) {
+        line.resize(std::max(line.size() + 2, kCommentColumn), ' ');
+        line += "# " + comment;
+    }
+    text_ += line + '\n';
+}
+
+void Lines::key(const std::string& name, double value, const std::string& comment) {
+    key(name, number_text(value), comment);
+}
+
+void Lines::key(const std::string& name, const Vec3& value, const std::string& comment) {
+    key(name, vector_text(value), comment);
+}
+
+void Lines::angle(const std::string& name, double radians_of, const std::string& per) {
+    const AngleTexts typed = typed_angles({&radians_of, 1});
+    key(name + '_' + typed.unit + per, typed.values[0]);
+}
+
+void Lines::angles(const std::string& name, std::span<const double> radians_of, const std::string& per) {
+    const AngleTexts typed = typed_angles(radians_of);
+    key(name + '_' + typed.unit + per, list_text(typed.values));
+}
+
+Written::Written(const Lesson& whole) : lesson(&whole) {
+    const auto joint_is_in = [&](int joint) {
+        return joint < 0 ||
+               std::ranges::find(whole.order, Addition{Addition::Kind::joint, joint}) != whole.order.end();
+    };
+    for (const Addition& addition : whole.order) {
+        const bool is_driver = addition.kind == Addition::Kind::driver;
+        const auto index = static_cast<std::size_t>(addition.index);
+        if (!is_driver || joint_is_in(whole.mechanism.drivers[index].joint)) { order.push_back(addition); }
+    }
+}
+
+bool Written::has(const Addition& addition) const {
+    return std::ranges::find(order, addition) != order.end();
+}
+
+const std::string& Written::name_of(const Addition& addition) const {
+    const auto index = static_cast<std::size_t>(addition.index);
+    return addition.kind == Addition::Kind::joint ? lesson->mechanism.joints[index].name
+                                                  : lesson->mechanism.drivers[index].name;
+}
+
+const std::string& Written::body(int index) const {
+    return lesson->mechanism.bodies[static_cast<std::size_t>(index)].name;
+}
+
+std::string Written::pair(int body_i, int body_j) const {
+    return '[' + string_text(body(body_i)) + ", " + string_text(body(body_j)) + ']';
+}
+
+}  // namespace writing
+
+std::string lesson_text(const Lesson& lesson) {
+    const writing::Written written(lesson);
+    writing::Lines lines;
+    writing::write_head(written, lines);
+    writing::write_bodies(lesson, lines);
+    writing::write_joints(written, lines);
+    writing::write_drivers(written, lines);
+    writing::write_motion(lesson, lines);
+    writing::write_camera(lesson, lines);
+    writing::write_steps(lesson, lines);
+    writing::write_claims(written, lines);
+    return lines.take();
+}
+
+}  // namespace jw

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lessons/lesson.hpp"
+
+/// Lesson files from lessons: the way back of reader.hpp.
+namespace jw {
+
+/// The lesson as a file of the format of docs/writing-a-lesson.md. Reading it gives the same lesson, every
+/// double exactly; vectors are written in the frames of their bodies. Joints and drivers that are not in
+/// Lesson::order are left out, with the drivers along such joints and the claims about either.
+///
+/// What the format asks of a lesson must hold (bodies[0] is the ground, |p| = 1 up to 0.001, sides
+/// perpendicular to axes, names without dots): otherwise the reader refuses the text, and says why.
+/// @throws std::invalid_argument for a driver that no lesson can describe, and for numbers not finite
+std::string lesson_text(const Lesson& lesson);
+
+/// Writes `text` whole or not at all: under another name in the same folder, then renamed. A link is
+/// followed.
+/// @return false, with what went wrong in `error`, if it cannot be written; what was there stays then
+bool write_lesson_file(const std::filesystem::path& path, const std::string& text, std::string& error);
+
+}  // namespace jw

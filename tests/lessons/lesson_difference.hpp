@@ -1,0 +1,223 @@
+#pragma once
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "lessons/lesson.hpp"
+
+/// Lessons compared member by member.
+namespace jw::test {
+
+/// Finds the first member in which two values differ. Doubles are compared exactly. Where a claim stands in
+/// the file, and what the file is called, is no part of a lesson.
+class Difference {
+public:
+    /// "mechanism.joints[2].geometry.s_i_local: 0 0 1 is not 0 0 2", empty if there is none.
+    const std::string& first() const { return first_; }
+
+    void compare(const std::string& name, const Lesson& a, const Lesson& b) {
+        all(name, a, b, &Lesson::title, "title", &Lesson::chapter, "chapter", &Lesson::source, "source",
+            &Lesson::text, "text", &Lesson::mechanism, "mechanism", &Lesson::looks, "looks", &Lesson::order,
+            "order", &Lesson::coordinates, "coordinates", &Lesson::motion, "motion", &Lesson::camera,
+            "camera", &Lesson::step_texts, "step_texts", &Lesson::claims, "claims");
+    }
+    void compare(const std::string& name, const Mechanism& a, const Mechanism& b) {
+        all(name, a, b, &Mechanism::bodies, "bodies", &Mechanism::joints, "joints", &Mechanism::drivers,
+            "drivers");
+    }
+    void compare(const std::string& name, const Body& a, const Body& b) {
+        all(name, a, b, &Body::name, "name", &Body::fixed, "fixed", &Body::r, "r", &Body::p, "p",
+            &Body::r_dot, "r_dot", &Body::omega_local, "omega_local");
+    }
+    void compare(const std::string& name, const Joint& a, const Joint& b) {
+        all(name, a, b, &Joint::name, "name", &Joint::type, "type", &Joint::body_i, "body_i", &Joint::body_j,
+            "body_j", &Joint::geometry, "geometry", &Joint::parallel_form, "parallel_form");
+    }
+    void compare(const std::string& name, const JointGeometry& a, const JointGeometry& b) {
+        using G = JointGeometry;
+        all(name, a, b, &G::P_i_local, "P_i", &G::P_j_local, "P_j", &G::s_i_local, "s_i", &G::s_j_local,
+            "s_j", &G::h_i_local, "h_i", &G::h_j_local, "h_j", &G::u_i_local, "u_i", &G::u_j_local, "u_j");
+        all(name, a, b, &G::length, "length", &G::alpha, "alpha", &G::d_0, "d_0", &G::theta_0, "theta_0",
+            &G::screw_angle_form, "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start,
+            "theta_dot_start");
+    }
+    void compare(const std::string& name, const Driver& a, const Driver& b) {
+        all(name, a, b, &Driver::name, "name", &Driver::joint, "joint", &Driver::body_i, "body_i",
+            &Driver::body_j, "body_j", &Driver::measure, "measure", &Driver::function, "function");
+    }
+    void compare(const std::string& name, const AngleMeasure& a, const AngleMeasure& b) {
+        using M = AngleMeasure;
+        all(name, a, b, &M::s_i_local, "s_i", &M::u_i_local, "u_i", &M::u_j_local, "u_j");
+    }
+    void compare(const std::string& name, const DisplacementMeasure& a, const DisplacementMeasure& b) {
+        using M = DisplacementMeasure;
+        all(name, a, b, &M::s_i_local, "s_i", &M::B_i_local, "B_i", &M::B_j_local, "B_j");
+    }
+    void compare(const std::string& name, const SquaredDistanceMeasure& a, const SquaredDistanceMeasure& b) {
+        using M = SquaredDistanceMeasure;
+        all(name, a, b, &M::P_i_local, "P_i", &M::P_j_local, "P_j");
+    }
+    void compare(const std::string& name, const CoordinateMeasure& a, const CoordinateMeasure& b) {
+        compare(name, a.coordinate, b.coordinate);
+    }
+    void compare(const std::string& /*name*/, const ThetaMeasure& /*a*/, const ThetaMeasure& /*b*/) {}
+    void compare(const std::string& name, const TimeFunction& a, const TimeFunction& b) {
+        all(name, a, b, &TimeFunction::polynomial, "polynomial", &TimeFunction::harmonics, "harmonics",
+            &TimeFunction::steps, "steps");
+    }
+    void compare(const std::string& name, const TimeFunction::Harmonic& a, const TimeFunction::Harmonic& b) {
+        using H = TimeFunction::Harmonic;
+        all(name, a, b, &H::amplitude, "amplitude", &H::omega, "omega", &H::phase, "phase");
+    }
+    void compare(
+        const std::string& name, const TimeFunction::SmoothStep& a, const TimeFunction::SmoothStep& b) {
+        using S = TimeFunction::SmoothStep;
+        all(name, a, b, &S::from, "from", &S::to, "to", &S::start, "start", &S::end, "end");
+    }
+    void compare(const std::string& name, const Look& a, const Look& b) {
+        all(name, a, b, &Look::shapes, "shapes", &Look::colour, "colour");
+    }
+    void compare(const std::string& name, const Colour& a, const Colour& b) {
+        all(name, a, b, &Colour::red, "red", &Colour::green, "green", &Colour::blue, "blue");
+    }
+    void compare(const std::string& name, const Box& a, const Box& b) {
+        all(name, a, b, &Box::size, "size", &Box::centre, "centre", &Box::axes, "axes");
+    }
+    void compare(const std::string& name, const Sphere& a, const Sphere& b) {
+        all(name, a, b, &Sphere::centre, "centre", &Sphere::radius, "radius");
+    }
+    void compare(const std::string& name, const Cylinder& a, const Cylinder& b) {
+        all(name, a, b, &Cylinder::from, "from", &Cylinder::to, "to", &Cylinder::radius, "radius");
+    }
+    void compare(const std::string& name, const Rod& a, const Rod& b) {
+        all(name, a, b, &Rod::from, "from", &Rod::to, "to", &Rod::radius, "radius");
+    }
+    void compare(const std::string& name, const MotionPlan& a, const MotionPlan& b) {
+        all(name, a, b, &MotionPlan::from, "from", &MotionPlan::to, "to", &MotionPlan::duration, "duration",
+            &MotionPlan::steps, "steps");
+    }
+    void compare(const std::string& name, const CameraWish& a, const CameraWish& b) {
+        all(name, a, b, &CameraWish::from, "from", &CameraWish::target, "target", &CameraWish::distance,
+            "distance", &CameraWish::up, "up", &CameraWish::orthographic, "orthographic");
+    }
+    void compare(const std::string& name, const Addition& a, const Addition& b) {
+        all(name, a, b, &Addition::kind, "kind", &Addition::index, "index");
+    }
+    void compare(const std::string& name, const StepTexts& a, const StepTexts& b) {
+        all(name, a, b, &StepTexts::bodies, "bodies", &StepTexts::joints, "joints", &StepTexts::drivers,
+            "drivers", &StepTexts::motion, "motion", &StepTexts::times, "times");
+    }
+    void compare(const std::string& name, const StepTexts::AtTime& a, const StepTexts::AtTime& b) {
+        all(name, a, b, &StepTexts::AtTime::from, "from", &StepTexts::AtTime::text, "text");
+    }
+    void compare(const std::string& name, const Claim& a, const Claim& b) {
+        all(name, a, b, &Claim::when, "when", &Claim::fact, "fact", &Claim::why, "why");
+    }
+    void compare(const std::string& /*name*/, const AsGiven& /*a*/, const AsGiven& /*b*/) {}
+    void compare(const std::string& name, const AfterAddition& a, const AfterAddition& b) {
+        compare(name + ".count", a.count, b.count);
+    }
+    void compare(const std::string& name, const AtTime& a, const AtTime& b) { compare(name, a.t, b.t); }
+    void compare(const std::string& name, const CountClaim& a, const CountClaim& b) {
+        all(name, a, b, &CountClaim::count, "count", &CountClaim::value, "value");
+    }
+    void compare(const std::string& name, const DroppedClaim& a, const DroppedClaim& b) {
+        all(name, a, b, &DroppedClaim::joint, "joint", &DroppedClaim::role, "role", &DroppedClaim::component,
+            "component");
+    }
+    void compare(const std::string& name, const BoundClaim& a, const BoundClaim& b) {
+        all(name, a, b, &BoundClaim::bound, "bound", &BoundClaim::limit, "limit");
+    }
+    void compare(const std::string& name, const VerdictClaim& a, const VerdictClaim& b) {
+        all(name, a, b, &VerdictClaim::verdict, "verdict", &VerdictClaim::value, "value");
+    }
+    void compare(const std::string& name, const QuantityClaim& a, const QuantityClaim& b) {
+        using Q = QuantityClaim;
+        all(name, a, b, &Q::quantity, "quantity", &Q::text, "text", &Q::derivative, "derivative", &Q::unit,
+            "unit", &Q::in_degrees, "in_degrees", &Q::value, "value", &Q::tolerance, "tolerance");
+    }
+    void compare(const std::string& name, const MeasureQuantity& a, const MeasureQuantity& b) {
+        using Q = MeasureQuantity;
+        all(name, a, b, &Q::measure, "measure", &Q::body_i, "body_i", &Q::body_j, "body_j", &Q::joint,
+            "joint");
+    }
+    void compare(
+        const std::string& name, const AngularVelocityQuantity& a, const AngularVelocityQuantity& b) {
+        using Q = AngularVelocityQuantity;
+        all(name, a, b, &Q::body, "body", &Q::local, "local", &Q::component, "component");
+    }
+    void compare(const std::string& name, const PointQuantity& a, const PointQuantity& b) {
+        using Q = PointQuantity;
+        all(name, a, b, &Q::body, "body", &Q::s_local, "s_local", &Q::component, "component");
+    }
+
+    template <class T>
+    void compare(const std::string& name, const std::vector<T>& a, const std::vector<T>& b) {
+        compare(name + ".size", a.size(), b.size());
+        for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+            compare(name + '[' + std::to_string(k) + ']', a[k], b[k]);
+        }
+    }
+    template <class T>
+    void compare(const std::string& name, const std::optional<T>& a, const std::optional<T>& b) {
+        compare(name + ".has_value", a.has_value(), b.has_value());
+        if (a && b) { compare(name, *a, *b); }
+    }
+    template <class... Ts>
+    void compare(const std::string& name, const std::variant<Ts...>& a, const std::variant<Ts...>& b) {
+        compare(name + ".index", a.index(), b.index());
+        if (a.index() != b.index()) { return; }
+        std::visit(
+            [&](const auto& value) { compare(name, value, std::get<std::decay_t<decltype(value)>>(b)); }, a);
+    }
+    template <class T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T>
+    void compare(const std::string& name, T a, T b) {
+        if (a == b) { return; }
+        if constexpr (std::is_enum_v<T>) {
+            differ(name, static_cast<int>(a), static_cast<int>(b));
+        } else {
+            differ(name, a, b);
+        }
+    }
+    void compare(const std::string& name, const std::string& a, const std::string& b) {
+        if (a != b) { differ(name, '"' + a + '"', '"' + b + '"'); }
+    }
+    template <class A>
+    void compare(const std::string& name, const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<A>& b) {
+        if (a != b) { differ(name, a.transpose().eval(), b.transpose().eval()); }
+    }
+
+private:
+    template <class T>
+    void differ(const std::string& name, const T& a, const T& b) {
+        if (!first_.empty()) { return; }
+        std::ostringstream text;
+        text.precision(17);
+        text << name << ": " << a << " is not " << b;
+        first_ = text.str();
+    }
+
+    /// Pairs of a member and its name.
+    template <class T>
+    void all(const std::string& /*name*/, const T& /*a*/, const T& /*b*/) {}
+    template <class T, class M, class... Rest>
+    void all(const std::string& name, const T& a, const T& b, M member, const char* called, Rest... rest) {
+        compare(name + '.' + called, a.*member, b.*member);
+        all(name, a, b, rest...);
+    }
+
+    std::string first_;
+};
+
+inline std::string first_difference(const Lesson& a, const Lesson& b) {
+    Difference difference;
+    difference.compare("lesson", a, b);
+    return difference.first();
+}
+
+}  // namespace jw::test
