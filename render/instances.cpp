@@ -187,17 +187,20 @@ InstanceLists& list_for(DrawLists& lists, InstanceLists& otherwise, float alpha,
     return see_through ? lists.see_through : otherwise;
 }
 
-void add_shape(DrawLists& lists, const Shape& shape) {
+void add_shape(DrawLists& lists, const Shape& shape, Tone tone) {
     InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through);
-    const Colour dark = with_alpha(mix(shape.colour, palette::kInk, kEdgeDarkening), shape.colour.a);
-    const Look look = shape.highlighted ? Look{shape.colour, kStrongEdge, palette::kInk, shape.id}
-                                        : Look{shape.colour, kFineEdge, dark, shape.id};
+    // what is seen through bodies is a sign, not a body
+    const Colour colour = shape.see_through ? toned(shape.colour, tone) : shape.colour;
+    const Colour dark = with_alpha(mix(colour, palette::kInk, kEdgeDarkening), colour.a);
+    const Look look = shape.highlighted ? Look{colour, kStrongEdge, toned(palette::kInk, tone), shape.id}
+                                        : Look{colour, kFineEdge, dark, shape.id};
     std::visit(Builder(list, look), shape.geometry);
 }
 
-void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length) {
+void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length, Tone tone) {
     InstanceLists& list = list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through);
-    Builder builder(list, {arrow.colour, kLightRim, with_alpha(palette::kPaper, arrow.colour.a), arrow.id});
+    const Colour rim = with_alpha(toned(palette::kPaper, tone), arrow.colour.a);
+    Builder builder(list, {toned(arrow.colour, tone), kLightRim, rim, arrow.id});
     const double length = (arrow.to - arrow.from).norm();
     const double head = std::min(2.5 * arrow.radius * static_cast<double>(kConeLength), length);
     if (!arrow.dashed || length <= 2.0 * head) { return builder.arrow(arrow.from, arrow.to, arrow.radius); }
@@ -210,23 +213,25 @@ void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length) {
         });
 }
 
-void add_triad(DrawLists& lists, const Triad& triad) {
+void add_triad(DrawLists& lists, const Triad& triad, Tone tone) {
     InstanceLists& list = list_for(lists, lists.annotations, triad.alpha, triad.see_through);
-    const Colour rim = with_alpha(palette::kPaper, triad.alpha);
+    const auto ink = [&](const Colour& colour) { return with_alpha(toned(colour, tone), triad.alpha); };
+    const Colour rim = ink(palette::kPaper);
     for (int axis = 0; axis < 3; ++axis) {
-        const Colour colour = with_alpha(palette::kAxes[static_cast<std::size_t>(axis)], triad.alpha);
+        const Colour colour = ink(palette::kAxes[static_cast<std::size_t>(axis)]);
         Builder builder(list, {colour, kLightRim, rim, triad.id});
         builder.arrow(triad.pose.r, triad.pose.r + triad.length * triad.pose.A.col(axis), triad.radius);
     }
-    Builder hub(list, {with_alpha(palette::kInkSoft, triad.alpha), kLightRim, rim, triad.id});
+    Builder hub(list, {ink(palette::kInkSoft), kLightRim, rim, triad.id});
     hub(Sphere{triad.pose.r, 1.7 * triad.radius});
 }
 
-void add_polyline(DrawLists& lists, const Polyline& line, double dash_length) {
+void add_polyline(DrawLists& lists, const Polyline& line, double dash_length, Tone tone) {
     std::vector<LineSegment>& list = line.see_through ? lists.see_through_lines : lists.lines;
+    const Colour colour = toned(line.colour, tone);
     const auto piece = [&](const Vector3d& from, const Vector3d& to) {
         list.push_back(
-            {from.cast<float>(), to.cast<float>(), static_cast<float>(line.width), line.colour,
+            {from.cast<float>(), to.cast<float>(), static_cast<float>(line.width), colour,
              static_cast<float>(line.id)});
     };
     std::vector<Vector3d> path = line.points;
@@ -237,12 +242,12 @@ void add_polyline(DrawLists& lists, const Polyline& line, double dash_length) {
 
 }  // namespace
 
-DrawLists draw_lists_of(const Scene& scene, double dash_length) {
+DrawLists draw_lists_of(const Scene& scene, double dash_length, Tone tone) {
     DrawLists lists;
-    for (const Shape& shape : scene.shapes) { add_shape(lists, shape); }
-    for (const Arrow& arrow : scene.arrows) { add_arrow(lists, arrow, dash_length); }
-    for (const Triad& triad : scene.triads) { add_triad(lists, triad); }
-    for (const Polyline& line : scene.polylines) { add_polyline(lists, line, dash_length); }
+    for (const Shape& shape : scene.shapes) { add_shape(lists, shape, tone); }
+    for (const Arrow& arrow : scene.arrows) { add_arrow(lists, arrow, dash_length, tone); }
+    for (const Triad& triad : scene.triads) { add_triad(lists, triad, tone); }
+    for (const Polyline& line : scene.polylines) { add_polyline(lists, line, dash_length, tone); }
     return lists;
 }
 

@@ -47,6 +47,7 @@ struct DrawLists {
 };
 
 /// @param dash_length  of dashed lines and arrows [m], > 0; gaps are 0.7 of it
-DrawLists draw_lists_of(const Scene& scene, double dash_length);
+/// @param tone  of vectors, axes, lines, outlines and what is seen through bodies; bodies keep their colours
+DrawLists draw_lists_of(const Scene& scene, double dash_length, Tone tone = Tone::light);
 
 }  // namespace jw::render

@@ -83,9 +83,9 @@ void Offscreen::resize(int width, int height) {
 
 void Offscreen::make_current() const { context_->make_current(); }
 
-void Offscreen::begin_3d() {
+void Offscreen::begin_3d(const Colour& paper) {
     make_current();
-    targets_->begin_3d();
+    targets_->begin_3d(paper);
 }
 
 void Offscreen::begin_2d() {

@@ -6,6 +6,7 @@
 #include "render/frame_size.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
+#include "render/palette.hpp"
 
 namespace jw::render {
 
@@ -40,7 +41,7 @@ public:
     void make_current() const;
 
     // these make the context current
-    void begin_3d();
+    void begin_3d(const Colour& paper = palette::kPaper);
     void begin_2d();
     Image read();
 

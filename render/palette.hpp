@@ -80,4 +80,15 @@ inline constexpr Colour kGroundLine = from_hex(0xC9CCCF);
 inline constexpr Colour kGroundShadow = from_hex(0x6B7683, 0.55F);
 
 }  // namespace palette
+
+/// Dark ink on light paper, or the other way round.
+enum class Tone { light, dark };
+
+/// What a colour of the palette becomes: itself in the light; in the dark of inverted lightness, with hue
+/// and, where a screen can show it, chroma as they are.
+Colour toned(const Colour& colour, Tone tone);
+
+/// Ratio of luminances from 1 to 21 as WCAG 2 defines it; opaque colours. 4.5 is asked of text, 3 of symbols.
+double contrast(const Colour& a, const Colour& b);
+
 }  // namespace jw::render

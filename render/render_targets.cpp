@@ -107,13 +107,13 @@ void RenderTargets::attach(
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-void RenderTargets::begin_3d() const {
+void RenderTargets::begin_3d(const Colour& paper) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, (multisampled_ ? *multisampled_ : flat_).framebuffer.name());
     gl_.Viewport(0, 0, device_width(), device_height());
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.DepthMask(GL_TRUE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.ClearColor(palette::kPaper.r, palette::kPaper.g, palette::kPaper.b, 1.0F);
+    gl_.ClearColor(paper.r, paper.g, paper.b, 1.0F);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

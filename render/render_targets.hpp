@@ -29,8 +29,8 @@ public:
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const { return samples_; }
 
-    /// Clears and binds the framebuffer for bodies.
-    void begin_3d() const;
+    /// Binds the framebuffer for bodies and fills it with `paper`.
+    void begin_3d(const Colour& paper = palette::kPaper) const;
 
     /// Resolves what was drawn and binds the flat framebuffer for panels and text.
     void begin_2d() const;

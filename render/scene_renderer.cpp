@@ -12,6 +12,7 @@ namespace jw::render {
 namespace {
 
 constexpr int kShadowTexels = 1024;
+constexpr Colour kNightShadow = from_hex(0x000000, 0.5F);
 constexpr double kShadowBorder = 0.006;  // softness of shadows, in widths of the map
 constexpr float kHiddenAlpha = 0.50F;    // of what is seen through a body
 
@@ -74,11 +75,12 @@ const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
 /// What all steps of one frame share.
 struct SceneRenderer::Pass : SceneView {
+    Tone tone;
     Light light;
     ShadowView shadow;
 
-    Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame)
-        : SceneView(scene, seen_by, viewport, frame), light(light_for(scene, seen_by)) {
+    Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone_)
+        : SceneView(scene, seen_by, viewport, frame, tone_), tone(tone_), light(light_for(scene, seen_by)) {
         Scene casters;
         casters.shapes = scene.shapes;
         shadow = shadow_view(bounds_of(casters), light.towards_key, kShadowTexels);
@@ -113,10 +115,10 @@ SceneRenderer::SceneRenderer(const GlFunctions& gl)
       shadow_framebuffer_(make_shadow_framebuffer(gl, shadow_map_)) {}
 
 void SceneRenderer::draw(
-    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const {
+    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame, Tone tone) const {
     const DeviceRect rect = device_rect(viewport, frame);
     if (rect.width < 1 || rect.height < 1) { return; }
-    const Pass pass(scene, camera, viewport, frame);
+    const Pass pass(scene, camera, viewport, frame, tone);
     draw_shadow_map(pass);
 
     gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
@@ -129,7 +131,7 @@ void SceneRenderer::draw(
     gl_.BindTexture(GL_TEXTURE_2D, shadow_map_.name());
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    draw_backdrop();
+    draw_backdrop(tone);
     if (scene.ground) { draw_ground(pass, *scene.ground); }
     draw_bodies(pass);
     draw_see_through(pass);
@@ -159,13 +161,13 @@ void SceneRenderer::draw_shadow_map(const Pass& pass) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
-void SceneRenderer::draw_backdrop() const {
+void SceneRenderer::draw_backdrop(Tone tone) const {
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_BLEND);
     backdrop_.use();
-    backdrop_.set("top", palette::kSkyTop);
-    backdrop_.set("bottom", palette::kSkyBottom);
+    backdrop_.set("top", toned(palette::kSkyTop, tone));
+    backdrop_.set("bottom", toned(palette::kSkyBottom, tone));
     gl_.BindVertexArray(no_attributes_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     gl_.Enable(GL_DEPTH_TEST);
@@ -184,9 +186,10 @@ void SceneRenderer::draw_ground(const Pass& pass, const Ground& ground) const {
     ground_.set("radius", static_cast<float>(ground.radius));
     ground_.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
     ground_.set("line_width", 1.1F * pass.pixel_scale);
-    ground_.set("plane_colour", palette::kGroundPlane);
-    ground_.set("line_colour", palette::kGroundLine);
-    ground_.set("shadow_colour", palette::kGroundShadow);
+    ground_.set("plane_colour", toned(palette::kGroundPlane, pass.tone));
+    ground_.set("line_colour", toned(palette::kGroundLine, pass.tone));
+    // a shadow is darker than its ground in any tone
+    ground_.set("shadow_colour", pass.tone == Tone::light ? palette::kGroundShadow : kNightShadow);
     gl_.Enable(GL_BLEND);
     gl_.Disable(GL_CULL_FACE);
     // bodies that stand on the plane or sink into it stay whole

@@ -21,9 +21,12 @@ public:
     explicit SceneRenderer(const GlFunctions& gl);
 
     /// Draws into the rectangle `viewport` of the framebuffer that is bound, which has a depth buffer.
-    /// The point that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn into
-    /// a viewport without pixels.
-    void draw(const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const;
+    /// The point that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn
+    /// into a viewport without pixels.
+    /// Bodies have the same colours in both tones; everything else is `toned`.
+    void draw(
+        const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
+        Tone tone = Tone::light) const;
 
     /// For an `IdBuffer` of the same context.
     const SceneMeshes& meshes() const { return meshes_; }
@@ -43,7 +46,7 @@ private:
     static const Surface kGhost;
 
     void draw_shadow_map(const Pass& pass) const;
-    void draw_backdrop() const;
+    void draw_backdrop(Tone tone) const;
     void draw_ground(const Pass& pass, const Ground& ground) const;
     void draw_bodies(const Pass& pass) const;
     void draw_see_through(const Pass& pass) const;

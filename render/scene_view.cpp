@@ -10,11 +10,13 @@ constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pi
 
 }  // namespace
 
-SceneView::SceneView(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame)
+SceneView::SceneView(
+    const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone)
     : camera(seen_by),
       lists(draw_lists_of(
           scene,
-          kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target))),
+          kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target),
+          tone)),
       clip_from_world(projection_matrix(seen_by, viewport.width / viewport.height) * view_matrix(seen_by)),
       clip_per_pixel_x(static_cast<float>(2.0 / (viewport.width * frame.pixel_ratio))),
       clip_per_pixel_y(static_cast<float>(2.0 / (viewport.height * frame.pixel_ratio))),

@@ -17,7 +17,9 @@ struct SceneView {
     float clip_per_pixel_y;
     float pixel_scale;  ///< device pixels per pixel of a picture 720 high
 
-    SceneView(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame);
+    SceneView(
+        const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame,
+        Tone tone = Tone::light);
 
     /// Uniforms of `shaders::body_vertex` but for shadow. @param edge_scale  0 or `pixel_scale`
     void set_solid_uniforms(const GlProgram& program, float edge_scale) const;
