@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <type_traits>
+#include <stdexcept>
 
 #include <imgui.h>
+
+#include "render/texture_id.hpp"
 
 namespace jw::render {
 namespace {
@@ -29,10 +30,10 @@ void main() {
 constexpr const char* kFragmentShader = R"(#version 330 core
 in vec2 texel;
 in vec4 tint;
-uniform sampler2D coverage;
+uniform sampler2D picture;
 out vec4 pixel;
 
-void main() { pixel = tint * texture(coverage, texel); }
+void main() { pixel = tint * texture(picture, texel); }
 )";
 
 /// The atlas holds coverage only; the texture reads as white of that opacity.
@@ -52,16 +53,6 @@ GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     }
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_RED);
     return texture;
-}
-
-/// ImTextureID is a pointer in ImGui 1.86 and an integer in later versions.
-template <class To, class From>
-To texture_id_cast(From value) {
-    if constexpr (std::is_pointer_v<To> || std::is_pointer_v<From>) {
-        return reinterpret_cast<To>(value);
-    } else {
-        return static_cast<To>(value);
-    }
 }
 
 Eigen::Matrix4d clip_from_picture(const ImDrawData& data) {
@@ -93,12 +84,11 @@ ImguiBackend::ImguiBackend(const GlFunctions& gl)
       program_(gl, "panels", kVertexShader, kFragmentShader),
       array_(make_vertex_array(gl)),
       vertices_(make_buffer(gl)),
-      indices_(make_buffer(gl)),
-      font_(upload_atlas(gl, *ImGui::GetIO().Fonts)) {
+      indices_(make_buffer(gl)) {
+    reload_fonts();
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "jointwise";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    io.Fonts->SetTexID(texture_id_cast<ImTextureID>(static_cast<std::intptr_t>(font_.name())));
 
     constexpr auto stride = static_cast<GLsizei>(sizeof(ImDrawVert));
     const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
@@ -112,7 +102,16 @@ ImguiBackend::ImguiBackend(const GlFunctions& gl)
     gl_.BindVertexArray(0);
 }
 
+void ImguiBackend::reload_fonts() {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    font_ = upload_atlas(gl_, atlas);
+    atlas.SetTexID(texture_id_cast<ImTextureID>(font_.name()));
+}
+
 void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
+    if (data.FramebufferScale.x != 1.0F || data.FramebufferScale.y != 1.0F) {
+        throw std::invalid_argument("panels are laid out in pixels of the frame: the framebuffer scale is 1");
+    }
     if (data.DisplaySize.x <= 0.0F || data.DisplaySize.y <= 0.0F) { return; }
     set_state(data, frame);
     constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
@@ -131,8 +130,7 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
                 continue;
             }
             if (!set_scissor(gl_, command.ClipRect, data, frame)) { continue; }
-            gl_.BindTexture(
-                GL_TEXTURE_2D, static_cast<GLuint>(texture_id_cast<std::intptr_t>(command.GetTexID())));
+            gl_.BindTexture(GL_TEXTURE_2D, texture_name(command.GetTexID()));
             gl_.DrawElementsBaseVertex(
                 GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
                 reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
@@ -154,7 +152,7 @@ void ImguiBackend::set_state(const ImDrawData& data, const FrameSize& frame) con
     gl_.ActiveTexture(GL_TEXTURE0);
     program_.use();
     program_.set("clip_from_picture", clip_from_picture(data));
-    program_.set("coverage", 0);
+    program_.set("picture", 0);
     gl_.BindVertexArray(array_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
 }

@@ -15,7 +15,12 @@ public:
     /// this backend can do. Context and `gl` must outlive this.
     explicit ImguiBackend(const GlFunctions& gl);
 
-    /// Draws into the framebuffer that is bound, over what it shows.
+    /// Uploads the atlas again, after `load_fonts` for another scale. Between frames only.
+    void reload_fonts();
+
+    /// Draws into the framebuffer that is bound, over what it shows. Layout is in pixels of the frame; larger
+    /// panels come with larger fonts.
+    /// @throws std::invalid_argument if the data have a framebuffer scale other than 1
     void draw(const ImDrawData& data, const FrameSize& frame) const;
 
 private:

@@ -56,7 +56,8 @@ constexpr std::array kLibraries{
     LibraryRule{"GL/glcorearb.h", "render/gl_functions\\.hpp"},
     LibraryRule{"GLFW/", "app/window\\.[ch]pp"},
     LibraryRule{"ft2build.h", "render/font_face\\.cpp"},
-    LibraryRule{"imgui.h", "render/(fonts|imgui_backend)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+    LibraryRule{
+        "imgui.h", "render/(fonts|imgui_backend|picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
     LibraryRule{"libdeflate.h", "render/png\\.cpp"},
     LibraryRule{"toml++/", "lessons/.*"},
 };

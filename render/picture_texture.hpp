@@ -1,0 +1,29 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "render/gl_objects.hpp"
+#include "render/image.hpp"
+
+namespace jw::render {
+
+/// A picture on the graphics card for `ImDrawList::AddImage`. Its top left corner is uv (0, 0); between
+/// pixels colours blend, so it is sharpest at its own size.
+class PictureTexture {
+public:
+    /// The context must be current here and at destruction; `gl` must outlive this.
+    /// @throws std::invalid_argument if the picture is empty or its size and its data disagree
+    PictureTexture(const GlFunctions& gl, const Image& image);
+
+    /// Valid as long as this lives: draw what shows it before it goes.
+    ImTextureID id() const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+private:
+    int width_;
+    int height_;
+    GlTexture texture_;
+};
+
+}  // namespace jw::render
