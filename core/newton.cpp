@@ -31,6 +31,10 @@ double largest_coordinate(const State& state) {
 
 }  // namespace
 
+double residual_tolerance(const System& system, const State& start) {
+    return kTolerance * std::max(1.0, largest_coordinate(start) / system.length_unit());
+}
+
 template <class C>
 NewtonStepper<C>::NewtonStepper(const System& system, NewtonOptions options)
     : system_(&system),
@@ -50,7 +54,7 @@ void NewtonStepper<C>::start(State state, double t) {
     state_ = std::move(state);
     t_ = t;
     iteration_ = 0;
-    tolerance_ = kTolerance * std::max(1.0, largest_coordinate(state_) / system_->length_unit());
+    tolerance_ = residual_tolerance(*system_, state_);
     outcome_.reset();
 }
 

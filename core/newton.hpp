@@ -52,6 +52,9 @@ struct NewtonOutcome {
     double largest_value = 0.0;
 };
 
+/// Residual (scaled) at which Newton from `start` has converged: rounding of its largest coordinate.
+double residual_tolerance(const System& system, const State& start);
+
 /// Reusable: `start` begins a new solve without allocating.
 template <class C>
 class NewtonStepper {
