@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lessons/equation_labels.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -23,12 +24,38 @@ void check_keys(Fields& fields) {
     for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
     for (const char* key : {"theta_dot_rad_per_s", "theta_dot_deg_per_s"}) { fields.number(key); }
     for (const char* key : {"angle_row", "parallel"}) { fields.text(key); }
+    fields.texts("without");
 }
 
 void read_parallel_form(Fields& fields, Joint& joint) {
     if (!std::ranges::any_of(joint.type->roles, is_parallel)) { return; }
     const auto form = fields.word("parallel", strings(kParallelForms));
     if (form) { joint.parallel_form = static_cast<ParallelForm>(*form); }
+}
+
+/// Equations that are taken out, by the names that the program shows beside their rows.
+void read_without(Fields& fields, Joint& joint) {
+    const auto names = fields.texts("without");
+    if (!names) { return; }
+    const std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);
+    for (const Located<std::string>& name : names->value) {
+        const std::string label = name.value == "theta" ? "θ" : name.value;
+        const auto found = std::ranges::find(all, label, &LabelledEquation::label);
+        if (found == all.end()) {
+            std::vector<std::string> labels;
+            for (const LabelledEquation& one : all) { labels.push_back(one.label); }
+            fields.problems().add(
+                name.span,
+                "a " + std::string(joint.type->name) + " joint has no equation " + in_quotes(name.value) +
+                    "; expected one of " + comma_list(labels),
+                did_you_mean(name.value, labels));
+        } else if (std::ranges::find(joint.without, found->equation) != joint.without.end()) {
+            fields.problems().add(
+                name.span, in_quotes(name.value) + " is in 'without' twice; expected each equation once");
+        } else {
+            joint.without.push_back(found->equation);
+        }
+    }
 }
 
 void read_joint(Fields& fields, Reading& reading) {
@@ -47,6 +74,7 @@ void read_joint(Fields& fields, Reading& reading) {
     if (type) {
         read_geometry(fields, pair_of(reading, bodies), joint);
         read_parallel_form(fields, joint);
+        read_without(fields, joint);
         if (!joint.name.empty()) {
             fields.call(std::string(joint.type->name) + " joint " + in_quotes(joint.name));
         }

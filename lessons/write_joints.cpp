@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "lessons/equation_labels.hpp"
 #include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
@@ -44,6 +45,16 @@ void write_screw(const JointGeometry& g, Lines& lines) {
     if (g.theta_dot_start) { lines.angle("theta_dot", *g.theta_dot_start, "_per_s"); }
 }
 
+void write_without(const Joint& joint, Lines& lines) {
+    const std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);
+    std::string labels;
+    for (const EquationOut& out : joint.without) {
+        const auto found = std::ranges::find(all, out, &LabelledEquation::equation);
+        if (found != all.end()) { labels += (labels.empty() ? "" : ", ") + string_text(found->label); }
+    }
+    if (!labels.empty()) { lines.key("without", '[' + labels + ']', "taken out"); }
+}
+
 void write_joint(const Written& written, const Joint& joint, const std::string& text, Lines& lines) {
     lines.table("[[joint]]");
     lines.key("name", string_text(joint.name));
@@ -56,6 +67,7 @@ void write_joint(const Written& written, const Joint& joint, const std::string& 
         const auto form = static_cast<std::size_t>(joint.parallel_form);
         lines.key("parallel", string_text(std::string(kParallelForms[form])));
     }
+    write_without(joint, lines);
     if (!text.empty()) { lines.key("text", string_text(text)); }
 }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "lessons/equation_labels.hpp"
+
 namespace jw {
 
 namespace {
@@ -101,20 +103,7 @@ const char* name_of_form(ParallelForm form) {
     return "pair";
 }
 
-std::string name_of_role(Role role, ParallelForm form) {
-    switch (role) {
-        case Role::same_point: return "s";
-        case Role::axes_parallel: return form == ParallelForm::pair ? "n1 pair" : "p1";
-        case Role::distance_parallel: return form == ParallelForm::pair ? "n2 pair" : "p2";
-        case Role::axes_perpendicular:
-        case Role::sides_perpendicular: return "n1";
-        case Role::distance_perpendicular: return "n2";
-        case Role::length: return "d";
-        case Role::screw_advance: return "r";
-        case Role::screw_angle: break;
-    }
-    return "θ";
-}
+std::string name_of_role(Role role, ParallelForm form) { return primitive_name(role, form); }
 
 std::string plain_of(const std::string& markup) {
     std::string text;
@@ -176,9 +165,7 @@ EquationText driver_text(const Driver& driver) {
 }
 
 std::string component_name(const Constraint& constraint, int component) {
-    if (constraint.equations == 1) { return {}; }
-    if (constraint.equations == 2) { return component == 0 ? "a" : "b"; }
-    return axis_name(component);
+    return component_name(constraint.equations, component);
 }
 
 std::string short_row_label(const System& system, int row) {

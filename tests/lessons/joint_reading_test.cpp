@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "lessons/equation_labels.hpp"
 #include "tests/lessons/support.hpp"
 
 using namespace jw;
@@ -174,4 +176,28 @@ TEST_CASE("The form of parallel equations is read by name", "[lessons][reading]"
     CHECK(joint_with(hinge + "\"drop z\"").parallel_form == ParallelForm::drop_z);
     CHECK(joint_with(hinge + "\"all three\"").parallel_form == ParallelForm::all_three);
     CHECK(joint_with(hinge + "\"pair\"").parallel_form == ParallelForm::pair);
+}
+
+TEST_CASE("Equations are taken out by the names beside their rows", "[lessons][reading]") {
+    const Joint revolute =
+        joint_with("type = \"revolute\"\nat = [0, 0, 0]\naxis = [0, 0, 1]\nwithout = [\"p1 y\", \"s x\"]");
+    CHECK(revolute.without == std::vector<EquationOut>{{Role::axes_parallel, 1}, {Role::same_point, 0}});
+    const Joint screw = joint_with(
+        "type = \"screw\"\nat = [0, 0, 0]\naxis = [0, 0, 1]\npitch = 1\nparallel = \"pair\"\n"
+        "without = [\"n2 pair b\", \"r\", \"theta\"]");
+    CHECK(
+        screw.without == std::vector<EquationOut>{
+                             {Role::distance_parallel, 1}, {Role::screw_advance, 0}, {Role::screw_angle, 0}});
+    CHECK(joint_with("type = \"s\"\nat = [0, 0, 0]\nwithout = []").without.empty());
+}
+
+TEST_CASE("No two equations of a joint have the same name", "[lessons][reading]") {
+    for (const JointType& type : kJointTypes) {
+        for (int form = 0; form < 6; ++form) {
+            std::set<std::string> labels;
+            const auto all = equations_of(type, static_cast<ParallelForm>(form));
+            for (const LabelledEquation& one : all) { labels.insert(one.label); }
+            CHECK(labels.size() == all.size());
+        }
+    }
 }

@@ -35,7 +35,11 @@ public:
     }
     void compare(const std::string& name, const Joint& a, const Joint& b) {
         all(name, a, b, &Joint::name, "name", &Joint::type, "type", &Joint::body_i, "body_i", &Joint::body_j,
-            "body_j", &Joint::geometry, "geometry", &Joint::parallel_form, "parallel_form");
+            "body_j", &Joint::geometry, "geometry", &Joint::parallel_form, "parallel_form", &Joint::without,
+            "without");
+    }
+    void compare(const std::string& name, const EquationOut& a, const EquationOut& b) {
+        all(name, a, b, &EquationOut::role, "role", &EquationOut::component, "component");
     }
     void compare(const std::string& name, const JointGeometry& a, const JointGeometry& b) {
         using G = JointGeometry;

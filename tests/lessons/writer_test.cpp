@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "lessons/catalogue.hpp"
+#include "lessons/equation_labels.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
@@ -88,6 +89,11 @@ Lesson random_lesson(unsigned seed) {
         if (seed % 3 == 0) { joint.geometry.theta_dot_start = random.number(); }
         joint.geometry = as_in_lessons(type, joint.geometry);
         if (!std::ranges::any_of(type.roles, is_parallel)) { joint.parallel_form = ParallelForm::rule; }
+        // every third equation is out, the last one first
+        const auto equations = equations_of(type, joint.parallel_form);
+        for (std::size_t k = equations.size(); k-- > 0;) {
+            if (k % 3 == seed % 3) { joint.without.push_back(equations[k].equation); }
+        }
         m.joints.push_back(joint);
     }
     const auto add = [&](const Measure& measure, int joint, int i, int j) {
