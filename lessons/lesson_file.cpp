@@ -1,7 +1,5 @@
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -13,46 +11,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// drafts that a program left behind when it was killed; more than these are no accident
+constexpr int kMostDrafts = 100;
+
 /// A file under another name beside its target, removed again unless it was renamed.
 class Draft {
 public:
-    explicit Draft(const fs::path& target) : name_(target.string() + ".part-" + std::to_string(::getpid())) {
-        // O_EXCL: never write through a link that somebody left under this name
-        file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        struct stat before {};
-        // who may read and write the lesson stays as it was
-        if (file_ >= 0 && ::stat(target.c_str(), &before) == 0) { ::fchmod(file_, before.st_mode & 0777U); }
+    explicit Draft(const fs::path& target) {
+        // "x": a name of its own, and never through a link that somebody left there
+        for (int k = 1; file_ == nullptr && k <= kMostDrafts; ++k) {
+            name_ = target.string() + ".part-" + std::to_string(k);
+            file_ = std::fopen(name_.c_str(), "wbx");
+            if (file_ == nullptr && errno != EEXIST) { return; }
+        }
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
     ~Draft() {
-        if (file_ >= 0) { ::close(file_); }
-        if (is_there_) { ::unlink(name_.c_str()); }
+        if (file_ == nullptr && !is_closed_) { return; }
+        if (file_ != nullptr) { std::fclose(file_); }
+        if (!is_renamed_) { std::remove(name_.c_str()); }
     }
 
-    bool write(std::string_view text) {
-        is_there_ = file_ >= 0;
-        while (is_there_ && !text.empty()) {
-            const ssize_t written = ::write(file_, text.data(), text.size());
-            if (written < 0 && errno == EINTR) { continue; }
-            if (written < 0) { return false; }
-            text.remove_prefix(static_cast<std::size_t>(written));
+    bool write(const std::string& text) {
+        if (file_ == nullptr || std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+            return false;
         }
-        return is_there_;
+        // a full disk may show only now
+        is_closed_ = true;
+        return std::fclose(std::exchange(file_, nullptr)) == 0;
     }
 
     bool rename_to(const fs::path& target) {
-        // what is renamed must be on the disk, or a power cut leaves an empty lesson; a full disk shows here
-        if (::fsync(file_) != 0 || ::close(std::exchange(file_, -1)) != 0) { return false; }
-        if (::rename(name_.c_str(), target.c_str()) != 0) { return false; }
-        is_there_ = false;
-        return true;
+        std::error_code ignored;
+        // who may read and write the lesson stays as it was
+        const fs::file_status before = fs::status(target, ignored);
+        if (fs::exists(before)) { fs::permissions(name_, before.permissions(), ignored); }
+        is_renamed_ = std::rename(name_.c_str(), target.c_str()) == 0;
+        return is_renamed_;
     }
 
 private:
     std::string name_;
-    int file_ = -1;
-    bool is_there_ = false;
+    std::FILE* file_ = nullptr;
+    bool is_closed_ = false;
+    bool is_renamed_ = false;
 };
 
 }  // namespace

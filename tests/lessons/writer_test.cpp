@@ -351,6 +351,17 @@ TEST_CASE("A lesson file is written whole or not at all", "[lessons][writing]") 
     CHECK(std::filesystem::is_symlink(folder.path() / "link.toml"));
     CHECK(read_lesson_file(elsewhere).source == "through");
 
+    // what an earlier program left behind is neither used nor removed
+    folder.write("kept.toml.part-1", "left behind");
+    std::filesystem::permissions(
+        path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    CHECK(write_lesson_file(path, "again", error));
+    CHECK(read_lesson_file(path).source == "again");
+    CHECK(
+        std::filesystem::status(path).permissions() ==
+        (std::filesystem::perms::owner_read | std::filesystem::perms::owner_write));
+    std::filesystem::remove(folder.path() / "kept.toml.part-1");
+
     CHECK_FALSE(write_lesson_file(folder.path(), "text", error));
     CHECK_THAT(error, Catch::Contains("this is a folder"));
     CHECK_FALSE(write_lesson_file(folder.path() / "no" / "x.toml", "text", error));
