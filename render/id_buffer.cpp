@@ -124,17 +124,31 @@ void IdBuffer::draw(const SceneView& view) const {
     draw_solids(view, view.lists.ghosts, kBodyRank);
     draw_solids(view, view.lists.annotations, kThinRank);
 
-    gl_.DepthFunc(GL_GREATER);
-    gl_.DepthMask(GL_FALSE);
+    begin_hidden();
     draw_lines(view, view.lists.see_through_lines);
     draw_solid_parts(view, view.lists.see_through, kThinRank, false);
-    gl_.DepthFunc(GL_LESS);
-    gl_.DepthMask(GL_TRUE);
+    end_hidden();
     draw_solids(view, view.lists.see_through, kThinRank);
     draw_lines(view, view.lists.lines);
     draw_lines(view, view.lists.see_through_lines);
+
+    begin_hidden();
+    draw_solids(view, view.lists.emphasised, kThinRank);
+    end_hidden();
+    draw_solids(view, view.lists.emphasised, kThinRank);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
+}
+
+/// What lies behind something.
+void IdBuffer::begin_hidden() const {
+    gl_.DepthFunc(GL_GREATER);
+    gl_.DepthMask(GL_FALSE);
+}
+
+void IdBuffer::end_hidden() const {
+    gl_.DepthFunc(GL_LESS);
+    gl_.DepthMask(GL_TRUE);
 }
 
 void IdBuffer::draw_solids(const SceneView& view, const InstanceLists& lists, float rank) const {

@@ -48,6 +48,8 @@ private:
 
     void make_framebuffer_for(const DeviceRect& rect);
     void draw(const SceneView& view) const;
+    void begin_hidden() const;
+    void end_hidden() const;
     void draw_solids(const SceneView& view, const InstanceLists& lists, float rank) const;
     void draw_solid_parts(const SceneView& view, const InstanceLists& lists, float rank, bool edges) const;
     void draw_lines(const SceneView& view, const std::vector<LineSegment>& lines) const;

@@ -16,6 +16,8 @@ constexpr double kEdgeRounding = 0.14;  // of the smaller half extent
 constexpr float kFineEdge = 0.9F;
 constexpr float kStrongEdge = 2.8F;
 constexpr float kLightRim = 1.3F;
+constexpr float kHalo = 3.6F;
+constexpr double kThicker = 1.5;  // a highlighted vector: not its colour alone tells
 constexpr float kEdgeDarkening = 0.62F;
 
 constexpr double kThreadDepth = 0.5;     // of the pitch
@@ -182,34 +184,52 @@ void for_each_dash(std::span<const Vector3d> path, double dash_length, const Pie
     }
 }
 
-InstanceLists& list_for(DrawLists& lists, InstanceLists& otherwise, float alpha, bool see_through) {
+InstanceLists& list_for(
+    DrawLists& lists, InstanceLists& otherwise, float alpha, bool see_through, bool highlighted = false) {
     if (alpha < 1.0F) { return lists.ghosts; }
-    return see_through ? lists.see_through : otherwise;
+    if (!see_through) { return otherwise; }
+    return highlighted ? lists.emphasised : lists.see_through;
+}
+
+/// Amber shines on paper and in the dark: it is the same in both tones.
+Look halo(const Colour& colour, int id) {
+    return {colour, kHalo, with_alpha(palette::kHighlight, colour.a), id};
+}
+
+Look look_of(const Shape& shape, Tone tone) {
+    // what is seen through bodies is a sign, not a body
+    const Colour colour = shape.see_through ? toned(shape.colour, tone) : shape.colour;
+    if (shape.highlighted && shape.see_through) { return halo(colour, shape.id); }
+    if (shape.highlighted) { return {colour, kStrongEdge, toned(palette::kInk, tone), shape.id}; }
+    const Colour dark = with_alpha(mix(colour, palette::kInk, kEdgeDarkening), colour.a);
+    return {colour, kFineEdge, dark, shape.id};
 }
 
 void add_shape(DrawLists& lists, const Shape& shape, Tone tone) {
-    InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through);
-    // what is seen through bodies is a sign, not a body
-    const Colour colour = shape.see_through ? toned(shape.colour, tone) : shape.colour;
-    const Colour dark = with_alpha(mix(colour, palette::kInk, kEdgeDarkening), colour.a);
-    const Look look = shape.highlighted ? Look{colour, kStrongEdge, toned(palette::kInk, tone), shape.id}
-                                        : Look{colour, kFineEdge, dark, shape.id};
-    std::visit(Builder(list, look), shape.geometry);
+    InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through, shape.highlighted);
+    std::visit(Builder(list, look_of(shape, tone)), shape.geometry);
+}
+
+Look look_of(const Arrow& arrow, Tone tone) {
+    const Colour colour = toned(arrow.colour, tone);
+    if (arrow.highlighted) { return halo(colour, arrow.id); }
+    return {colour, kLightRim, with_alpha(toned(palette::kPaper, tone), colour.a), arrow.id};
 }
 
 void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length, Tone tone) {
-    InstanceLists& list = list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through);
-    const Colour rim = with_alpha(toned(palette::kPaper, tone), arrow.colour.a);
-    Builder builder(list, {toned(arrow.colour, tone), kLightRim, rim, arrow.id});
+    InstanceLists& list =
+        list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through, arrow.highlighted);
+    Builder builder(list, look_of(arrow, tone));
+    const double radius = (arrow.highlighted ? kThicker : 1.0) * arrow.radius;
     const double length = (arrow.to - arrow.from).norm();
-    const double head = std::min(2.5 * arrow.radius * static_cast<double>(kConeLength), length);
-    if (!arrow.dashed || length <= 2.0 * head) { return builder.arrow(arrow.from, arrow.to, arrow.radius); }
+    const double head = std::min(2.5 * radius * static_cast<double>(kConeLength), length);
+    if (!arrow.dashed || length <= 2.0 * head) { return builder.arrow(arrow.from, arrow.to, radius); }
     const Vector3d neck = arrow.to - (arrow.to - arrow.from) * (head / length);
-    builder.arrow(neck, arrow.to, arrow.radius);
+    builder.arrow(neck, arrow.to, radius);
     const std::array shaft{arrow.from, neck};
     for_each_dash(
         shaft, std::max(dash_length, 4.0 * arrow.radius), [&](const Vector3d& from, const Vector3d& to) {
-            builder(Cylinder{from, to, arrow.radius});
+            builder(Cylinder{from, to, radius});
         });
 }
 

@@ -41,6 +41,7 @@ struct DrawLists {
     InstanceLists bodies;       ///< opaque, cast and receive shadow
     InstanceLists annotations;  ///< opaque: arrows and axes that a body may hide
     InstanceLists see_through;  ///< opaque, and faintly where hidden
+    InstanceLists emphasised;   ///< the same, where hidden with their outlines
     InstanceLists ghosts;       ///< transparent
     std::vector<LineSegment> lines;
     std::vector<LineSegment> see_through_lines;

@@ -90,7 +90,7 @@ using Geometry = std::variant<Box, Sphere, Cylinder, Rod, Tube, Ring, Screw, Nut
 struct Shape {
     Geometry geometry;
     Colour colour = palette::kSteel;  ///< alpha < 1: a ghost, drawn last and without shadow
-    bool highlighted = false;         ///< outlined in the ink colour
+    bool highlighted = false;         ///< outlined in the ink colour; see-through ones with a halo
     bool see_through = false;         ///< shows faintly through what hides it: points and pins inside bodies
     int id = 0;
 };
@@ -104,6 +104,8 @@ struct Arrow {
     bool dashed = false;
     bool see_through = true;
     int id = 0;
+    bool highlighted =
+        false;  ///< thicker, with a halo that shows through bodies as well if it is see-through
 };
 
 /// Axes of a frame: x, y, z in the colours of `palette::kAxes`.

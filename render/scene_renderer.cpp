@@ -135,6 +135,7 @@ void SceneRenderer::draw(
     if (scene.ground) { draw_ground(pass, *scene.ground); }
     draw_bodies(pass);
     draw_see_through(pass);
+    draw_emphasised(pass);
     draw_ghosts(pass);
 
     gl_.Disable(GL_SCISSOR_TEST);
@@ -222,6 +223,20 @@ void SceneRenderer::draw_see_through(const Pass& pass) const {
     draw_edges(pass, pass.lists.see_through);
     draw_lines(pass, pass.lists.lines, 1.0F);
     draw_lines(pass, pass.lists.see_through_lines, 1.0F);
+}
+
+void SceneRenderer::draw_emphasised(const Pass& pass) const {
+    // where hidden, the halo shines through what it surrounds
+    gl_.DepthFunc(GL_GREATER);
+    gl_.DepthMask(GL_FALSE);
+    draw_edges(pass, pass.lists.emphasised);
+    gl_.Enable(GL_BLEND);
+    shade(pass, pass.lists.emphasised, kHidden);
+    gl_.Disable(GL_BLEND);
+    gl_.DepthMask(GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    shade(pass, pass.lists.emphasised, kAnnotation);
+    draw_edges(pass, pass.lists.emphasised);
 }
 
 void SceneRenderer::draw_ghosts(const Pass& pass) const {

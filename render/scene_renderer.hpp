@@ -12,7 +12,7 @@ namespace jw::render {
 /// Draws scenes through a table of GL functions, whoever made the context.
 ///
 /// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is seen
-/// through bodies, lines, ghosts.
+/// through bodies, lines, what is highlighted of these, ghosts.
 class SceneRenderer {
 public:
     /// Compiles shaders and uploads meshes. The context must be current here, in `draw` and at destruction;
@@ -50,6 +50,7 @@ private:
     void draw_ground(const Pass& pass, const Ground& ground) const;
     void draw_bodies(const Pass& pass) const;
     void draw_see_through(const Pass& pass) const;
+    void draw_emphasised(const Pass& pass) const;
     void draw_ghosts(const Pass& pass) const;
 
     void shade(const Pass& pass, const InstanceLists& lists, const Surface& surface) const;

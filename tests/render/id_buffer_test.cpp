@@ -208,7 +208,8 @@ TEST_CASE("a pointer that need not be exact prefers thin things, then what is un
 }
 
 TEST_CASE("ids cover exactly the pixels that bodies and vectors colour", "[render][ids]") {
-    const Scene scene = row_of_things({1, 2, 3, 4, 5, 6, 7, 8});
+    Scene scene = row_of_things({1, 2, 3, 4, 5, 6, 7, 8});
+    for (Arrow& arrow : scene.arrows) { arrow.highlighted = GENERATE(false, true); }
     const Camera camera = camera_for(scene);
     Picker picker;
     const auto draw = [&](const Scene& what) {

@@ -135,6 +135,47 @@ TEST_CASE(
     CHECK((picture(scene, camera, kWhole, kWidth, kHeight) == body) == !see_through);
 }
 
+TEST_CASE("a highlighted vector is thicker and has a halo, through a body as well", "[render][picture]") {
+    const Tone tone = GENERATE(Tone::light, Tone::dark);
+    const bool inside = GENERATE(false, true);
+    Scene scene;
+    if (inside) { scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, palette::kSteel}); }
+    scene.arrows.push_back({{0.0, 0.0, -0.4}, {0.0, 0.0, 0.4}, 0.02, palette::kVectorI});
+    Offscreen offscreen(kWidth, kHeight);
+    const SceneRenderer renderer(offscreen.gl());
+    Camera camera;
+    camera.eye = {0.0, -3.0, 0.0};
+    const auto draw = [&] {
+        offscreen.begin_3d();
+        renderer.draw(scene, camera, kWhole, offscreen.size(), tone);
+        offscreen.begin_2d();
+        return offscreen.read();
+    };
+    const Image plain = draw();
+    scene.arrows[0].highlighted = true;
+    const Image lit = draw();
+
+    const auto across = [&](const auto& counts) {
+        int count = 0;
+        for (int x = 0; x < kWidth; ++x) { count += counts(x) ? 1 : 0; }
+        return count;
+    };
+    const int row = kHeight / 2 + 10;  // across the shaft
+    const auto amber = [&](const Image& image) {
+        return across([&](int x) {
+            const std::uint8_t* const p = image.at(x, row);
+            return p[0] > p[1] + 20 && p[1] > p[2] + 40;
+        });
+    };
+    CHECK(amber(plain) == 0);
+    CHECK(amber(lit) >= 2);
+    // wider by half of 5 pixels and, on both sides, by a halo of 3.6 / 4 pixels
+    const auto changed =
+        across([&](int x) { return !std::equal(lit.at(x, row), lit.at(x, row) + 3, plain.at(x, row)); });
+    CHECK(changed >= 4);
+    CHECK(changed <= 12);
+}
+
 TEST_CASE("a ghost lets the body behind it shine through", "[render][picture]") {
     Scene scene;
     scene.shapes.push_back({Sphere{{0.0, 0.0, 0.0}, 0.3}, palette::kOrange});
