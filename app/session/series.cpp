@@ -26,7 +26,7 @@ public:
 
     void begin_moment() { next_ = 0; }
     void add(const std::string& name, const char* unit, double value) {
-        if (next_ == series_->size()) { series_->push_back({name, unit, {}, 0.0}); }
+        if (next_ == series_->size()) { series_->push_back({name, unit, {}, 0.0, false}); }
         (*series_)[next_++].values.push_back(value);
     }
     void add_vector(const std::string& name, const char* unit, const Vec3& v) {
@@ -138,6 +138,8 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }
     }
     set_rounding(set.series);
+    // the first measure with its rates; r of the first body where nothing is measured
+    for (int k = 0; k < std::min(3, static_cast<int>(set.series.size())); ++k) { set.telling.push_back(k); }
     return set;
 }
 
@@ -146,7 +148,7 @@ SeriesSet newton_series(const Story& story) {
     set.axis = "iteration";
     set.logarithmic = true;
     for (const Solve& solve : solves_of(story)) {
-        Series series{solve.name, "-", std::vector<double>(set.at.size(), kMissing), 0.0};
+        Series series{solve.name, "-", std::vector<double>(set.at.size(), kMissing), 0.0, false};
         for (std::size_t k = 0; k < solve.events.size(); ++k) {
             const auto* newton = std::get_if<NewtonStep>(&solve.events[k]);
             if (newton == nullptr) {
@@ -160,6 +162,7 @@ SeriesSet newton_series(const Story& story) {
         if (!solve.events.empty()) { set.series.push_back(std::move(series)); }
     }
     for (Series& s : set.series) { s.values.resize(set.at.size(), kMissing); }
+    set.telling = series::all_of(set);
     if (set.at.empty()) { set.why_empty = "No iterations here: the lesson adds neither joints nor drivers."; }
     return set;
 }

@@ -14,6 +14,7 @@ struct Series {
     std::string unit;            ///< "deg", "m/s", ...; "-" if it has none
     std::vector<double> values;  ///< one per point of the set; NaN where there is none
     double rounding = 0.0;       ///< differences up to this size say nothing
+    bool limit = false;          ///< a bound to compare with, not a quantity
 };
 
 /// Something that happened at one moment.
@@ -27,6 +28,7 @@ struct SeriesSet {
     std::vector<double> at;  ///< ascending
     std::vector<int> steps;  ///< the story's step that each point belongs to
     std::vector<Series> series;
+    std::vector<int> telling;  ///< of the series: what says most, to begin with
     bool logarithmic = false;  ///< values are best seen on a logarithmic scale
     std::vector<Mark> marks;
     std::string why_empty;  ///< one sentence if there are no points

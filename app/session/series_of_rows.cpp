@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "app/session/labels.hpp"
 #include "app/session/series_parts.hpp"
@@ -72,9 +73,26 @@ std::string why_nothing_moves(const Story& story) {
     return "Nothing moves here: the lesson ends once everything is put together.";
 }
 
+/// Of many singular values the largest and the smallest ones, and the threshold.
+std::vector<int> largest_and_smallest(const SeriesSet& set) {
+    constexpr int smallest = 4;
+    const int count = static_cast<int>(set.series.size());
+    std::vector<int> telling = series::all_of(set);
+    if (count > smallest + 2) {
+        telling.erase(telling.begin() + 1, telling.begin() + (count - 1 - smallest));
+    }
+    return telling;
+}
+
 }  // namespace
 
 namespace series {
+
+std::vector<int> all_of(const SeriesSet& set) {
+    std::vector<int> indices(set.series.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+}
 
 std::vector<int> motion_steps(const Story& story) {
     std::vector<int> indices;
@@ -108,15 +126,16 @@ SeriesSet singular_value_series(const Story& story) {
         const auto count = static_cast<std::size_t>(report.singular_values.size());
         if (k == 0) {
             for (std::size_t n = 1; n <= count; ++n) {
-                set.series.push_back({"σ" + subscript_number(n), "-", {}, 0.0});
+                set.series.push_back({"σ" + subscript_number(n), "-", {}, 0.0, false});
             }
-            set.series.push_back({"threshold", "-", {}, 0.0});
+            set.series.push_back({"threshold", "-", {}, 0.0, true});
         }
         for (std::size_t n = 0; n < count; ++n) {
             set.series[n].values.push_back(report.singular_values(static_cast<Eigen::Index>(n)));
         }
         set.series.back().values.push_back(report.threshold);
     }
+    set.telling = largest_and_smallest(set);
     return set;
 }
 
@@ -129,7 +148,7 @@ SeriesSet condition_series(const Story& story, int joint) {
         const std::vector<RowChoice> choices = choices_of_joint(*step.system, joint, step.state, before);
         std::size_t next = 0;
         const auto add = [&](const std::string& name, double condition) {
-            if (next == set.series.size()) { set.series.push_back({name, "-", {}, 0.0}); }
+            if (next == set.series.size()) { set.series.push_back({name, "-", {}, 0.0, false}); }
             const bool lost = !(condition < std::numeric_limits<double>::infinity());
             set.series[next++].values.push_back(lost ? std::numeric_limits<double>::quiet_NaN() : condition);
         };
@@ -145,6 +164,9 @@ SeriesSet condition_series(const Story& story, int joint) {
         }
         before = step.system.get();
     }
+    // of p1; p2 has another unit of length in it, but is chosen by the same axis
+    set.telling = series::all_of(set);
+    if (set.telling.size() > 4) { set.telling.resize(4); }
     if (set.series.empty()) {
         set.at.clear();
         set.steps.clear();

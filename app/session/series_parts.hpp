@@ -11,4 +11,7 @@ SeriesSet over_time(const Story& story);
 /// Steps of the motion at which a pose was reached.
 std::vector<int> motion_steps(const Story& story);
 
+/// Indices of all series.
+std::vector<int> all_of(const SeriesSet& set);
+
 }  // namespace jw::series

@@ -228,7 +228,7 @@ TEST_CASE("a CSV file reads back as the same numbers, commas and quotes in names
     set.at = {0.0, 0.1, 1.0 / 3.0};
     set.steps = {0, 1, 2};
     const double none = std::numeric_limits<double>::quiet_NaN();
-    set.series = {{"a, \"b\"", "m", {1e-300, -2.0 / 3.0, none}, 0.0}, {"c", "-", {4.0, 5e17, -0.1}, 0.0}};
+    set.series = {{"a, \"b\"", "m", {1e-300, -2.0 / 3.0, none}, 0.0, false}, {"c", "-", {4.0, 5e17, -0.1}, 0.0, false}};
     const std::string text = csv_of(set);
     std::istringstream lines(text);
     std::string line;
