@@ -1,5 +1,6 @@
 #include "core/branches.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,10 @@ namespace {
 constexpr double kClearSide = 0.1;
 // a lesson's own numbers may close to 1e-7 only; the pair that the rule keeps passes on twice that
 constexpr double kHolds = 1e-6;
+// a correction of a third of the step means that prediction and solution are on different curves
+constexpr double kLargestCorrection = 0.3;
+// movements below this are rounding [scene's unit, rad]
+constexpr double kNoMovement = 1e-9;
 
 const Joint& joint_of(const System& system, const Constraint& c) {
     return system.mechanism().joints[static_cast<std::size_t>(c.joint)];
@@ -122,6 +127,29 @@ void leave_branch(const System& system, const WrongBranch& wrong, State& state) 
             break;
         }
     }
+}
+
+bool is_meant(const System& system, const State& state, const std::vector<int>& sides) {
+    return !find_wrong_branch(system, state, sides) && left_out_rows_hold(system, state);
+}
+
+double movement(const System& system, const State& from, const State& to) {
+    double largest = 0.0;
+    for (const int body : system.moving_bodies()) {
+        const auto k = static_cast<std::size_t>(body);
+        largest = std::max(
+            {largest, (from.r[k] - to.r[k]).norm() / system.length_unit(),
+             turn_local_between(from.p[k], to.p[k]).norm()});
+    }
+    return largest;
+}
+
+bool same_curve(
+    const System& system, const State& from, const State& prediction, const State& reached,
+    const std::vector<int>& sides) {
+    const double step = movement(system, from, reached);
+    const double correction = movement(system, prediction, reached);
+    return correction <= std::max(kLargestCorrection * step, kNoMovement) && is_meant(system, reached, sides);
 }
 
 }  // namespace jw

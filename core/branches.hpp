@@ -30,7 +30,21 @@ std::optional<WrongBranch> find_wrong_branch(
 /// pair has lost rank on the way here, and rows must be chosen anew. Rows left out on purpose are not asked.
 bool left_out_rows_hold(const System& system, const State& state);
 
+/// On no wrong branch, and the rows left out hold.
+bool is_meant(const System& system, const State& state, const std::vector<int>& sides);
+
 /// Turns a body (or θ) by half a turn about the joint, so that Newton starts next to the right branch.
 void leave_branch(const System& system, const WrongBranch& wrong, State& state);
+
+/// Largest movement of a body between two states, in the scene's unit of length and rad.
+double movement(const System& system, const State& from, const State& to);
+
+/// True if Newton, from a `prediction` along the tangent at `from`, has `reached` a state of the same curve:
+/// a correction of a third of the step means that prediction and solution are on different curves, and a
+/// wrong branch or an equation that does not hold is on none.
+/// @param sides from `intended_sides`
+bool same_curve(
+    const System& system, const State& from, const State& prediction, const State& reached,
+    const std::vector<int>& sides);
 
 }  // namespace jw

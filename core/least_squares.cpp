@@ -110,6 +110,18 @@ void LeastSquares::reflect(Eigen::Index k) {
     y_tail -= projection * tail;
 }
 
+void LeastSquares::solve_transposed(const VectorX& force, int rank, VectorX& lambda) {
+    y_ = force.cwiseProduct(scaling_.column);
+    for (Eigen::Index k = 0; k < rank; ++k) { reflect(k); }
+    auto z = y_.head(rank);
+    qr_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(z);
+    lambda.setZero(scaling_.row.size());
+    for (Eigen::Index k = 0; k < rank; ++k) {
+        const Eigen::Index row = qr_.colsPermutation().indices()(k);
+        lambda(row) = z(k) / scaling_.row(row);
+    }
+}
+
 void LeastSquares::keep_free_part(int rank, VectorX& x) {
     // Q1ᵀ x is what the independent rows see: the reflections applied first to last, and back without it
     y_ = x.cwiseQuotient(scaling_.column);

@@ -37,6 +37,10 @@ public:
     /// first `rank` pivots as independent.
     void solve(const VectorX& b, int rank, VectorX& x);
 
+    /// λ with Φqᵀ λ nearest to `force`, zero for all but the first `rank` pivots: the multipliers that hold
+    /// it.
+    void solve_transposed(const VectorX& force, int rank, VectorX& lambda);
+
     /// Leaves of `x` (unknowns, not scaled) the part that the first `rank` pivots do not see: the free motion
     /// with Φq x = 0 that is nearest to it in scaled unknowns.
     void keep_free_part(int rank, VectorX& x);

@@ -7,12 +7,8 @@ namespace jw {
 
 namespace {
 
-// a correction of a third of the step means that prediction and solution are on different curves
-constexpr double kLargestCorrection = 0.3;
 // 2^-12 of a frame: where this does not help, the motion ends
 constexpr double kSmallestStep = 1.0 / 4096.0;
-// movements below this are rounding [scene's unit, rad]
-constexpr double kNoMovement = 1e-9;
 // the tangent is a few thousandths off at first: four secant steps reach rounding, the rest is reserve
 constexpr int kMostSecantSteps = 8;
 constexpr double kFirstSecantStep = 1e-3;
@@ -46,18 +42,6 @@ Motion after(const System& system, const Motion& motion, const Motion& rate, dou
         sum.theta_dot[k] += h * rate.theta_dot[k];
     }
     return sum;
-}
-
-/// Largest movement between two states, in the scene's unit of length and rad.
-double movement(const System& system, const State& a, const State& b) {
-    double largest = 0.0;
-    for (const int body : system.moving_bodies()) {
-        const auto k = static_cast<std::size_t>(body);
-        largest = std::max(
-            {largest, (a.r[k] - b.r[k]).norm() / system.length_unit(),
-             turn_local_between(a.p[k], b.p[k]).norm()});
-    }
-    return largest;
 }
 
 }  // namespace
@@ -144,15 +128,12 @@ bool MotionTracker::try_step(double h) {
             frame_.t + h};
         return false;
     }
-    const double step = movement(*system_, frame_.state, newton_.state());
-    const double correction = movement(*system_, prediction, newton_.state());
-    const auto wrong = find_wrong_branch(*system_, newton_.state(), sides_);
-    const bool same_curve = correction <= std::max(kLargestCorrection * step, kNoMovement);
-    if (wrong || !same_curve || !left_out_rows_hold(*system_, newton_.state())) {
+    if (!same_curve(*system_, frame_.state, prediction, newton_.state(), sides_)) {
+        const auto wrong = find_wrong_branch(*system_, newton_.state(), sides_);
         failure_ = PositionFailure{
             wrong ? FailureCause::wrong_branch : FailureCause::singular,
             outcome.largest_row,
-            correction,
+            movement(*system_, prediction, newton_.state()),
             outcome.residual,
             0.0,
             outcome.iterations,
