@@ -192,10 +192,14 @@ std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
 
 std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
     const auto v = vector(key);
-    if (v && v->value.norm() < kShortestDirection) {
+    // squares of very small numbers are 0: measured without them
+    if (v && v->value.stableNorm() < kShortestDirection) {
+        const bool zero = v->value.isZero(0.0);
         problems_->add(
-            v->span, in_quotes(key) + " has length " + short_number(v->value.norm()) +
-                         "; expected a direction, three numbers not all zero");
+            v->span, in_quotes(key) +
+                         (zero ? " has length 0; expected a direction, three numbers not all zero"
+                               : " is too short to be a direction, " + short_number(v->value.stableNorm()) +
+                                     "; expected a length of at least " + short_number(kShortestDirection)));
         return std::nullopt;
     }
     return v;

@@ -6,9 +6,16 @@ namespace jw::reading {
 
 namespace {
 
-bool is_proper(const std::string& name) {
-    return !name.empty() && name.size() <= 80 && name.find_first_of(".\"'\n\r\t") == std::string::npos &&
-           name.front() != ' ' && name.back() != ' ';
+constexpr std::size_t kLongestName = 80;
+
+/// What is wrong with a name, empty if nothing is.
+std::string fault_of(const std::string& name) {
+    if (name.find_first_not_of(' ') == std::string::npos) {
+        return name.empty() ? "is empty" : "has nothing but blanks";
+    }
+    if (name.front() == ' ' || name.back() == ' ') { return "begins or ends with a blank"; }
+    if (name.size() > kLongestName) { return "is too long"; }
+    return name.find_first_of(".\"'\n\r\t") != std::string::npos ? "has a dot, a quote or a line break" : "";
 }
 
 }  // namespace
@@ -27,10 +34,10 @@ std::string Reading::declare(Fields& fields, Named::Kind kind, int index) {
     const auto name = fields.text("name");
     fields.require("name", "a name that the lesson refers to it by");
     if (!name) { return {}; }
-    if (!is_proper(name->value)) {
+    if (const std::string fault = fault_of(name->value); !fault.empty()) {
         problems->add(
-            name->span, in_quotes(name->value) +
-                            " cannot be a name; expected 1 to 80 characters without dots and quotes");
+            name->span, "the name " + in_quotes(name->value) + ' ' + fault +
+                            "; expected 1 to 80 characters without dots and quotes");
         return {};
     }
     fields.call(word + ' ' + in_quotes(name->value));

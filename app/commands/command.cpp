@@ -13,6 +13,11 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
     return std::move(*read.lesson);
 }
 
+std::string fault_of_step(const std::string& text) {
+    if (!text.starts_with('-')) { return {}; }  // what is no number at all is said by the conversion
+    return text + " is below 0; expected a step, counted from 0";
+}
+
 ProgressBar::ProgressBar(const Streams& streams, std::string what)
     : streams_(&streams), what_(std::move(what)) {}
 

@@ -40,6 +40,9 @@ struct Streams {
 /// @throws CommandError (bad_input) with all diagnostics of the file
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
+/// For CLI11's `check`: what is wrong with a whole number below 0, empty if nothing is.
+std::string fault_of_step(const std::string& text);
+
 /// A bar on a terminal, nothing elsewhere; gone when it is destroyed.
 class ProgressBar {
 public:

@@ -35,7 +35,6 @@ std::optional<int> number_of(const std::string& text) {
 }  // namespace
 
 FrameRange frame_range(const std::string& text, int frames) {
-    if (text.empty()) { return {0, frames - 1}; }
     const std::size_t colon = text.find(':');
     const std::string from = text.substr(0, colon);
     const std::string to = colon == std::string::npos ? from : text.substr(colon + 1);

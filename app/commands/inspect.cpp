@@ -73,7 +73,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     auto* step =
         command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
-            ->check(CLI::NonNegativeNumber)
+            ->check(&fault_of_step)
             ->type_name("N");
     auto* time = command->add_option("--time", options->time, "a time of the motion [s]")->type_name("T");
     auto* given =

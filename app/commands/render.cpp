@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <optional>
 #include <regex>
 
 #include "app/commands/commands.hpp"
@@ -16,7 +17,7 @@ struct Options {
     std::string out;
     std::string size = "1280x720";
     double fps = 30.0;
-    std::string frames;
+    std::optional<std::string> frames;
 };
 
 struct Size {
@@ -67,7 +68,8 @@ Exit render_command(const Options& options, const Streams& streams) {
     how.intervals = intervals_of(lesson, options.fps);
     const Story story(lesson, how);
     const int frames = static_cast<int>(story.steps().size());
-    const FrameRange range = frame_range(options.frames, frames);
+    const FrameRange range =
+        options.frames ? frame_range(*options.frames, frames) : FrameRange{0, frames - 1};
 
     FrameFiles files(options.out);
     FramePainter painter(story, size.width, size.height);
@@ -86,7 +88,9 @@ Exit render_command(const Options& options, const Streams& streams) {
              {"fps", options.fps},
              {"frames_in_all", frames}});
     }
-    streams.err << range.last - range.first + 1 << " pictures and manifest.json in " << options.out << '\n';
+    const int drawn = range.last - range.first + 1;
+    streams.err << drawn << (drawn == 1 ? " picture" : " pictures") << " and manifest.json in " << options.out
+                << '\n';
     if (const Step* failed = story.failure()) {
         streams.err << not_reached(lesson, *failed).what() << '\n';
         return Exit::numerics;

@@ -67,7 +67,7 @@ void add_step(CLI::App& app, const Streams& streams, Run& run) {
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     command->add_option("--until", options->until, "last step to show")
-        ->check(CLI::NonNegativeNumber)
+        ->check(&fault_of_step)
         ->type_name("N");
     command->add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))

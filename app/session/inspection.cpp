@@ -25,6 +25,23 @@ void evaluate(Inspection& inspection) {
     inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
 }
 
+/// More than the length of the motion before or after it: there the lesson makes no promise, and a pose that
+/// cannot be found tells nothing of the mechanism.
+bool is_far_outside(const Lesson& lesson, double t) {
+    if (!lesson.motion) { return false; }
+    const auto& [from, to, duration, steps] = *lesson.motion;
+    const double length = to - from;
+    return t < from - length || t > to + length;
+}
+
+PoseNotReached far_outside(const Lesson& lesson, double t, double reached) {
+    return PoseNotReached(
+        lesson.file_name + ": t = " + number_text(t, 4) +
+        " s lies far outside the lesson's motion, which goes from " + number_text(lesson.motion->from, 4) +
+        " s to " + number_text(lesson.motion->to, 4) + " s. It could be followed as far as " +
+        number_text(reached, 4) + " s.");
+}
+
 }  // namespace
 
 PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure) {
@@ -76,6 +93,7 @@ Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice)
     MotionTracker tracker(*system, last.state, start_time(lesson));
     bool switched = false;
     if (!advance_along(tracker, lesson, t, switched)) {
+        if (is_far_outside(lesson, t)) { throw far_outside(lesson, t, tracker.frame().t); }
         throw not_reached(lesson, *system, *tracker.failure());
     }
     Inspection inspection;

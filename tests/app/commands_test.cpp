@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {
@@ -38,6 +41,12 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},
         {{"step", crank, "--until", "99"}, "jointwise: error: --until 99: the lesson has steps 0 to 9\n"},
         {{"inspect", crank, "--step", "99"}, "jointwise: error: --step 99: the lesson has steps 0 to 9\n"},
+        {{"step", crank, "--until", "-1"},
+         "jointwise: error: --until: -1 is below 0; expected a step, counted from 0\n"
+         "hint: jointwise step --help\n"},
+        {{"inspect", crank, "--step", "-1"},
+         "jointwise: error: --step: -1 is below 0; expected a step, counted from 0\n"
+         "hint: jointwise inspect --help\n"},
         {{"inspect", crank, "--step", "1", "--as-given"},
          "jointwise: error: --step excludes --as-given\nhint: jointwise inspect --help\n"},
         {{"inspect", crank, "--time", "nan"},
@@ -63,6 +72,9 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
         {{"render", crank, "--out", folder.path("frames"), "--frames", "5:2"},
          "jointwise: error: --frames '5:2'; expected A:B, A:, :B or A with numbers from 0 to 35, the frames "
          "of "
+         "this lesson\n"},
+        {{"render", crank, "--out", folder.path("frames"), "--frames", ""},
+         "jointwise: error: --frames ''; expected A:B, A:, :B or A with numbers from 0 to 35, the frames of "
          "this lesson\n"},
         {{"render", crank, "--out", crank},
          "jointwise: error: --out '" + crank +
@@ -136,6 +148,41 @@ TEST_CASE("check goes on after a file that is wrong", "[app][commands]") {
     CHECK(ran.status == 2);
     CHECK(ran.out.find("1 of 1 claim holds") != std::string::npos);
     CHECK(ran.err.find("missing.toml: error: there is no such file") != std::string::npos);
+}
+
+TEST_CASE("one picture is not several", "[app][commands]") {
+    const Folder folder;
+    const std::string crank = folder.file("crank.toml", kCrank);
+    const Ran ran = run({"render", crank, "--out", folder.path("one"), "--size", "960x540", "--frames", "0"});
+    CHECK(ran.status == 0);
+    CHECK(ran.err == "1 picture and manifest.json in " + folder.path("one") + "\n");
+}
+
+TEST_CASE("a time far outside the motion is said to be that, and how far it went", "[app][commands]") {
+    const std::string file = lesson_path("loops/four-bar.toml");
+    const Ran far = run({"inspect", file, "--time", "1e8"});
+    CHECK(far.status == 3);
+    CHECK_THAT(
+        far.err,
+        Catch::Contains(": t = 1e+08 s lies far outside the lesson's motion, which goes from 0 s to 4 s. It "
+                        "could be followed as far as "));
+    // up to a motion's length outside it goes on as within
+    CHECK(run({"inspect", file, "--time", "7.9"}).status == 0);
+}
+
+TEST_CASE("a lesson that was written proves what the lesson that was read does", "[app][commands]") {
+    const Folder folder;
+    for (const auto& path : lessons_below(catalogue_folder())) {
+        const ReadResult read = read_lesson_file(path);
+        REQUIRE(read.lesson.has_value());
+        const std::string file = folder.file("written.toml", lesson_text(*read.lesson));
+        const Ran of_the_first = run({"check", path.string()});
+        const Ran of_the_second = run({"check", file});
+        INFO(path << '\n' << of_the_second.out << of_the_second.err);
+        CHECK(of_the_second.status == 0);
+        const auto verdicts = [](const Ran& ran) { return ran.out.substr(ran.out.find('\n')); };
+        CHECK(verdicts(of_the_second) == verdicts(of_the_first));
+    }
 }
 
 }  // namespace jw::test
