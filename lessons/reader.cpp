@@ -132,4 +132,9 @@ ReadResult read_lesson_file(const std::filesystem::path& path) {
     return read_lesson(std::move(text), path.string());
 }
 
+std::string toml_version() {
+    return std::to_string(TOML_LIB_MAJOR) + '.' + std::to_string(TOML_LIB_MINOR) + '.' +
+           std::to_string(TOML_LIB_PATCH);
+}
+
 }  // namespace jw

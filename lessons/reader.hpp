@@ -25,4 +25,7 @@ struct ReadResult {
 ReadResult read_lesson(std::string source, std::string file_name);
 ReadResult read_lesson_file(const std::filesystem::path& path);
 
+/// "3.3.0", of the TOML parser.
+std::string toml_version();
+
 }  // namespace jw

@@ -104,4 +104,9 @@ std::optional<GlyphBitmap> FontFace::render(char32_t character, double pixels_pe
     return glyph;
 }
 
+std::string freetype_version() {
+    return std::to_string(FREETYPE_MAJOR) + '.' + std::to_string(FREETYPE_MINOR) + '.' +
+           std::to_string(FREETYPE_PATCH);
+}
+
 }  // namespace jw::render

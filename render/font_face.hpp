@@ -48,4 +48,7 @@ private:
     std::unique_ptr<Face> face_;
 };
 
+/// "2.12.1"
+std::string freetype_version();
+
 }  // namespace jw::render

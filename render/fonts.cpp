@@ -98,8 +98,9 @@ std::vector<std::filesystem::path> font_folders() {
     return folders;
 }
 
-std::filesystem::path find_font(const FontFile& file) {
-    for (const auto& folder : font_folders()) {
+std::filesystem::path find_font(
+    const FontFile& file, const std::vector<std::filesystem::path>& folders = font_folders()) {
+    for (const auto& folder : folders) {
         std::error_code ignored;
         if (std::filesystem::is_regular_file(folder / file.name, ignored)) { return folder / file.name; }
     }
@@ -239,6 +240,21 @@ Fonts load_fonts(float scale) {
     builder.build();
     ImGui::GetIO().FontDefault = fonts.normal;
     return fonts;
+}
+
+std::vector<FontSource> find_fonts() { return find_fonts(font_folders()); }
+
+std::vector<FontSource> find_fonts(const std::vector<std::filesystem::path>& folders) {
+    std::vector<FontSource> sources;
+    for (const FontFile& file : {kSans, kSansBold, kMono, kMath}) {
+        FontSource source{file.name, file.package, {}, {}};
+        try {
+            source.path = find_font(file, folders);
+            const FontFace readable(source.path);
+        } catch (const std::runtime_error& error) { source.problem = error.what(); }
+        sources.push_back(source);
+    }
+    return sources;
 }
 
 }  // namespace jw::render

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct ImFont;
 
@@ -34,5 +36,17 @@ struct Fonts {
 /// @param scale  1 for a picture 720 high, 1.5 for 1080
 /// @throws std::runtime_error naming the missing file and its Debian package.
 Fonts load_fonts(float scale);
+
+/// A font file that `load_fonts` needs.
+struct FontSource {
+    std::string name;
+    std::string package;         ///< of Debian
+    std::filesystem::path path;  ///< empty if it is not found
+    std::string problem;         ///< empty if it is found and can be read
+};
+
+/// Every font file, looked for where `load_fonts` does, or in `folders` only.
+std::vector<FontSource> find_fonts();
+std::vector<FontSource> find_fonts(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace jw::render

@@ -131,4 +131,6 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
     file.publish();
 }
 
+std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }
+
 }  // namespace jw::render

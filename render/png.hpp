@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "render/image.hpp"
@@ -20,5 +21,8 @@ Image read_png(const std::filesystem::path& path);
 /// leaves what was there before.
 /// @throws std::runtime_error naming `path` and the reason (disk full, no such folder, permission).
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// "1.14": bytes of pictures depend on it.
+std::string libdeflate_version();
 
 }  // namespace jw::render

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "app/commands/command.hpp"
+#include "app/commands/surface.hpp"
 
 namespace CLI {
 class App;
@@ -20,5 +21,6 @@ void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
 void add_solve(CLI::App& app, const Streams& streams, Run& run);
 void add_render(CLI::App& app, const Streams& streams, Run& run);
+void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
 
 }  // namespace jw

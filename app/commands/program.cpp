@@ -39,7 +39,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& arguments, const Streams& streams) {
+int run_program(
+    const std::vector<std::string>& arguments, const Streams& streams, const SurfaceDoctor& doctor_window) {
     CLI::App app(kDescription, "jointwise");
     app.footer(kFooter);
     app.set_version_flag("--version", std::string("jointwise ") + JW_VERSION);
@@ -54,6 +55,7 @@ int run_program(const std::vector<std::string>& arguments, const Streams& stream
     for (const auto add : {add_list, add_check, add_step, add_inspect, add_solve, add_render}) {
         add(app, streams, run);
     }
+    add_doctor(app, streams, run, doctor_window);
     if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {
         streams.err << complaint;
         return status(Exit::bad_input);

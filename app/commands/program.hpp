@@ -4,12 +4,16 @@
 #include <vector>
 
 #include "app/commands/command.hpp"
+#include "app/commands/surface.hpp"
 
 namespace jw {
 
 /// The program `jointwise`.
 /// @param arguments without the program's name
+/// @param doctor_window  looks at the window's surface for `doctor`; empty where there is none
 /// @return the exit status
-int run_program(const std::vector<std::string>& arguments, const Streams& streams);
+int run_program(
+    const std::vector<std::string>& arguments, const Streams& streams,
+    const SurfaceDoctor& doctor_window = {});
 
 }  // namespace jw

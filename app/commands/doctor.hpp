@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/command.hpp"
+#include "app/commands/surface.hpp"
+#include "app/session/json.hpp"
+#include "render/fonts.hpp"
+
+/// What `jointwise doctor` finds and says.
+namespace jw {
+
+struct Diagnosis {
+    std::vector<SurfaceReport> surfaces;
+    std::vector<render::FontSource> fonts;
+    std::vector<std::pair<std::string, std::string>> versions;  ///< of what the program is made of
+};
+
+/// Looks at everything; takes a second.
+Diagnosis diagnose(const SurfaceDoctor& doctor_window);
+
+/// numerics (3) where a surface draws wrong, bad_input (2) where something is missing, else done.
+Exit exit_of(const Diagnosis& diagnosis);
+/// "everything that is needed is there", or what to do.
+std::string verdict_of(const Diagnosis& diagnosis);
+std::string describe(const Diagnosis& diagnosis);
+Json json_of(const Diagnosis& diagnosis);
+
+}  // namespace jw

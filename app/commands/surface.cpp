@@ -1,0 +1,140 @@
+#include "app/commands/surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <span>
+#include <stdexcept>
+
+#include "render/offscreen.hpp"
+#include "render/render_targets.hpp"
+#include "render/scene_renderer.hpp"
+
+namespace jw {
+
+namespace {
+
+using render::Vector3d;
+
+/// A ball of the test picture, and how it must look in its middle.
+struct Ball {
+    const char* where;
+    const char* hue;
+    Vector3d centre;
+    double radius;
+    render::Colour colour;
+};
+
+/// Four hues that no exchange of channels or sides of the picture leaves as they are. The last ball is
+/// behind the one before it and drawn later: it is seen only where depth is not tested.
+const std::array<Ball, 5>& balls() {
+    using namespace render::palette;
+    static const std::array<Ball, 5> all{{
+        {"left", "red", {-1.0, 0.0, -0.6}, 0.3, kVermilion},
+        {"right", "blue", {1.0, 0.0, -0.6}, 0.3, kBlue},
+        {"top", "green", {0.0, 0.0, 0.8}, 0.3, kGreen},
+        {"front", "purple", {0.0, -1.0, 0.0}, 0.2, kPurple},
+        {"back", "yellow", {0.0, 1.0, 0.0}, 0.4, kYellow},
+    }};
+    return all;
+}
+
+constexpr std::size_t kSeen = 4;
+// the backdrop is paper
+constexpr int kPale = 220;
+
+render::Rect whole() { return {0.0, 0.0, kTestWidth, kTestHeight}; }
+
+/// Straight on, so that places on the picture are known.
+render::Camera test_camera() {
+    render::Camera camera;
+    camera.eye = {0.0, -6.0, 0.0};
+    return camera;
+}
+
+render::Image draw(const render::GlFunctions& gl, render::RenderTargets& targets) {
+    render::Scene scene;
+    for (const Ball& ball : balls()) {
+        scene.shapes.push_back({render::Sphere{ball.centre, ball.radius}, ball.colour});
+    }
+    const render::SceneRenderer renderer(gl);
+    targets.begin_3d();
+    renderer.draw(scene, test_camera(), whole(), targets.size());
+    targets.begin_2d();
+    return targets.read();
+}
+
+/// Which channel is stronger than the next: hue without light.
+template <class Channel>
+std::array<bool, 2> hue_of(Channel r, Channel g, Channel b) {
+    return {r > g, g > b};
+}
+
+std::string hex(const std::uint8_t* pixel) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", pixel[0], pixel[1], pixel[2]);
+    return text.data();
+}
+
+std::string text_of(const render::GlFunctions& gl, GLenum name) {
+    const auto* const found = reinterpret_cast<const char*>(gl.GetString(name));
+    return found == nullptr ? "unknown" : found;
+}
+
+}  // namespace
+
+render::Image draw_test_picture(const render::GlFunctions& gl) {
+    render::RenderTargets targets(gl, kTestWidth, kTestHeight);
+    return draw(gl, targets);
+}
+
+std::string fault_of(const render::Image& picture) {
+    for (const int x : {1, kTestWidth - 2}) {
+        for (const int y : {1, kTestHeight - 2}) {
+            const std::uint8_t* const corner = picture.at(x, y);
+            if (*std::min_element(corner, corner + 3) < kPale) {
+                return "a corner of the test picture is " + hex(corner) + "; expected pale paper";
+            }
+        }
+    }
+    for (const Ball& ball : std::span(balls()).first(kSeen)) {
+        const render::Projected at = project(test_camera(), whole(), ball.centre);
+        const std::uint8_t* const pixel = picture.at(static_cast<int>(at.x), static_cast<int>(at.y));
+        const bool blank = *std::min_element(pixel, pixel + 3) >= kPale;
+        const render::Colour& c = ball.colour;
+        if (blank || hue_of(pixel[0], pixel[1], pixel[2]) != hue_of(c.r, c.g, c.b)) {
+            return "the ball at the " + std::string(ball.where) + " of the test picture is " + hex(pixel) +
+                   "; expected " + ball.hue;
+        }
+    }
+    return {};
+}
+
+void examine(const render::GlFunctions& gl, SurfaceReport& report) {
+    report.renderer = text_of(gl, GL_RENDERER);
+    report.gl_version = text_of(gl, GL_VERSION);
+    try {
+        render::RenderTargets targets(gl, kTestWidth, kTestHeight);
+        report.samples = targets.samples();
+        report.problem = fault_of(draw(gl, targets));
+    } catch (const std::exception& error) { report.problem = error.what(); }
+    report.state = report.problem.empty() ? SurfaceReport::State::right : SurfaceReport::State::draws_wrong;
+    if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may do"; }
+}
+
+SurfaceReport examine_offscreen() {
+    SurfaceReport report;
+    report.name = "offscreen";
+    try {
+        const render::Offscreen offscreen(kTestWidth, kTestHeight);
+        examine(offscreen.gl(), report);
+    } catch (const std::exception& error) {
+        report.state = SurfaceReport::State::missing;
+        report.problem = error.what();
+        report.remedy = "unset variables that begin with MESA_ or GALLIUM_, if there are any";
+        report.packages = "libosmesa6";
+    }
+    return report;
+}
+
+}  // namespace jw

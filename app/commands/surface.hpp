@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "render/gl_functions.hpp"
+#include "render/image.hpp"
+
+/// Whether a surface, memory or a window, can be drawn on: for `jointwise doctor`.
+namespace jw {
+
+struct SurfaceReport {
+    enum class State {
+        right,        ///< it loads, and the test picture is as it should be
+        draws_wrong,  ///< it loads, and the test picture is not
+        missing,      ///< it does not load, and something can be installed or set
+        absent,       ///< there is none here, and nothing is wrong with that: no display
+    };
+    std::string name;  ///< "offscreen", "window"
+    State state = State::absent;
+    std::string problem;   ///< what is wrong or absent
+    std::string remedy;    ///< what to do about it, may be empty
+    std::string packages;  ///< Debian packages to install, may be empty
+    std::string renderer;
+    std::string gl_version;
+    int samples = 0;
+};
+
+/// Draws the test picture with the context that is current, looks at it, and fills in the state and what the
+/// driver says of itself. Nothing is thrown: a driver that fails draws wrong.
+void examine(const render::GlFunctions& gl, SurfaceReport& report);
+
+/// OSMesa.
+SurfaceReport examine_offscreen();
+
+/// Draws a window's test picture and reports; empty where the program has no window.
+using SurfaceDoctor = std::function<SurfaceReport()>;
+
+/// The test picture: three balls at the corners of a triangle, and one before another in the middle.
+inline constexpr int kTestWidth = 160;
+inline constexpr int kTestHeight = 120;
+/// Draws it with the context that is current.
+/// @throws std::runtime_error with the driver's words
+render::Image draw_test_picture(const render::GlFunctions& gl);
+/// What is wrong with a test picture, empty if nothing is.
+std::string fault_of(const render::Image& picture);
+
+}  // namespace jw
