@@ -48,6 +48,13 @@ Scaling scaling_by_size(const System& system, double size) {
 
 }  // namespace
 
+int reliable_rank(const LeastSquares& least_squares, double residual) {
+    const int rank = least_squares.rank(std::max(kRankThreshold, kErrorFactor * residual));
+    const bool lost = rank > 1 && least_squares.relative_pivot(rank - 1) <
+                                      kLostPivotRatio * least_squares.relative_pivot(rank - 2);
+    return lost ? rank - 1 : rank;
+}
+
 bool project(System& system, State& state, double t) {
     system.choose_rows(state);
     NewtonStepper<OmegaLocal> newton(system);
@@ -86,11 +93,7 @@ void Dragger::factor() {
     least_squares_.compute(assembler_.jacobian());
     const VectorX& phi = assembler_.phi();
     residual_ = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
-    rank_ = least_squares_.rank(std::max(kRankThreshold, kErrorFactor * residual_));
-    // as in the motion tracker: what the weakest equation says so near a singular pose is mostly error
-    const bool lost = rank_ > 1 && least_squares_.relative_pivot(rank_ - 1) <
-                                       kLostPivotRatio * least_squares_.relative_pivot(rank_ - 2);
-    rank_ -= lost ? 1 : 0;
+    rank_ = reliable_rank(least_squares_, residual_);
 }
 
 void Dragger::keep_free_part(VectorX& scaled) {

@@ -7,6 +7,10 @@
 /// Motion by hand on the set of assembled states: a point of a body is pulled, everything else follows.
 namespace jw {
 
+/// Rank by pivots at a pose assembled to `residual` (scaled). As in the motion tracker the weakest equation
+/// does not count where it is close to lost: next to a singular pose what it says is mostly position error.
+int reliable_rank(const LeastSquares& least_squares, double residual);
+
 /// Brings `state` to an assembled state next to it by Newton; rows are chosen there anew.
 /// @return false, and `state` as it was, if Newton does not converge to a state that is meant
 bool project(System& system, State& state, double t);

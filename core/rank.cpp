@@ -107,7 +107,8 @@ std::vector<RedundantRow> redundant_rows_of(
     std::vector<RedundantRow> redundant;
     for (const int row : elimination.dependent()) {
         RedundantRow entry{row, {}, 0.0};
-        if (!kept.empty()) {
+        // a row that is rounding all over says 0 = 0 and repeats no other
+        if (!kept.empty() && scaled.row(row).norm() > tolerance) {
             const VectorX coefficients = qr.solve(scaled.row(row).transpose());
             entry.misfit = (basis * coefficients - scaled.row(row).transpose()).cwiseAbs().maxCoeff();
             const double negligible =
@@ -208,6 +209,17 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
         report.free_motions = readable_basis(svd.matrixV().rightCols(report.dof), scaling.column);
     }
     return report;
+}
+
+std::vector<int> removable_rows(const RankReport& report) {
+    std::vector<int> rows;
+    for (const RedundantRow& redundant : report.redundant_rows) {
+        rows.push_back(redundant.row);
+        for (const RedundantRow::Term& term : redundant.terms) { rows.push_back(term.row); }
+    }
+    std::ranges::sort(rows);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
 }
 
 }  // namespace jw

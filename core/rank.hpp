@@ -55,6 +55,10 @@ struct RankReport {
 /// @param phi its residuals there
 RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi);
 
+/// Rows, ascending, of which any single one may be taken out without a loss of rank: the redundant ones and
+/// all that they are combinations of. Taking out two is another question.
+std::vector<int> removable_rows(const RankReport& report);
+
 /// Singular values of any matrix, largest first.
 VectorX singular_values_of(const MatrixX& matrix);
 

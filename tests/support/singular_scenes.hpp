@@ -25,4 +25,14 @@ inline Mechanism stretched_revolutes() {
     return mechanism;
 }
 
+/// A plate in the plane z = 0 on three rods of which the upper ends are on the plate and the lower ones on
+/// ground: it has one null vector where the rods' lines meet in a point or are parallel.
+inline Mechanism plate_on_rods(const std::array<Vec3, 3>& ground, const std::array<Vec3, 3>& plate) {
+    SceneBuilder scene;
+    const int body = scene.add_body("plate", Vec3::Zero());
+    scene.add_joint("planar", 0, body, Vec3::Zero(), Vec3::UnitZ());
+    for (std::size_t k = 0; k < 3; ++k) { scene.add_distance(0, body, ground[k], plate[k]); }
+    return scene.mechanism;
+}
+
 }  // namespace jw::test
