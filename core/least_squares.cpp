@@ -111,11 +111,12 @@ void LeastSquares::reflect(Eigen::Index k) {
 }
 
 void LeastSquares::solve_transposed(const VectorX& force, int rank, VectorX& lambda) {
+    lambda.setZero(scaling_.row.size());
+    if (rank == 0) { return; }
     y_ = force.cwiseProduct(scaling_.column);
     for (Eigen::Index k = 0; k < rank; ++k) { reflect(k); }
     auto z = y_.head(rank);
     qr_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solveInPlace(z);
-    lambda.setZero(scaling_.row.size());
     for (Eigen::Index k = 0; k < rank; ++k) {
         const Eigen::Index row = qr_.colsPermutation().indices()(k);
         lambda(row) = z(k) / scaling_.row(row);
