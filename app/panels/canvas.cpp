@@ -10,7 +10,7 @@ namespace jw::panels {
 
 namespace {
 
-ImU32 packed(Colour colour) {
+ImU32 packed_as_it_is(const Colour& colour) {
     return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a});
 }
 
@@ -20,6 +20,33 @@ ImVec2 corner(const Box& box) { return {box.x, box.y}; }
 ImVec2 far_corner(const Box& box) { return {box.right(), box.bottom()}; }
 
 }  // namespace
+
+Canvas Canvas::pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const {
+    Canvas canvas = *this;
+    canvas.lit_ = &lit;
+    canvas.spots_ = &spots;
+    return canvas;
+}
+
+Canvas Canvas::in(render::Tone tone) const {
+    Canvas canvas = *this;
+    canvas.tone_ = tone;
+    canvas.last_packed_ = 0;
+    return canvas;
+}
+
+unsigned Canvas::packed(const Colour& colour) const {
+    if (tone_ == render::Tone::light) { return packed_as_it_is(colour); }
+    if (last_packed_ == 0 || !(last_ == colour)) {
+        last_ = colour;
+        last_packed_ = packed_as_it_is(render::toned(colour, tone_));
+    }
+    return last_packed_;
+}
+
+void Canvas::spot(const Box& box, const Link& link) const {
+    if (spots_ != nullptr && list_ != nullptr && link) { spots_->push_back({box, link}); }
+}
 
 float Canvas::px(float at_720) const { return std::round(at_720 * fonts_->scale); }
 

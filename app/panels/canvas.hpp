@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "app/panels/box.hpp"
+#include "app/session/links.hpp"
 #include "render/fonts.hpp"
 #include "render/palette.hpp"
 
@@ -16,6 +18,12 @@ using render::Colour;
 
 enum class Align { left, centre, right };
 
+/// A place on the picture that stands for something; see links.hpp.
+struct HotSpot {
+    Box box;
+    Link link;
+};
+
 /// Where panels are drawn: a draw list of ImGui and the fonts.
 ///
 /// Without a list nothing is drawn: a panel run on such a canvas returns the height that it takes, from the
@@ -24,8 +32,21 @@ class Canvas {
 public:
     Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
 
+    /// The same on another draw list.
+    Canvas(ImDrawList* list, const Canvas& other) : Canvas(other) { list_ = list; }
+
     /// The same fonts, nothing drawn.
-    Canvas measuring() const { return {nullptr, *fonts_}; }
+    Canvas measuring() const { return {static_cast<ImDrawList*>(nullptr), *fonts_}; }
+
+    /// The same, for a picture that can be pointed at: what is `lit` stands out, and where things come to lie
+    /// is added to `spots`. Both must outlive the canvas.
+    Canvas pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const;
+    /// The same with every colour as it is in that tone.
+    Canvas in(render::Tone tone) const;
+
+    /// `box` stands for `link`.
+    void spot(const Box& box, const Link& link) const;
+    bool lit(const Link& link) const { return lit_ != nullptr && lit_->contains(link); }
 
     const render::Fonts& fonts() const { return *fonts_; }
     bool draws() const { return list_ != nullptr; }
@@ -56,6 +77,13 @@ public:
 private:
     ImDrawList* list_;
     const render::Fonts* fonts_;
+    unsigned packed(const Colour& colour) const;
+
+    render::Tone tone_ = render::Tone::light;
+    mutable Colour last_;  ///< colours come in runs: the last one need not be toned again
+    mutable unsigned last_packed_ = 0;
+    const Emphasis* lit_ = nullptr;
+    std::vector<HotSpot>* spots_ = nullptr;
 };
 
 }  // namespace jw::panels

@@ -44,6 +44,12 @@ void draw_mark(const Canvas& canvas, Point centre, Status status) {
 void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row) {
     const ImFont* const font = canvas.fonts().normal;
     const ImFont* const small = canvas.fonts().small;
+    const Box place{cell.x - canvas.px(3.0F), cell.y, cell.width, canvas.line_height(font)};
+    canvas.spot(place, row.row < 0 ? Link{} : Link::row(row.row));
+    if (row.row >= 0 && canvas.lit(Link::row(row.row))) {
+        canvas.fill(place, theme::kSubject, canvas.px(3.0F));
+        canvas.outline(place, theme::kSubjectMark, hairline(canvas), canvas.px(3.0F));
+    }
     const float middle = cell.y + 0.5F * canvas.line_height(font);
     const Colour text_ink = row.status == Status::dropped ? theme::kSoft : theme::kInk;
     draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status);
@@ -68,6 +74,7 @@ float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGrou
         formula = layout_formula(group.formula, small_formula_fonts(fonts));
     }
     const float baseline = box.y + std::ceil(formula.ascent) + canvas.px(1.0F);
+    if (group.joint >= 0) { link_formula(canvas, {box.x, baseline}, formula, group.joint); }
     draw_formula(canvas, {box.x, baseline}, formula, theme::kInk, true);
     if (!group.unit.empty() && group.unit != "-") {
         const float top = baseline - std::round(fonts.small->Ascent);

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/panels/text.hpp"
+#include "app/panels/theme.hpp"
 #include "render/math_alphabets.hpp"
 
 namespace jw::panels {
@@ -186,6 +187,17 @@ Colour colour_of(Ink ink, Colour plain) {
     return plain;
 }
 
+/// Which vector of the joint a symbol stands for.
+Link link_of(Ink ink, int joint) {
+    switch (ink) {
+        case Ink::vector_i: return Link::vector(joint, Link::kVectorI);
+        case Ink::vector_j: return Link::vector(joint, Link::kVectorJ);
+        case Ink::vector_d: return Link::vector(joint, Link::kVectorD);
+        case Ink::plain: break;
+    }
+    return {};
+}
+
 }  // namespace
 
 FormulaFonts formula_fonts(const render::Fonts& fonts) { return {fonts.formula, fonts.formula_script}; }
@@ -207,6 +219,28 @@ void draw_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
     for (const FormulaGlyph& g : formula.glyphs) {
         const Point at{baseline.x + g.origin.x, std::round(baseline.y) + g.origin.y};
         canvas.glyph(at, *g.glyph, colours ? colour_of(g.ink, colour) : colour);
+    }
+}
+
+void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, int joint) {
+    // glyphs of one symbol follow each other: letter, accent, scripts
+    for (std::size_t k = 0; k < formula.glyphs.size();) {
+        const Ink ink = formula.glyphs[k].ink;
+        const float left = formula.glyphs[k].origin.x;
+        float right = left;
+        for (; k < formula.glyphs.size() && formula.glyphs[k].ink == ink; ++k) {
+            right = std::max(right, formula.glyphs[k].origin.x + formula.glyphs[k].glyph->X1);
+        }
+        const Link link = link_of(ink, joint);
+        if (!link) { continue; }
+        const float air = canvas.px(2.0F);
+        const Box box{
+            baseline.x + left - air, baseline.y - formula.ascent - air, right - left + 2.0F * air,
+            formula.ascent + formula.descent + 2.0F * air};
+        canvas.spot(box, link);
+        if (!canvas.lit(link)) { continue; }
+        canvas.fill(box, theme::kSubject, canvas.px(3.0F));
+        canvas.fill({box.x, box.bottom() - air, box.width, air}, theme::kSubjectMark);
     }
 }
 

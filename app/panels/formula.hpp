@@ -42,4 +42,7 @@ Formula layout_formula(std::string_view markup, const FormulaFonts& fonts);
 void draw_formula(
     const Canvas& canvas, Point baseline, const Formula& formula, Colour colour, bool colours = false);
 
+/// The vectors of the formula can be pointed at; those that are lit are marked. Call before drawing it.
+void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, int joint);
+
 }  // namespace jw::panels

@@ -26,16 +26,18 @@ float scale_of(int width, int height) {
 }
 
 FrameLayout layout_of(int width, int height) {
-    const auto w = static_cast<float>(width);
-    const auto h = static_cast<float>(height);
-    const float scale = scale_of(width, height);
-    Box rest{0.0F, 0.0F, w, h};
+    const Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
+    return layout_in(frame, scale_of(width, height), 0.0F);
+}
 
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height) {
+    Box rest = frame;
     FrameLayout layout;
     layout.title = cut_top(rest, std::round(kTitleHeight * scale));
-    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * w));
+    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * frame.width));
+    layout.tabs = cut_top(rest, tabs_height);
     layout.column = rest;
-    const Box scene = cut_top(left, left.height - std::round(kCaptionPart * h));
+    const Box scene = cut_top(left, left.height - std::round(kCaptionPart * frame.height));
     layout.caption = left;
     layout.scene = rect_of(scene);
     layout.scene_safe = rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));

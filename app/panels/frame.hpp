@@ -15,6 +15,7 @@ struct FrameLayout {
     render::Rect scene_safe;  ///< part of it that bodies should keep to: labels find room around
     Box title;
     Box caption;  ///< below the scene
+    Box tabs;     ///< above the column; of no height in pictures
     Box column;   ///< of panels, right
 };
 
@@ -22,6 +23,11 @@ struct FrameLayout {
 float scale_of(int width, int height);
 
 FrameLayout layout_of(int width, int height);
+
+/// The same in a part of a window.
+/// @param scale  of text, see scale_of
+/// @param tabs_height  left free above the column of panels
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height);
 
 /// Issues everything but the 3D picture itself into the background draw list of the current ImGui context,
 /// between NewFrame and Render.

@@ -205,6 +205,25 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
     }
 }
 
+/// Rows and columns can be pointed at; those that belong to what is pointed at are framed.
+void link_matrix(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
+    const float thick = std::max(1.0F, canvas.px(2.0F));
+    const auto mark = [&](const Box& box, const Link& link) {
+        canvas.spot(box, link);
+        if (canvas.lit(link)) { canvas.outline(box, theme::kSubjectMark, thick, canvas.px(2.0F)); }
+    };
+    for (std::size_t k = 0; k < matrix.columns.size(); ++k) {
+        Box column = layout.column(static_cast<int>(k));
+        column = {column.x, layout.bodies.y, column.width, layout.cells.bottom() - layout.bodies.y};
+        mark(column, Link::column(static_cast<int>(k)));
+    }
+    for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
+        Box row = layout.row(static_cast<int>(k));
+        row = {layout.owners.x, row.y, layout.cells.right() - layout.owners.x, row.height};
+        mark(row, Link::row(static_cast<int>(k)));
+    }
+}
+
 void draw_redundant_marks(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
     for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
         if (!matrix.rows[k].redundant) { continue; }
@@ -244,6 +263,7 @@ float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matri
     draw_redundant_marks(canvas, matrix, layout);
     draw_row_names(canvas, matrix, layout);
     draw_column_names(canvas, matrix, layout);
+    link_matrix(canvas, matrix, layout);
     if (matrix.rows.empty()) {
         const ImFont* const small = canvas.fonts().small;
         const float y = layout.cells.centre().y - 0.5F * canvas.line_height(small);

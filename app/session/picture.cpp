@@ -36,12 +36,45 @@ int failing_joint(const Step& step) {
     return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
 }
 
+/// Everything from the `first` entry on stands for `link`.
+template <class Drawn>
+void name_from(std::vector<Drawn>& drawn, std::size_t first, const Link& link) {
+    for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
+}
+
 void add_mechanism(
     const Lesson& lesson, const PictureStyle& style, const Step& step, int highlighted,
     render::Scene& scene) {
-    for (int b = 0; b < bodies_count(lesson); ++b) { add_body(lesson, style, step.state, b, 1.0F, scene); }
+    for (int b = 0; b < bodies_count(lesson); ++b) {
+        const std::size_t first = scene.shapes.size();
+        add_body(lesson, style, step.state, b, 1.0F, scene);
+        name_from(scene.shapes, first, Link::body(b));
+    }
     for (const int j : step.system->selection().joints) {
+        const std::size_t first = scene.shapes.size();
         add_joint(lesson, style, placed(lesson.mechanism, j, step.state), j == highlighted, scene);
+        name_from(scene.shapes, first, Link::joint(j));
+    }
+}
+
+/// The part of a joint's vectors that a colour stands for (palette.hpp), -1 for none.
+int part_of(const render::Colour& colour) {
+    if (colour == render::palette::kVectorI) { return Link::kVectorI; }
+    if (colour == render::palette::kVectorJ) { return Link::kVectorJ; }
+    return colour == render::palette::kVectorD ? Link::kVectorD : -1;
+}
+
+/// Vectors and their names, all of one joint.
+void name_vectors(Picture& picture, int joint) {
+    for (render::Arrow& arrow : picture.scene.arrows) {
+        if (const int part = part_of(arrow.colour); part >= 0) {
+            arrow.id = picture_id(Link::vector(joint, part));
+        }
+    }
+    for (Annotation& annotation : picture.annotations) {
+        if (const int part = part_of(annotation.colour); part >= 0) {
+            annotation.link = Link::vector(joint, part);
+        }
     }
 }
 
@@ -73,6 +106,7 @@ void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step
         name.text = lesson.mechanism.bodies[k].name;
         name.colour = render::palette::kInkSoft;
         name.body_name = true;
+        name.link = Link::body(b);
         picture.annotations.push_back(name);
     }
 }
@@ -109,9 +143,8 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
 
 }  // namespace
 
-Picture compose(const Story& story, const PictureStyle& style, int index) {
+Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index) {
     const Lesson& lesson = story.lesson();
-    const Step& step = story.steps()[static_cast<std::size_t>(index)];
     const bool moves = step.kind == Step::Kind::motion;
     const int joint = subject_joint(story, step);
     const std::optional<Addition> subject = subject_of(lesson, step);
@@ -125,6 +158,7 @@ Picture compose(const Story& story, const PictureStyle& style, int index) {
         add_driver(lesson, style, step.state, subject->index, picture);
     } else if (joint >= 0) {
         add_vectors(style, placed(lesson.mechanism, joint, step.state), picture);
+        name_vectors(picture, joint);
     }
     if (const int failing = failing_joint(step); failing >= 0 && failing != joint) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
@@ -135,9 +169,37 @@ Picture compose(const Story& story, const PictureStyle& style, int index) {
 
 }  // namespace picture
 
+void add_ghosts(
+    const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture) {
+    constexpr float palest = 0.10F;
+    constexpr float strongest = 0.30F;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        const float part = static_cast<float>(k + 1) / static_cast<float>(poses.size());
+        for (int b = 0; b < static_cast<int>(lesson.mechanism.bodies.size()); ++b) {
+            if (lesson.mechanism.bodies[static_cast<std::size_t>(b)].fixed) { continue; }
+            picture::add_body(
+                lesson, style, poses[k], b, palest + part * (strongest - palest), picture.scene);
+        }
+    }
+}
+
+void light_up(Picture& picture, const Emphasis& lit) {
+    if (lit.empty()) { return; }
+    for (render::Shape& shape : picture.scene.shapes) {
+        shape.highlighted = shape.highlighted || lit.contains(link_of(shape.id));
+    }
+    for (render::Arrow& arrow : picture.scene.arrows) {
+        arrow.highlighted = arrow.highlighted || lit.contains(link_of(arrow.id));
+    }
+}
+
 Picture picture_of(const Story& story, const PictureStyle& style, int index) {
-    Picture picture = picture::compose(story, style, index);
-    if (story.steps()[static_cast<std::size_t>(index)].kind == Step::Kind::motion) {
+    return picture_of(story, style, story.steps()[static_cast<std::size_t>(index)], index);
+}
+
+Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index) {
+    Picture picture = picture::compose(story, style, step, index);
+    if (step.kind == Step::Kind::motion) {
         picture::add_path(story, style, index, picture.scene);
     }
     picture.scene.ground = style.ground;

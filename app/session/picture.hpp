@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/links.hpp"
 #include "app/session/story.hpp"
 #include "render/framing.hpp"
 #include "render/scene.hpp"
@@ -17,6 +18,7 @@ struct Annotation {
     std::string text;
     render::Colour colour;
     bool body_name = false;  ///< less important: left out where there is no room
+    Link link = {};          ///< what it is the name of
 };
 
 struct Picture {
@@ -52,5 +54,14 @@ PictureStyle picture_style(const Story& story);
 
 /// @param index of the step in the story
 Picture picture_of(const Story& story, const PictureStyle& style, int index);
+
+/// Marks what is lit: outlined bodies, joints and vectors, their names as well.
+void light_up(Picture& picture, const Emphasis& lit);
+
+/// Other poses of the same bodies, pale; the later ones stronger.
+void add_ghosts(const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture);
+
+/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
 
 }  // namespace jw

@@ -2,7 +2,7 @@
 
 #include "app/session/picture.hpp"
 
-/// Parts that picture.cpp puts together; used by it and its tests only.
+/// Parts that picture.cpp puts together.
 namespace jw::picture {
 
 /// A body's frame at a state.
@@ -70,6 +70,6 @@ void add_distance(
     const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture);
 
 /// All of a step but the ground plane and the path.
-Picture compose(const Story& story, const PictureStyle& style, int index);
+Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index);
 
 }  // namespace jw::picture

@@ -153,8 +153,11 @@ std::string velocity_note_of(const Step& step) {
 }  // namespace
 
 View view_of(const Story& story, int index) {
+    return view_of(story, story.steps()[static_cast<std::size_t>(index)], index);
+}
+
+View view_of(const Story& story, const Step& step, int index) {
     const Lesson& lesson = story.lesson();
-    const Step& step = story.steps()[static_cast<std::size_t>(index)];
     const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
 
     int joint = -1;

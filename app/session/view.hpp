@@ -39,6 +39,7 @@ struct EquationGroup {
     std::string unit;       ///< "m", "m²", "rad" or "-"
     std::vector<EquationRow> rows;
     std::optional<ChoiceView> choice;  ///< p1 and p2 only
+    int joint = -1;                    ///< index in the mechanism, -1 for a driver
 };
 
 struct MatrixView {
@@ -131,5 +132,8 @@ struct View {
 
 /// @param index of the step in the story
 View view_of(const Story& story, int index);
+
+/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+View view_of(const Story& story, const Step& step, int index);
 
 }  // namespace jw

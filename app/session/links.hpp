@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "core/system.hpp"
+
+/// What belongs together on the screen: a number in a panel, its symbol in the formula, its row in the matrix,
+/// its vector and its bodies in 3D. Pointing at one lights up the others.
+namespace jw {
+
+/// Something that can be pointed at.
+struct Link {
+    enum class Kind {
+        none,
+        row,     ///< index: of the system
+        column,  ///< index: of Φq in the coordinates shown
+        body,    ///< index: in the mechanism
+        joint,   ///< index: in the mechanism
+        vector,  ///< index: joint; part: kVectorI, kVectorJ, kVectorD
+    };
+    static constexpr int kVectorI = 0;  ///< fixed in body i
+    static constexpr int kVectorJ = 1;  ///< fixed in body j
+    static constexpr int kVectorD = 2;  ///< between the two
+
+    Kind kind = Kind::none;
+    int index = -1;
+    int part = 0;
+
+    bool operator==(const Link&) const = default;
+    explicit operator bool() const { return kind != Kind::none; }
+
+    static Link row(int index) { return {Kind::row, index}; }
+    static Link column(int index) { return {Kind::column, index}; }
+    static Link body(int index) { return {Kind::body, index}; }
+    static Link joint(int index) { return {Kind::joint, index}; }
+    static Link vector(int joint, int part) { return {Kind::vector, joint, part}; }
+};
+
+/// A link as the number of something drawn in 3D, and back; 0 is nothing. Bodies, joints and vectors only.
+int picture_id(const Link& link);
+Link link_of(int picture_id);
+
+/// Everything that lights up together.
+class Emphasis {
+public:
+    Emphasis() = default;
+    /// What belongs to `pointed_at`.
+    /// @param angular columns per body beyond r: 4 in the (r, p) choices, else 3
+    Emphasis(const System& system, int angular, const Link& pointed_at);
+
+    bool contains(const Link& link) const;
+    bool empty() const { return links_.empty(); }
+
+private:
+    void add(const Link& link);
+    void add_row_and_its_vectors(const System& system, int row);
+    void add_rows_of_joint(const System& system, int joint);
+    void add_rows_with_vector(const System& system, int joint, int part);
+    void add_columns_of_body(const System& system, int angular, int body);
+
+    std::vector<Link> links_;
+};
+
+}  // namespace jw
