@@ -124,4 +124,12 @@ void Canvas::square(Point centre, float side, Colour colour, bool filled) const 
     }
 }
 
+void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const {
+    if (list_ == nullptr) { return; }
+    list_->PrimReserve(3, 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        list_->PrimVtx(vec(corners[k]), ImGui::GetFontTexUvWhitePixel(), packed(colours[k]));
+    }
+}
+
 }  // namespace jw::panels

@@ -73,6 +73,8 @@ public:
     void hatch(const Box& box, Colour colour, float distance) const;
     /// Filled if `filled`, else its outline; the size of a small letter.
     void square(Point centre, float side, Colour colour, bool filled) const;
+    /// Filled; its corners may differ in colour.
+    void gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const;
 
 private:
     ImDrawList* list_;

@@ -55,6 +55,10 @@ SeriesSet singular_value_series(const Story& story);
 /// rows in use. NaN where a pair has lost rank. Empty if the joint has no such equations.
 SeriesSet condition_series(const Story& story, int joint);
 
+/// Directions of the axis s_i of `joint` over the story from the step in which it is added up to step `last`,
+/// global, unit; empty before that.
+std::vector<Vec3> axis_directions(const Story& story, int joint, int last);
+
 /// RFC 4180 with line feeds: a header with units, then one line per point; numbers in the shortest form that
 /// reads back as the same double, empty where there is none.
 std::string csv_of(const SeriesSet& set);

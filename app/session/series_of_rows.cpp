@@ -177,4 +177,17 @@ SeriesSet condition_series(const Story& story, int joint) {
     return set;
 }
 
+std::vector<Vec3> axis_directions(const Story& story, int joint, int last) {
+    const Joint& axis = story.lesson().mechanism.joints[static_cast<std::size_t>(joint)];
+    std::vector<Vec3> directions;
+    for (int k = 0; k <= last; ++k) {
+        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        const std::vector<int>& present = step.system->selection().joints;
+        if (std::ranges::find(present, joint) == present.end()) { continue; }
+        const Mat3 A = rotation_matrix(step.state.p[static_cast<std::size_t>(axis.body_i)]);
+        directions.push_back((A * axis.geometry.s_i_local).normalized());
+    }
+    return directions;
+}
+
 }  // namespace jw

@@ -204,6 +204,23 @@ TEST_CASE("the condition of a pair of rows is one over the component that is dro
     CHECK(x.values[80] == Approx(1.0).margin(1e-9));
 }
 
+TEST_CASE("directions of an axis begin with its joint and end where the step is", "[app][series]") {
+    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Story story(lesson, poses_only(true));
+    CHECK(axis_directions(story, 1, 0).empty());
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    const std::vector<Vec3> path = axis_directions(story, 1, last);
+    REQUIRE(path.size() > 241);
+    const auto at = [&](int second) {
+        return path[path.size() - 241 + 40 * static_cast<std::size_t>(second)];
+    };
+    // the lesson: along z at the start and after a turn, x after two seconds, y after four
+    CHECK(at(0).isApprox(Vec3::UnitZ(), 1e-9));
+    CHECK(at(2).isApprox(Vec3::UnitX(), 1e-9));
+    CHECK(at(4).isApprox(Vec3::UnitY(), 1e-9));
+    CHECK(at(6).isApprox(Vec3::UnitZ(), 1e-9));
+}
+
 TEST_CASE("where nothing moves there are no points, and a sentence says so", "[app][series]") {
     const Lesson still = chain();
     const Story story(still);
@@ -228,7 +245,8 @@ TEST_CASE("a CSV file reads back as the same numbers, commas and quotes in names
     set.at = {0.0, 0.1, 1.0 / 3.0};
     set.steps = {0, 1, 2};
     const double none = std::numeric_limits<double>::quiet_NaN();
-    set.series = {{"a, \"b\"", "m", {1e-300, -2.0 / 3.0, none}, 0.0, false}, {"c", "-", {4.0, 5e17, -0.1}, 0.0, false}};
+    set.series = {
+        {"a, \"b\"", "m", {1e-300, -2.0 / 3.0, none}, 0.0, false}, {"c", "-", {4.0, 5e17, -0.1}, 0.0, false}};
     const std::string text = csv_of(set);
     std::istringstream lines(text);
     std::string line;
