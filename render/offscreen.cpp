@@ -83,9 +83,9 @@ void Offscreen::resize(int width, int height) {
 
 void Offscreen::make_current() const { context_->make_current(); }
 
-void Offscreen::begin_3d(const Colour& paper) {
+void Offscreen::begin_3d(const Colour& paper, const std::optional<Rect>& drawn) {
     make_current();
-    targets_->begin_3d(paper);
+    targets_->begin_3d(paper, drawn);
 }
 
 void Offscreen::begin_2d() {

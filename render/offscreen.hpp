@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "render/camera.hpp"
 #include "render/frame_size.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
@@ -41,7 +43,7 @@ public:
     void make_current() const;
 
     // these make the context current
-    void begin_3d(const Colour& paper = palette::kPaper);
+    void begin_3d(const Colour& paper = palette::kPaper, const std::optional<Rect>& drawn = {});
     void begin_2d();
     Image read();
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/scene_view.hpp"
+
 namespace jw::render {
 namespace {
 
@@ -78,10 +80,8 @@ RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int s
     : gl_(gl),
       samples_(supported_samples(gl, samples)),
       size_(checked_size(gl, width, height, samples > 1 && samples_ == 1)),
-      // with a single sample nothing has to be resolved: bodies and panels share one framebuffer
-      flat_(make_target(0, samples_ > 1 ? Depth::without : Depth::with)) {
-    if (samples_ > 1) { multisampled_ = make_target(samples_, Depth::with); }
-}
+      bodies_(make_target(samples_ > 1 ? samples_ : 0, Depth::with)),
+      flat_(make_target(0, Depth::without)) {}
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
     Target target{make_framebuffer(gl_), make_renderbuffer(gl_), {}};
@@ -107,25 +107,33 @@ void RenderTargets::attach(
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-void RenderTargets::begin_3d(const Colour& paper) const {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, (multisampled_ ? *multisampled_ : flat_).framebuffer.name());
-    gl_.Viewport(0, 0, device_width(), device_height());
+void RenderTargets::fill(const Colour& colour, GLbitfield buffers) const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.DepthMask(GL_TRUE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.ClearColor(paper.r, paper.g, paper.b, 1.0F);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.ClearColor(colour.r, colour.g, colour.b, 1.0F);
+    gl_.Clear(buffers);
+}
+
+void RenderTargets::begin_3d(const Colour& paper, const std::optional<Rect>& drawn) {
+    paper_ = paper;
+    drawn_ = drawn;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, bodies_.framebuffer.name());
+    gl_.Viewport(0, 0, device_width(), device_height());
+    if (!drawn_) { fill(paper_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
 }
 
 void RenderTargets::begin_2d() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
+    if (drawn_) { fill(paper_, GL_COLOR_BUFFER_BIT); }
+    const DeviceRect part =
+        drawn_ ? device_rect(*drawn_, size_) : DeviceRect{0, 0, device_width(), device_height()};
+    const GLint right = part.x + part.width;
+    const GLint top = part.y + part.height;
     gl_.Disable(GL_SCISSOR_TEST);
-    if (multisampled_) {
-        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_->framebuffer.name());
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, flat_.framebuffer.name());
-        gl_.BlitFramebuffer(
-            0, 0, device_width(), device_height(), 0, 0, device_width(), device_height(), GL_COLOR_BUFFER_BIT,
-            GL_NEAREST);
-    }
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, bodies_.framebuffer.name());
+    gl_.BlitFramebuffer(
+        part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
     gl_.Viewport(0, 0, device_width(), device_height());
 }

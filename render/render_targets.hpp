@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/camera.hpp"
 #include "render/frame_size.hpp"
 #include "render/gl_objects.hpp"
 #include "render/image.hpp"
@@ -14,7 +15,8 @@ namespace jw::render {
 /// the same, so both show the same pixels and a screenshot is `read`.
 ///
 /// One frame is `begin_3d`, draw bodies, `begin_2d`, draw panels, then `read` or `blit_to_window`. Panels go
-/// into the resolved picture, so text is not multisampled: faster and as sharp. For another size make anew.
+/// into the resolved picture, so text is not multisampled: faster and as sharp. A frame in which no body has
+/// moved may start with `begin_2d`: bodies stay as they were drawn. For another size make anew.
 class RenderTargets {
 public:
     /// The context must be current here, in every call and at destruction; `gl` must outlive this.
@@ -29,10 +31,15 @@ public:
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const { return samples_; }
 
-    /// Binds the framebuffer for bodies and fills it with `paper`.
-    void begin_3d(const Colour& paper = palette::kPaper) const;
+    /// Binds the framebuffer for bodies.
+    /// @param paper  the colour of the picture where nothing is drawn
+    /// @param drawn  the only part that bodies are drawn into, and all of it: `SceneRenderer::draw` leaves no
+    ///               pixel of its viewport as it was. The rest is neither cleared nor resolved, which is
+    ///               faster.
+    void begin_3d(const Colour& paper = palette::kPaper, const std::optional<Rect>& drawn = {});
 
-    /// Resolves what was drawn and binds the flat framebuffer for panels and text.
+    /// Binds the flat framebuffer for panels and text, with nothing in it but paper and the bodies last
+    /// drawn.
     void begin_2d() const;
 
     /// The picture, top row first.
@@ -54,14 +61,17 @@ private:
 
     Target make_target(int samples, Depth depth) const;
     void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
+    void fill(const Colour& colour, GLbitfield buffers) const;
     GLsizei device_width() const { return size_.width * size_.pixel_ratio; }
     GLsizei device_height() const { return size_.height * size_.pixel_ratio; }
 
     const GlFunctions& gl_;
     int samples_;
     FrameSize size_;
+    Target bodies_;
     Target flat_;
-    std::optional<Target> multisampled_;
+    Colour paper_ = palette::kPaper;
+    std::optional<Rect> drawn_;
     std::vector<std::uint8_t> rgba_;  // of the device
 };
 
