@@ -59,6 +59,22 @@ GlRenderbuffer make_renderbuffer(const GlFunctions& gl);
 GlTexture make_texture(const GlFunctions& gl);
 GlVertexArray make_vertex_array(const GlFunctions& gl);
 
+/// Binds a framebuffer and, at the end, the one that was bound before.
+class BoundFramebuffer {
+public:
+    BoundFramebuffer(const GlFunctions& gl, const GlFramebuffer& framebuffer) : gl_(gl) {
+        gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    }
+    ~BoundFramebuffer() { gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
+    BoundFramebuffer(const BoundFramebuffer&) = delete;
+    BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
+
+private:
+    const GlFunctions& gl_;
+    GLint before_ = 0;
+};
+
 /// A linked pair of shaders and its uniforms by name.
 class GlProgram {
 public:

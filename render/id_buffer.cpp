@@ -47,22 +47,6 @@ Scene pickable(const Scene& scene) {
     return kept;
 }
 
-/// Binds a framebuffer and, at the end, the one that was bound before.
-class BoundFramebuffer {
-public:
-    BoundFramebuffer(const GlFunctions& gl, const GlFramebuffer& framebuffer) : gl_(gl) {
-        gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before_);
-        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    }
-    ~BoundFramebuffer() { gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
-    BoundFramebuffer(const BoundFramebuffer&) = delete;
-    BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
-
-private:
-    const GlFunctions& gl_;
-    GLint before_ = 0;
-};
-
 int id_of(const std::uint8_t* rgba) { return rgba[0] + 256 * rgba[1] + 65536 * rgba[2]; }
 
 }  // namespace

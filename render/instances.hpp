@@ -21,6 +21,8 @@ struct Instance {
     float padding = 0.0F;
     Colour colour;
     Colour edge_colour;
+
+    bool operator==(const Instance&) const = default;
 };
 static_assert(sizeof(Instance) == 28 * sizeof(float), "attribute pointers assume no gaps");
 

@@ -3,9 +3,10 @@
 #include "render/camera.hpp"
 #include "render/frame_size.hpp"
 #include "render/gl_objects.hpp"
+#include "render/ground_pass.hpp"
 #include "render/instanced_meshes.hpp"
 #include "render/scene.hpp"
-#include "render/shadow_view.hpp"
+#include "render/shadow_map.hpp"
 
 namespace jw::render {
 
@@ -45,9 +46,7 @@ private:
     static const Surface kHidden;      ///< what is seen through a body
     static const Surface kGhost;
 
-    void draw_shadow_map(const Pass& pass) const;
     void draw_backdrop(Tone tone) const;
-    void draw_ground(const Pass& pass, const Ground& ground) const;
     void draw_bodies(const Pass& pass) const;
     void draw_see_through(const Pass& pass) const;
     void draw_emphasised(const Pass& pass) const;
@@ -59,15 +58,14 @@ private:
 
     const GlFunctions& gl_;
     GlProgram body_;
+    GlProgram sign_;  // the same without shadows
     GlProgram edge_;
-    GlProgram depth_;
-    GlProgram ground_;
     GlProgram backdrop_;
     GlProgram line_;
     SceneMeshes meshes_;
+    mutable ShadowMap shadow_map_;  // remembers what it shows
+    GroundPass ground_;
     GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
-    GlTexture shadow_map_;
-    GlFramebuffer shadow_framebuffer_;
 };
 
 }  // namespace jw::render

@@ -11,6 +11,7 @@ constexpr const char* kShadow = R"(
 uniform sampler2DShadow shadow_map;
 uniform float shadow_spread;  // radius of the soft border, in map coordinates
 
+const bool draws_shaded_part = true;
 const int tap_count = 12;
 const vec2 taps[tap_count] = vec2[](
     vec2(0.204, 0.000), vec2(-0.261, 0.239), vec2(0.040, -0.455), vec2(0.329, 0.429),
@@ -25,6 +26,14 @@ float light_reaching(vec3 at) {
     return sum / float(tap_count);
 }
 )";
+
+constexpr const char* kNoShadow = R"(
+const bool draws_shaded_part = false;
+
+float light_reaching(vec3 at) { return 1.0; }
+)";
+
+const char* shadow_lookup(Shadows shadows) { return shadows == Shadows::soft ? kShadow : kNoShadow; }
 
 /// Light is added up in linear units, pictures are stored for the eye.
 constexpr const char* kTransfer = R"(
@@ -90,8 +99,8 @@ void main() {
 )";
 }
 
-std::string body_fragment() {
-    return std::string(kVersion) + kTransfer + kShadow + R"(
+std::string body_fragment(Shadows shadows) {
+    return std::string(kVersion) + kTransfer + shadow_lookup(shadows) + R"(
 in vec3 position;
 in vec3 surface_normal;
 in vec3 shadow_position;
@@ -114,7 +123,7 @@ void main() {
     float facing = clamp(dot(n, to_eye), 0.0, 1.0);
 
     float lit = max(dot(n, towards_key), 0.0);
-    if (shadow_strength > 0.0) { lit *= 1.0 - shadow_strength * (1.0 - light_reaching(shadow_position)); }
+    lit *= 1.0 - shadow_strength * (1.0 - light_reaching(shadow_position));
     float fill = max(dot(n, towards_fill), 0.0);
     float sky = 0.5 + 0.5 * dot(n, up);
     vec3 ambient = mix(vec3(0.30, 0.285, 0.27), vec3(0.50, 0.52, 0.55), sky);
@@ -167,8 +176,8 @@ void main() {
 )";
 }
 
-std::string ground_fragment() {
-    return std::string(kVersion) + kShadow + R"(
+std::string ground_fragment(Shadows shadows) {
+    return std::string(kVersion) + shadow_lookup(shadows) + R"(
 in vec2 plane;
 in vec3 shadow_position;
 
@@ -177,6 +186,8 @@ uniform vec4 plane_colour;
 uniform vec4 line_colour;
 uniform vec4 shadow_colour;
 uniform float line_width;  // pixels
+uniform vec2 shaded_from;  // pixels: where shadow may fall
+uniform vec2 shaded_to;
 
 out vec4 pixel;
 
@@ -194,6 +205,8 @@ void main() {
     vec2 at = plane * lines_per_radius;
     float line = max(0.75 * grid(at, line_width), 0.35 * grid(at * 5.0, line_width) * (1.0 - smoothstep(0.1, 0.6, distance_out)));
     float shadow = 1.0 - light_reaching(shadow_position);
+    bool in_part = all(greaterThan(gl_FragCoord.xy, shaded_from)) && all(lessThan(gl_FragCoord.xy, shaded_to));
+    if (in_part != draws_shaded_part) { discard; }
 
     vec3 colour = mix(plane_colour.rgb, line_colour.rgb, line);
     colour = mix(colour, shadow_colour.rgb, shadow * shadow_colour.a);

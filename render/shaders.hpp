@@ -5,12 +5,14 @@
 /// GLSL 3.30 of the scene renderer. Each is a whole shader.
 namespace jw::render::shaders {
 
+enum class Shadows { none, soft };
+
 std::string body_vertex();
-std::string body_fragment();
+std::string body_fragment(Shadows shadows);
 std::string edge_fragment();   ///< with body_vertex: flat colour of outlines
 std::string depth_fragment();  ///< with body_vertex: nothing but depth
 std::string ground_vertex();
-std::string ground_fragment();
+std::string ground_fragment(Shadows shadows);
 std::string backdrop_vertex();
 std::string backdrop_fragment();
 std::string line_vertex();

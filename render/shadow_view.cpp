@@ -10,6 +10,10 @@ namespace {
 constexpr double kMargin = 1.15;  // room for the soft border
 constexpr double kStep = 1.25;    // widths are powers of this
 
+constexpr double kGrazing = 0.05;
+constexpr double kNearest = 0.05;      // of the camera's distance: what lies before is not drawn
+constexpr double kTexelMargin = 0.01;  // of the map: ten texels, for blending and for rounding
+
 /// Multiple of `step` next to `value`.
 double snapped(double value, double step) { return std::round(value / step) * step; }
 
@@ -39,7 +43,39 @@ ShadowView shadow_view(const Bounds& casters, const Eigen::Vector3d& towards_lig
     map_from_clip.block<3, 1>(0, 3).setConstant(0.5);
     map_from_clip(3, 3) = 1.0;
     view.map_from_world = map_from_clip * view.clip_from_world;
+    if (!casters.empty()) {
+        for (int k = 0; k < 2; ++k) {
+            const Eigen::Vector3d axis = view.map_from_world.block<1, 3>(k, 0).transpose();
+            view.lowest[k] = view.map_from_world(k, 3) - casters.extent(-axis);
+            view.highest[k] = view.map_from_world(k, 3) + casters.extent(axis);
+        }
+    }
     return view;
+}
+
+Rect shadow_on_plane(
+    const ShadowView& shadow, double border, const Camera& camera, const Rect& viewport,
+    const Vector3d& point, const Vector3d& normal) {
+    if ((shadow.lowest.array() > shadow.highest.array()).any()) { return {viewport.x, viewport.y, 0.0, 0.0}; }
+    const Eigen::Affine3d world_from_map = Eigen::Affine3d(shadow.map_from_world).inverse();
+    const Vector3d along_ray = world_from_map.linear().col(2);
+    const double descent = normal.dot(along_ray);
+    // rays that graze the plane reach anywhere
+    if (std::abs(descent) < kGrazing * along_ray.norm() * normal.norm()) { return viewport; }
+    Eigen::AlignedBox2d seen;
+    const double reach = border + kTexelMargin;
+    for (const double x : {shadow.lowest.x() - reach, shadow.highest.x() + reach}) {
+        for (const double y : {shadow.lowest.y() - reach, shadow.highest.y() + reach}) {
+            const Vector3d start = world_from_map * Vector3d(x, y, 0.0);
+            const Vector3d corner = start + along_ray * (normal.dot(point - start) / descent);
+            const Projected at = project(camera, viewport, corner);
+            if (!camera.orthographic && at.depth < kNearest * camera.distance()) { return viewport; }
+            seen.extend(Eigen::Vector2d(at.x, at.y));
+        }
+    }
+    const Eigen::Vector2d low = seen.min().array().floor() - 1.0;
+    const Eigen::Vector2d high = seen.max().array().ceil() + 1.0;
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
 }  // namespace jw::render

@@ -11,6 +11,11 @@ struct ShadowView {
     Eigen::Matrix4d map_from_world;   ///< x, y and depth from 0 to 1 inside the map
     Eigen::Matrix4d clip_from_world;  ///< the same for drawing into the map, -1 to 1
     double width = 1.0;               ///< of the map [m]
+    // of the casters in the map; empty where lowest > highest
+    Eigen::Vector2d lowest = Eigen::Vector2d::Ones();
+    Eigen::Vector2d highest = Eigen::Vector2d::Zero();
+
+    bool operator==(const ShadowView&) const = default;
 };
 
 /// Covers `casters` seen from the light. The width is stepped so that a moving scene does not make the
@@ -18,5 +23,12 @@ struct ShadowView {
 /// @param towards_light  unit
 /// @param texels  side of the map
 ShadowView shadow_view(const Bounds& casters, const Eigen::Vector3d& towards_light, int texels);
+
+/// The part of the viewport outside of which a plane lies in full light; in whole pixels, perhaps reaching
+/// beyond the viewport. Empty if nothing casts a shadow.
+/// @param border  widths of the map by which shadows are softened on each side
+Rect shadow_on_plane(
+    const ShadowView& shadow, double border, const Camera& camera, const Rect& viewport,
+    const Vector3d& point, const Vector3d& normal);
 
 }  // namespace jw::render

@@ -76,6 +76,22 @@ TEST_CASE("one renderer draws the same frame whatever it drew before", "[render]
     CHECK(draw(scene) == first);
 }
 
+TEST_CASE("a shadow moves with its body and with the light that goes with the camera", "[render][picture]") {
+    Scene scene = small_scene();
+    Camera camera = view_of(scene);
+    Offscreen offscreen(kWidth, kHeight);
+    const SceneRenderer renderer(offscreen.gl());
+    for (int n = 0; n < 6; ++n) {
+        // in turns: the same again, another camera, another place of one body
+        if (n % 3 == 1) { camera.eye.x() += 0.7; }
+        if (n % 3 == 2) { std::get<Box>(scene.shapes[0].geometry).pose.r.y() += 0.4; }
+        offscreen.begin_3d();
+        renderer.draw(scene, camera, kWhole, offscreen.size());
+        offscreen.begin_2d();
+        CHECK(offscreen.read() == picture(scene, camera, kWhole, kWidth, kHeight));
+    }
+}
+
 TEST_CASE("a small sphere is drawn where project says", "[render][picture]") {
     const bool orthographic = GENERATE(false, true);
     const Rect viewport{60.0, 20.0, 200.0, 140.0};
