@@ -1,3 +1,5 @@
+#include "app/session/csv.hpp"
+
 #include <charconv>
 #include <cmath>
 

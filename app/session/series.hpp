@@ -63,9 +63,4 @@ std::vector<Vec3> axis_directions(const Story& story, int joint, int last);
 /// reads back as the same double, empty where there is none.
 std::string csv_of(const SeriesSet& set);
 
-/// Table cells of such a file: quoted where needed.
-std::string csv_cell(const std::string& text);
-/// Shortest form that reads back as the same double; empty for NaN.
-std::string csv_number(double value);
-
 }  // namespace jw
