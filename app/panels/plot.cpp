@@ -133,7 +133,7 @@ void draw_label(
         canvas.fill(paper, render::with_alpha(theme::kPaper, 0.88F), canvas.px(2.0F));
     }
     const float middle = label.box.y + 0.5F * label.box.height;
-    if (style.marked) { draw_curve_mark(canvas, {label.box.x + canvas.px(4.0F), middle}, style); }
+    if (style.marked) { draw_curve_mark(canvas, {label.box.x + mark_indent(canvas), middle}, style); }
     const float x = label.box.x + name_indent(canvas);
     canvas.text({x, label.box.y}, canvas.fonts().small, style.colour, label.text);
 }

@@ -27,27 +27,6 @@ constexpr int kLimitPattern = 4;
 
 constexpr int kMarks = 6;
 
-/// The part of a line within a box, by Liang and Barsky; empty if none is.
-std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box) {
-    float enter = 0.0F;
-    float leave = 1.0F;
-    const float dx = b.x - a.x;
-    const float dy = b.y - a.y;
-    const std::array<std::array<float, 2>, 4> sides{
-        {{-dx, a.x - box.x}, {dx, box.right() - a.x}, {-dy, a.y - box.y}, {dy, box.bottom() - a.y}}};
-    for (const auto& [slope, room] : sides) {
-        if (slope == 0.0F) {
-            if (room < 0.0F) { return std::nullopt; }
-        } else if (slope < 0.0F) {
-            enter = std::max(enter, room / slope);
-        } else {
-            leave = std::min(leave, room / slope);
-        }
-    }
-    if (enter > leave) { return std::nullopt; }
-    return std::array<Point, 2>{{{a.x + enter * dx, a.y + enter * dy}, {a.x + leave * dx, a.y + leave * dy}}};
-}
-
 /// Walks along a curve with the pen down and up in turn.
 class Pen {
 public:
@@ -144,6 +123,26 @@ void draw_corners(const Canvas& canvas, std::span<const Point> corners, const Cu
 }
 
 }  // namespace
+
+std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box) {
+    float enter = 0.0F;
+    float leave = 1.0F;
+    const float dx = b.x - a.x;
+    const float dy = b.y - a.y;
+    const std::array<std::array<float, 2>, 4> sides{
+        {{-dx, a.x - box.x}, {dx, box.right() - a.x}, {-dy, a.y - box.y}, {dy, box.bottom() - a.y}}};
+    for (const auto& [slope, room] : sides) {
+        if (slope == 0.0F) {
+            if (room < 0.0F) { return std::nullopt; }
+        } else if (slope < 0.0F) {
+            enter = std::max(enter, room / slope);
+        } else {
+            leave = std::min(leave, room / slope);
+        }
+    }
+    if (enter > leave) { return std::nullopt; }
+    return std::array<Point, 2>{{{a.x + enter * dx, a.y + enter * dy}, {a.x + leave * dx, a.y + leave * dy}}};
+}
 
 CurveStyle style_of(const PlotPane& pane, std::size_t place, const SeriesSet& set, const PlotState& state) {
     const int series = pane.series[place];

@@ -14,6 +14,7 @@ namespace jw::panels {
 namespace {
 
 constexpr float kWidestName = 0.3F;  // of the box; longer ones are shortened
+constexpr float kShortName = 56.0F;  // of a name that has hardly any room
 constexpr float kNameGap = 14.0F;    // from the end of a curve to its name
 
 struct End {
@@ -81,32 +82,48 @@ std::size_t lines_in(const Canvas& canvas, const Box& column) {
     return static_cast<std::size_t>(column.height / canvas.line_height(canvas.fonts().small));
 }
 
-/// Beside the end of a curve that ends before the others do, where neither a curve nor a name is.
+bool runs_through(const std::vector<Point>& run, const Box& box) {
+    if (run.size() == 1) { return box.contains(run.front()); }
+    for (std::size_t k = 1; k < run.size(); ++k) {
+        if (clipped(run[k - 1], run[k], box)) { return true; }
+    }
+    return false;
+}
+
+/// Places for a name around the end of a curve, the best first.
+std::array<Point, 6> corners_around(Point at, float width, float line, float gap) {
+    return {{
+        {at.x + gap, at.y - 0.5F * line},
+        {at.x + gap, at.y - 1.3F * line},
+        {at.x - 0.5F * width, at.y - line - gap},
+        {at.x - 0.5F * width, at.y + gap},
+        {at.x - width - gap, at.y - 0.5F * line},
+        {at.x - width - gap, at.y + gap},
+    }};
+}
+
+/// Beside the end of a curve that ends before the others do, where neither a curve nor a name is; shortened
+/// where the whole name has no room.
 void place_within(
-    const Canvas& canvas, const SeriesSet& set, const End& end, const std::vector<Point>& curves,
-    PlotPane& pane) {
+    const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const End& end,
+    const std::vector<std::vector<Point>>& curves, PlotPane& pane) {
     const ImFont* const small = canvas.fonts().small;
     const std::string& name = set.series[static_cast<std::size_t>(end.series)].name;
     const float line = canvas.line_height(small);
-    const float width = name_indent(canvas) + canvas.text_width(small, name);
-    const float gap = canvas.px(7.0F);
-    const std::array<Point, 6> corners{{
-        {end.at.x + gap, end.at.y - 0.5F * line},
-        {end.at.x + gap, end.at.y - 1.3F * line},
-        {end.at.x - 0.5F * width, end.at.y - line - gap},
-        {end.at.x - 0.5F * width, end.at.y + gap},
-        {end.at.x - width - gap, end.at.y - 0.5F * line},
-        {end.at.x - width - gap, end.at.y + gap},
-    }};
-    for (const Point corner : corners) {
-        const Box box{std::round(corner.x), std::round(corner.y), width, line};
-        const bool free =
-            pane.plot.contains(box) &&
-            std::ranges::none_of(pane.labels, [&](const PlotLabel& l) { return overlap(l.box, box); }) &&
-            std::ranges::none_of(curves, [&](Point p) { return box.contains(p); });
-        if (!free) { continue; }
-        pane.labels.push_back({end.series, name, box, end.at});
-        return;
+    const Box room{pane.plot.x, pane.plot.y, layout.box.right() - pane.plot.x, pane.plot.height};
+    const auto is_free = [&](const Box& box) {
+        return room.contains(box) &&
+               std::ranges::none_of(pane.labels, [&](const PlotLabel& l) { return overlap(l.box, box); }) &&
+               std::ranges::none_of(curves, [&](const auto& run) { return runs_through(run, box); });
+    };
+    for (const std::string& text : {name, shortened_within(*small, name, canvas.px(kShortName))}) {
+        const float width = name_indent(canvas) + canvas.text_width(small, text);
+        for (const Point corner : corners_around(end.at, width, line, canvas.px(7.0F))) {
+            const Box box{std::round(corner.x), std::round(corner.y), width, line};
+            if (!is_free(box)) { continue; }
+            pane.labels.push_back({end.series, text, box, end.at});
+            return;
+        }
     }
     ++pane.unnamed;
 }
@@ -163,7 +180,9 @@ int last_point_of(const SeriesSet& set, int series, const PointSpan& span) {
     return last >= span.first ? last : -1;
 }
 
-float name_indent(const Canvas& canvas) { return canvas.px(13.0F); }
+float name_indent(const Canvas& canvas) { return canvas.px(14.0F); }
+
+float mark_indent(const Canvas& canvas) { return canvas.px(5.0F); }
 
 float name_column_width(
     const Canvas& canvas, const Box& box, const SeriesSet& set, const std::vector<int>& series,
@@ -229,13 +248,13 @@ void place_labels(
     pane.unnamed = static_cast<int>(at_edge.size() - named.size());
     pane.labels = column_of_labels(canvas, named, column, name_of);
     if (!within.empty()) {
-        std::vector<Point> curves;
+        std::vector<std::vector<Point>> curves;
         for (const int s : pane.series) {
-            for (const auto& run : curve_of(layout, pane, set, s)) {
-                curves.insert(curves.end(), run.begin(), run.end());
-            }
+            for (auto& run : curve_of(layout, pane, set, s)) { curves.push_back(std::move(run)); }
         }
-        for (const End& end : within) { place_within(canvas, set, end, curves, pane); }
+        // the one that stands out has its name first
+        std::ranges::stable_partition(within, [&](const End& end) { return end.series == state.hovered; });
+        for (const End& end : within) { place_within(canvas, layout, set, end, curves, pane); }
     }
     place_values(canvas, layout, set, state, pane);
 }

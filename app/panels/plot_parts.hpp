@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "app/panels/plot.hpp"
 
 /// What the files of the plot share; used by them and their tests only.
@@ -19,8 +22,9 @@ inline double value_at(const SeriesSet& set, int series, int point) {
 /// Last visible point that has a value; -1 if there is none.
 int last_point_of(const SeriesSet& set, int series, const PointSpan& span);
 
-/// Where the mark that tells a curve from others is drawn beside its name.
+/// From the left edge of a curve's name to its text, and to the middle of the mark before it.
 float name_indent(const Canvas& canvas);
+float mark_indent(const Canvas& canvas);
 /// How wide the names of curves that end at the right edge are, 0 if none does.
 float name_column_width(
     const Canvas& canvas, const Box& box, const SeriesSet& set, const std::vector<int>& series,
@@ -50,6 +54,9 @@ struct CurveStyle {
     bool marked = true;
 };
 CurveStyle style_of(const PlotPane& pane, std::size_t place, const SeriesSet& set, const PlotState& state);
+
+/// The part of a line within a box, by Liang and Barsky; empty if none is.
+std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box);
 
 void draw_curve(
     const Canvas& canvas, const Box& clip, const std::vector<Point>& points, const CurveStyle& style);
