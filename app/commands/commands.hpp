@@ -15,6 +15,7 @@ namespace jw {
 
 using Run = std::function<Exit()>;
 
+void add_open(CLI::App& app, const Streams& streams, Run& run);
 void add_list(CLI::App& app, const Streams& streams, Run& run);
 void add_check(CLI::App& app, const Streams& streams, Run& run);
 void add_step(CLI::App& app, const Streams& streams, Run& run);

@@ -52,7 +52,7 @@ int run_program(
         return "jointwise: error: " + std::string(error.what()) + "\nhint: jointwise " + command + "--help\n";
     });
     Run run;
-    for (const auto add : {add_list, add_check, add_step, add_inspect, add_solve, add_render}) {
+    for (const auto add : {add_open, add_list, add_check, add_step, add_inspect, add_solve, add_render}) {
         add(app, streams, run);
     }
     add_doctor(app, streams, run, doctor_window);
@@ -63,7 +63,9 @@ int run_program(
 
     try {
         // CLI11 takes arguments from the back
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
+        if (last_first.empty()) { last_first = {"open"}; }
+        app.parse(last_first);
         return status(run());
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == 0;  // --help, --version

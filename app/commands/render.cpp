@@ -5,8 +5,10 @@
 #include <regex>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/frame_files.hpp"
-#include "app/commands/frame_painter.hpp"
+#include "app/commands/frame_range.hpp"
+#include "app/host/frame_files.hpp"
+#include "app/host/frame_painter.hpp"
+#include "app/session/pace.hpp"
 
 namespace jw {
 
@@ -71,13 +73,13 @@ Exit render_command(const Options& options, const Streams& streams) {
     const FrameRange range =
         options.frames ? frame_range(*options.frames, frames) : FrameRange{0, frames - 1};
 
-    FrameFiles files(options.out);
-    FramePainter painter(story, size.width, size.height);
+    host::FrameFiles files(options.out);
+    host::FramePainter painter(story, size.width, size.height);
     {
         ProgressBar bar(streams, "drawing");
         for (int k = range.first; k <= range.last; ++k) {
             const View view = view_of(story, k);
-            files.add(k, view, seconds_of(view, options.fps), painter.paint(view));
+            files.add(k, view, seconds_to_look(view, 1.0 / options.fps), painter.paint(view));
             bar.show(static_cast<double>(k - range.first + 1) / (range.last - range.first + 1));
         }
         files.finish(

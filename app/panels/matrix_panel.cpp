@@ -208,20 +208,26 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
 /// Rows and columns can be pointed at; those that belong to what is pointed at are framed.
 void link_matrix(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
     const float thick = std::max(1.0F, canvas.px(2.0F));
-    const auto mark = [&](const Box& box, const Link& link) {
-        canvas.spot(box, link);
-        if (canvas.lit(link)) { canvas.outline(box, theme::kSubjectMark, thick, canvas.px(2.0F)); }
+    const auto columns = static_cast<int>(matrix.columns.size());
+    const auto rows = static_cast<int>(matrix.rows.size());
+    // what is lit side by side gets one frame
+    const auto mark = [&](int count, const auto& link_of, const auto& box_of) {
+        for (int k = 0; k < count; ++k) { canvas.spot(box_of(k, 1), link_of(k)); }
+        for (int k = 0; k < count;) {
+            int end = k;
+            while (end < count && canvas.lit(link_of(end))) { ++end; }
+            if (end > k) { canvas.outline(box_of(k, end - k), theme::kSubjectMark, thick, canvas.px(2.0F)); }
+            k = end + 1;
+        }
     };
-    for (std::size_t k = 0; k < matrix.columns.size(); ++k) {
-        Box column = layout.column(static_cast<int>(k));
-        column = {column.x, layout.bodies.y, column.width, layout.cells.bottom() - layout.bodies.y};
-        mark(column, Link::column(static_cast<int>(k)));
-    }
-    for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
-        Box row = layout.row(static_cast<int>(k));
-        row = {layout.owners.x, row.y, layout.cells.right() - layout.owners.x, row.height};
-        mark(row, Link::row(static_cast<int>(k)));
-    }
+    mark(columns, &Link::column, [&](int first, int count) {
+        const Box column = layout.column(first, count);
+        return Box{column.x, layout.bodies.y, column.width, layout.cells.bottom() - layout.bodies.y};
+    });
+    mark(rows, &Link::row, [&](int first, int count) {
+        const Box row = layout.row(first, count);
+        return Box{layout.owners.x, row.y, layout.cells.right() - layout.owners.x, row.height};
+    });
 }
 
 void draw_redundant_marks(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {

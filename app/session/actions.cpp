@@ -75,7 +75,9 @@ public:
         if (!is_index(a.what.index, size)) { return refused("there is nothing of that number"); }
         const std::string name = name_of(lesson_, a.what);
         const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
-        if (is_present == a.present) { return refused(name + (is_present ? " is there" : " is out") + " already"); }
+        if (is_present == a.present) {
+            return refused(name + (is_present ? " is there" : " is out") + " already");
+        }
         if (a.present) { return put_back(a.what, name); }
         std::erase(lesson_.order, a.what);
         // a motor goes with the joint that it sits on
@@ -107,11 +109,14 @@ public:
         if (joint == nullptr) { return refused("there is no such joint"); }
         if (!usable(a.geometry)) { return refused("points must be finite and directions not zero"); }
         joint->geometry = a.geometry;
+        measure_anew(a.joint);
         return done(joint->name + " moved");
     }
 
     Edit operator()(const SetDriver& a) {
-        if (!is_index(a.driver, lesson_.mechanism.drivers.size())) { return refused("there is no such driver"); }
+        if (!is_index(a.driver, lesson_.mechanism.drivers.size())) {
+            return refused("there is no such driver");
+        }
         Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
         driver.function = a.function;
         return done(driver.name + " changed");
@@ -127,6 +132,18 @@ private:
         return is_index(index, lesson_.mechanism.joints.size())
                    ? &lesson_.mechanism.joints[static_cast<std::size_t>(index)]
                    : nullptr;
+    }
+
+    /// What drivers along a joint measure moves with the joint.
+    void measure_anew(int index) {
+        const Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        for (Driver& driver : lesson_.mechanism.drivers) {
+            if (driver.joint != index) { continue; }
+            if (std::holds_alternative<AngleMeasure>(driver.measure)) { driver.measure = angle_of(joint); }
+            if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
+                driver.measure = displacement_of(joint);
+            }
+        }
     }
 
     /// The joint that a driver acts along, -1 for anything else.

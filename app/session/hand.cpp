@@ -47,10 +47,10 @@ bool Hand::follow(int motion, double part) {
             kFollowTurn);
         followed_motion_ = motion;
     }
-    if (followed_->states.empty()) { return false; }
-    const double last = static_cast<double>(followed_->states.size() - 1);
-    const double at = 0.5 * (std::clamp(part, -1.0, 1.0) + 1.0) * last;
-    show(followed_->states[static_cast<std::size_t>(std::lround(at))]);
+    const auto last = static_cast<int>(followed_->states.size()) - 1;
+    const int way = part < 0.0 ? followed_->start : last - followed_->start;
+    const auto steps = static_cast<int>(std::lround(std::clamp(part, -1.0, 1.0) * way));
+    show(followed_->states[static_cast<std::size_t>(followed_->start + steps)]);
     return true;
 }
 

@@ -55,14 +55,16 @@ Link link_of(int id) {
 }
 
 Emphasis::Emphasis(const System& system, int angular, const Link& pointed_at) {
+    light(system, angular, pointed_at);
+}
+
+void Emphasis::light(const System& system, int angular, const Link& pointed_at) {
     if (!pointed_at) { return; }
     add(pointed_at);
     switch (pointed_at.kind) {
         case Link::Kind::row: add_row_and_its_vectors(system, pointed_at.index); break;
         case Link::Kind::joint: add_rows_of_joint(system, pointed_at.index); break;
-        case Link::Kind::vector:
-            add_rows_with_vector(system, pointed_at.index, pointed_at.part);
-            break;
+        case Link::Kind::vector: add_rows_with_vector(system, pointed_at.index, pointed_at.part); break;
         case Link::Kind::body: add_columns_of_body(system, angular, pointed_at.index); break;
         case Link::Kind::column:
             for (const int body : system.moving_bodies()) {
@@ -76,9 +78,7 @@ Emphasis::Emphasis(const System& system, int angular, const Link& pointed_at) {
     }
 }
 
-bool Emphasis::contains(const Link& link) const {
-    return std::ranges::find(links_, link) != links_.end();
-}
+bool Emphasis::contains(const Link& link) const { return std::ranges::find(links_, link) != links_.end(); }
 
 void Emphasis::add(const Link& link) {
     if (!contains(link)) { links_.push_back(link); }

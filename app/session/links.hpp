@@ -4,8 +4,8 @@
 
 #include "core/system.hpp"
 
-/// What belongs together on the screen: a number in a panel, its symbol in the formula, its row in the matrix,
-/// its vector and its bodies in 3D. Pointing at one lights up the others.
+/// What belongs together on the screen: a number in a panel, its symbol in the formula, its row in the
+/// matrix, its vector and its bodies in 3D. Pointing at one lights up the others.
 namespace jw {
 
 /// Something that can be pointed at.
@@ -47,6 +47,9 @@ public:
     /// What belongs to `pointed_at`.
     /// @param angular columns per body beyond r: 4 in the (r, p) choices, else 3
     Emphasis(const System& system, int angular, const Link& pointed_at);
+
+    /// Adds what belongs to something else.
+    void light(const System& system, int angular, const Link& link);
 
     bool contains(const Link& link) const;
     bool empty() const { return links_.empty(); }

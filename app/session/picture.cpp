@@ -199,9 +199,7 @@ Picture picture_of(const Story& story, const PictureStyle& style, int index) {
 
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index) {
     Picture picture = picture::compose(story, style, step, index);
-    if (step.kind == Step::Kind::motion) {
-        picture::add_path(story, style, index, picture.scene);
-    }
+    if (step.kind == Step::Kind::motion) { picture::add_path(story, style, index, picture.scene); }
     picture.scene.ground = style.ground;
     return picture;
 }

@@ -59,7 +59,8 @@ Picture picture_of(const Story& story, const PictureStyle& style, int index);
 void light_up(Picture& picture, const Emphasis& lit);
 
 /// Other poses of the same bodies, pale; the later ones stronger.
-void add_ghosts(const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture);
+void add_ghosts(
+    const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture);
 
 /// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);

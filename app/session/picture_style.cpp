@@ -110,7 +110,8 @@ render::Bounds bounds_of(
         if ((story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::iteration) != iterations) {
             continue;
         }
-        bounds.include(render::bounds_of(compose(story, style, story.steps()[static_cast<std::size_t>(k)], k).scene));
+        bounds.include(
+            render::bounds_of(compose(story, style, story.steps()[static_cast<std::size_t>(k)], k).scene));
     }
     return bounds;
 }

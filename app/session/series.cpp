@@ -88,6 +88,32 @@ void add_point(const Step& step, const BodyPoint& point, Columns& columns) {
     columns.add(name + " speed", "m/s", speed.norm());
 }
 
+/// How much a curve changes, in parts of its size: next to nothing for a motor that runs evenly.
+double liveliness(const Series& series) {
+    const auto [low, high] = std::ranges::minmax(series.values);
+    const double size = std::max(std::abs(low), std::abs(high));
+    return high - low > series.rounding ? (high - low) / size : 0.0;
+}
+
+/// A measure with its rates: of those that no driver prescribes the one whose rate changes most, since what
+/// the others do is known; else the first. r of the first body where nothing is measured.
+std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
+    if (set.series.size() < 3) { return series::all_of(set); }
+    const Step& step = story.steps()[static_cast<std::size_t>(set.steps.front())];
+    int best = 0;
+    double most = 0.0;
+    int k = 0;
+    for (const QuantityMotion& q : quantities_of(step)) {
+        const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
+        if (changes > most) {
+            most = changes;
+            best = k;
+        }
+        k += 3;
+    }
+    return {best, best + 1, best + 2};
+}
+
 /// What happened in a solve, and the step that shows each event.
 struct Solve {
     std::string name;
@@ -138,8 +164,7 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }
     }
     set_rounding(set.series);
-    // the first measure with its rates; r of the first body where nothing is measured
-    for (int k = 0; k < std::min(3, static_cast<int>(set.series.size())); ++k) { set.telling.push_back(k); }
+    set.telling = telling_measure(story, set);
     return set;
 }
 

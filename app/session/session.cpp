@@ -23,7 +23,9 @@ Place place_of(const Story& story, int index) {
     const Step& step = story.steps()[static_cast<std::size_t>(index)];
     Place place{step.kind, subject_of(story.lesson(), step), 0, step.t};
     for (int k = index - 1; k >= 0; --k) {
-        if (subject_of(story.lesson(), story.steps()[static_cast<std::size_t>(k)]) != place.subject) { break; }
+        if (subject_of(story.lesson(), story.steps()[static_cast<std::size_t>(k)]) != place.subject) {
+            break;
+        }
         ++place.nth;
     }
     return place;
@@ -99,7 +101,9 @@ struct Session::Cache {
 };
 
 Session::Session(Lesson lesson)
-    : written_(std::make_shared<Lesson>(std::move(lesson))), lesson_(written_), cache_(std::make_unique<Cache>()) {
+    : written_(std::make_shared<Lesson>(std::move(lesson))),
+      lesson_(written_),
+      cache_(std::make_unique<Cache>()) {
     tell();
 }
 

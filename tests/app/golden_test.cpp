@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "app/commands/frame_painter.hpp"
+#include "app/host/frame_painter.hpp"
 #include "lessons/reader.hpp"
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
@@ -53,8 +53,40 @@ render::Image picture_of(const Golden& golden) {
     INFO(read.report());
     REQUIRE(read.lesson.has_value());
     const Story story(*read.lesson);
-    FramePainter painter(story, 1280, 720);
+    host::FramePainter painter(story, 1280, 720);
     return painter.paint(view_of(story, index_of(story, golden)));
+}
+
+/// The window as `open --picture` draws it; those in docs/ are the pictures of the README.
+struct GoldenWindow {
+    std::string file;
+    std::string lesson;  ///< empty: the browser
+    std::vector<std::string> options;
+};
+
+const std::vector<GoldenWindow> kWindows{
+    {"docs/window.png", "loops/four-bar.toml", {"--at", "D", "--tab", "try"}},
+    {"docs/lessons.png", "", {}},
+    {"tests/golden/window-plots.png", "loops/bricard.toml", {"--at", "t=1.2", "--tab", "plots"}},
+    {"tests/golden/window-newton-dark.png",
+     "hard/cannot-close.toml",
+     {"--at", "D", "--tab", "newton", "--dark"}},
+    {"tests/golden/window-small.png",
+     "screws/screw-jack.toml",
+     {"--at", "thread", "--tab", "step", "--size", "960x640"}},
+};
+
+render::Image picture_of(const GoldenWindow& golden) {
+    const Folder folder;
+    const std::string picture = folder.path("window.png");
+    std::vector<std::string> arguments{"open"};
+    if (!golden.lesson.empty()) { arguments.push_back(lesson_path(golden.lesson)); }
+    arguments.insert(arguments.end(), golden.options.begin(), golden.options.end());
+    arguments.insert(arguments.end(), {"--picture", picture});
+    const Ran ran = run(arguments);
+    INFO(ran.err);
+    REQUIRE(ran.status == 0);
+    return render::read_png(picture);
 }
 
 struct Difference {
@@ -79,26 +111,32 @@ Difference difference_of(const render::Image& a, const render::Image& b) {
     return {difference.mean / pixels, difference.far / pixels};
 }
 
+/// Draws the picture anew where that is asked for.
+void compare(const std::string& file, const render::Image& now) {
+    const std::string path = source_path(file);
+    if (std::getenv("JW_REGENERATE_GOLDEN") != nullptr) {
+        render::write_file_atomically(path, render::encode_png(now));
+        return;
+    }
+    const render::Image then = render::read_png(path);
+    REQUIRE(now.width == then.width);
+    REQUIRE(now.height == then.height);
+    const Difference difference = difference_of(now, then);
+    INFO(file << ": mean " << difference.mean << " levels, far " << 100.0 * difference.far << " %");
+    CHECK(difference.mean < kMeanDifference);
+    CHECK(difference.far < kFarPixels);
+}
+
 }  // namespace
 
 TEST_CASE("golden pictures look as they did when they were looked at", "[app][golden]") {
-    const bool regenerate = std::getenv("JW_REGENERATE_GOLDEN") != nullptr;
     for (const Golden& golden : kGoldens) {
-        const std::string path = source_path("tests/golden/" + golden.name + ".png");
-        const render::Image now = picture_of(golden);
-        if (regenerate) {
-            render::write_file_atomically(path, render::encode_png(now));
-            continue;
-        }
-        const render::Image then = render::read_png(path);
-        REQUIRE(now.width == then.width);
-        REQUIRE(now.height == then.height);
-        const Difference difference = difference_of(now, then);
-        INFO(
-            golden.name << ": mean " << difference.mean << " levels, far " << 100.0 * difference.far << " %");
-        CHECK(difference.mean < kMeanDifference);
-        CHECK(difference.far < kFarPixels);
+        compare("tests/golden/" + golden.name + ".png", picture_of(golden));
     }
+}
+
+TEST_CASE("golden windows look as they did when they were looked at", "[app][golden]") {
+    for (const GoldenWindow& golden : kWindows) { compare(golden.file, picture_of(golden)); }
 }
 
 TEST_CASE("a golden picture would notice a changed digit", "[app][golden]") {

@@ -40,10 +40,14 @@ constexpr std::array<std::string_view, 10> kPanels{
     "imgui.h",
     "render/palette.hpp"};
 
+// the interface knows no window and no command
+constexpr std::array<std::string_view, 8> kHost{"app/host/", "app/panels/", "app/session/", "core/",
+                                                "lessons/",  "render/",     "Eigen/",       "imgui.h"};
+
 // the first folder that fits counts
-constexpr std::array kFolders{
-    FolderRule{"core/", kCore}, FolderRule{"lessons/", kLessons}, FolderRule{"render/", kRender},
-    FolderRule{"app/session/", kSession}, FolderRule{"app/panels/", kPanels}};
+constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"lessons/", kLessons},
+                              FolderRule{"render/", kRender},     FolderRule{"app/session/", kSession},
+                              FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost}};
 
 /// A library that only a few files may know, so that it can be replaced there.
 struct LibraryRule {

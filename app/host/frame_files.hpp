@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <future>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,29 +9,16 @@
 #include "render/image.hpp"
 
 /// Pictures of a lesson as files, and the manifest that maps each to its step.
-namespace jw {
-
-/// Frames A to B, both included, counted from 0.
-struct FrameRange {
-    int first = 0;
-    int last = 0;
-};
-
-/// "3:7", "3:", ":7" or "3" within `frames` frames.
-/// @throws CommandError for anything else
-FrameRange frame_range(const std::string& text, int frames);
+namespace jw::host {
 
 /// "frame_00042.png"
 std::string frame_name(int number);
-
-/// How long a step should be looked at [s]: the time to read it, or one frame of the motion.
-double seconds_of(const View& view, double fps);
 
 /// Encodes and writes one picture while the next is drawn. Every file appears whole or not at all.
 class FrameFiles {
 public:
     /// Makes `folder`, parents included.
-    /// @throws CommandError if that is not possible
+    /// @throws std::runtime_error if that is not possible
     explicit FrameFiles(std::filesystem::path folder);
 
     void add(int number, const View& view, double seconds, render::Image image);
@@ -48,4 +34,4 @@ private:
     Json frames_ = Json::array();
 };
 
-}  // namespace jw
+}  // namespace jw::host

@@ -4,9 +4,10 @@
 
 #include "app/session/picture.hpp"
 #include "app/session/view.hpp"
+#include "render/gl_functions.hpp"
 #include "render/image.hpp"
 
-namespace jw {
+namespace jw::host {
 
 /// Draws steps of one story into memory, panels included. The camera is composed once, so that nothing jumps
 /// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
@@ -15,6 +16,8 @@ public:
     /// `story` must outlive this. Width and height in pixels.
     /// @throws std::runtime_error if OSMesa or a font is missing
     FramePainter(const Story& story, int width, int height);
+    /// The same in a context that is there already: it must be current here, in `paint` and at destruction.
+    FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl);
     ~FramePainter();
     FramePainter(const FramePainter&) = delete;
     FramePainter& operator=(const FramePainter&) = delete;
@@ -23,9 +26,11 @@ public:
 
 private:
     struct Surface;
+    void compose_camera();
+
     const Story* story_;
     PictureStyle style_;
     std::unique_ptr<Surface> surface_;
 };
 
-}  // namespace jw
+}  // namespace jw::host

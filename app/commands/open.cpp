@@ -1,0 +1,111 @@
+#include <CLI/CLI.hpp>
+
+#include <regex>
+
+#include "app/commands/commands.hpp"
+#include "app/host/screen.hpp"
+#include "app/window.hpp"
+#include "lessons/catalogue.hpp"
+#include "render/offscreen.hpp"
+#include "render/png.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::string at;
+    std::string size = "1280x720";
+    bool dark = false;
+    double text = 1.0;
+    std::string tab = "step";
+    std::string picture;
+};
+
+/// What the window shows, drawn into a file; needs no display.
+void draw_window(const WindowSetup& setup, const std::string& path) {
+    render::Offscreen surface(16, 16);
+    host::Host host(setup.host);
+    host.choose(setup.tab);
+    if (setup.file) { host.open(*setup.file, setup.at); }
+    host::Screen screen(surface.gl(), host);
+    // a frame for ImGui to find its sizes, and one per small picture of the browser
+    constexpr int most = 2000;
+    for (int k = 0; k < most && (k < 3 || host.seconds_to_wait() <= 0.0 || !screen.is_complete()); ++k) {
+        host.frame(1.0 / 60.0);
+        screen.draw();
+    }
+    render::write_file_atomically(path, render::encode_png(screen.read()));
+}
+
+host::Tab tab_of(const std::string& name) {
+    if (name == "try") { return host::Tab::attempt; }
+    if (name == "plots") { return host::Tab::plot; }
+    return name == "newton" ? host::Tab::newton : host::Tab::step;
+}
+
+Exit open(const Options& options, const Streams& streams) {
+    static const std::regex form("([0-9]{3,5})x([0-9]{3,5})");
+    std::smatch match;
+    if (!std::regex_match(options.size, match, form)) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: --size '" + options.size + "'; expected WIDTHxHEIGHT, for example 1920x1080");
+    }
+    WindowSetup setup;
+    setup.host.catalogue = catalogue_folder();
+    setup.host.recent_file = host::RecentLessons::usual_file();
+    setup.host.dark = options.dark;
+    setup.host.text_scale = static_cast<float>(options.text);
+    setup.host.width = std::stoi(match[1]);
+    setup.host.height = std::stoi(match[2]);
+    setup.tab = tab_of(options.tab);
+    if (!options.file.empty()) {
+        const Lesson lesson =
+            lesson_of(options.file, streams);  // its mistakes are told before a window opens
+        if (!options.at.empty() && !host::step_at(Story(lesson), options.at)) {
+            throw CommandError(
+                Exit::bad_input,
+                "jointwise: error: --at '" + options.at +
+                    "'; expected a step from 1 on, a joint or driver of the lesson, or t=SECONDS");
+        }
+        setup.file = options.file;
+        setup.at = options.at;
+    }
+    if (!options.picture.empty()) {
+        setup.host.recent_file.clear();  // the same picture whatever was opened before
+        draw_window(setup, options.picture);
+        return Exit::done;
+    }
+    run_window(setup);
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_open(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("open", "open the window, with a lesson or the list of lessons");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file; without it the lessons are shown")
+        ->type_name("");
+    command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
+        ->type_name("STEP");
+    command->add_option("--size", options->size, "of the window")->type_name("WxH")->capture_default_str();
+    command->add_flag("--dark", options->dark, "light letters on dark paper");
+    command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
+        ->check(CLI::Range(0.75, 1.5))
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--tab", options->tab, "beside the picture: step, try, plots or newton")
+        ->check(CLI::IsMember({"step", "try", "plots", "newton"}))
+        ->type_name("TAB")
+        ->capture_default_str();
+    command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")
+        ->type_name("FILE");
+    command->footer("Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return open(*options, streams); }; });
+}
+
+}  // namespace jw

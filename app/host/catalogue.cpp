@@ -1,0 +1,111 @@
+#include "app/host/catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMostShown = 5;  // a row of cards
+// in which a course meets them
+constexpr std::array<std::string_view, 6> kChapters{"vectors", "parallel", "joints",
+                                                    "loops",   "screws",   "hard"};
+
+CatalogueEntry entry_of(const fs::path& path) {
+    CatalogueEntry entry;
+    entry.path = path;
+    const ReadResult read = read_lesson_file(path);
+    if (!read.lesson) {
+        entry.title = path.filename().string();
+        entry.error = read.diagnostics.empty() ? "cannot be read" : read.diagnostics.front().message;
+        return entry;
+    }
+    entry.chapter = read.lesson->chapter;
+    entry.title = read.lesson->title;
+    entry.source = read.lesson->source;
+    entry.text = read.lesson->text;
+    return entry;
+}
+
+std::size_t order_of(const CatalogueEntry& entry) {
+    const std::string folder = entry.path.parent_path().filename().string();
+    return static_cast<std::size_t>(std::ranges::find(kChapters, folder) - kChapters.begin());
+}
+
+std::string lower(std::string text) {
+    for (char& c : text) { c = static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+    return text;
+}
+
+}  // namespace
+
+std::vector<CatalogueEntry> catalogue_of(const fs::path& folder, const std::vector<fs::path>& recent) {
+    std::vector<CatalogueEntry> entries;
+    for (const fs::path& path : recent) {
+        std::error_code error;
+        if (entries.size() == kMostShown || !fs::exists(path, error)) { continue; }
+        entries.push_back(entry_of(path));
+        entries.back().chapter = "Opened last";
+    }
+    std::vector<CatalogueEntry> shipped;
+    for (const fs::path& path : lessons_below(folder)) { shipped.push_back(entry_of(path)); }
+    std::ranges::stable_sort(shipped, {}, order_of);
+    std::ranges::move(shipped, std::back_inserter(entries));
+    return entries;
+}
+
+std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search) {
+    std::vector<int> found;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        const CatalogueEntry& e = entries[k];
+        const std::string all =
+            lower(e.title + ' ' + e.chapter + ' ' + e.source + ' ' + e.text + ' ' + e.path.stem().string());
+        std::istringstream words(lower(search));
+        bool fits = true;
+        for (std::string word; words >> word;) { fits = fits && all.find(word) != std::string::npos; }
+        if (fits) { found.push_back(static_cast<int>(k)); }
+    }
+    return found;
+}
+
+RecentLessons::RecentLessons(fs::path file) : file_(std::move(file)) {
+    std::ifstream in(file_);
+    for (std::string line; std::getline(in, line) && paths_.size() < kMostRecent;) {
+        if (!line.empty()) { paths_.emplace_back(line); }
+    }
+}
+
+fs::path RecentLessons::usual_file() {
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
+        return fs::path(state) / "jointwise" / "recent";
+    }
+    const char* const home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') { return {}; }
+    return fs::path(home) / ".local" / "state" / "jointwise" / "recent";
+}
+
+void RecentLessons::add(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    std::erase(paths_, whole);
+    paths_.insert(paths_.begin(), whole);
+    if (paths_.size() > kMostRecent) { paths_.resize(kMostRecent); }
+    if (file_.empty()) { return; }
+    fs::create_directories(file_.parent_path(), error);
+    std::ofstream out(file_);
+    for (const fs::path& p : paths_) { out << p.string() << '\n'; }
+}
+
+}  // namespace jw::host

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The lessons that can be opened: those of the catalogue by chapter, and the ones opened last.
+namespace jw::host {
+
+struct CatalogueEntry {
+    std::filesystem::path path;
+    std::string chapter;
+    std::string title;  ///< the file's name where the file has mistakes
+    std::string source;
+    std::string text;           ///< the lesson's introduction
+    std::string error;          ///< first of its mistakes, empty if there is none
+    void* thumbnail = nullptr;  ///< small picture for ImGui (ImTextureID), nullptr until there is one
+};
+
+/// The `recent` lessons that are still there, the last few of them, under a chapter of their own; then the
+/// lessons below `folder` in the order of chapters.
+std::vector<CatalogueEntry> catalogue_of(
+    const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent);
+
+/// Which entries a search shows: all words, in title, chapter, source or text, whatever the case.
+std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search);
+
+/// The lessons opened last, newest first, kept in a small text file.
+class RecentLessons {
+public:
+    /// @param file  empty: nothing is kept
+    explicit RecentLessons(std::filesystem::path file);
+    /// $XDG_STATE_HOME/jointwise/recent or its usual place; empty if there is no home.
+    static std::filesystem::path usual_file();
+
+    const std::vector<std::filesystem::path>& paths() const { return paths_; }
+    /// Puts `path` first. That the list cannot be written is no reason to stop.
+    void add(const std::filesystem::path& path);
+
+private:
+    std::filesystem::path file_;
+    std::vector<std::filesystem::path> paths_;
+};
+
+}  // namespace jw::host

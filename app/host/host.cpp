@@ -1,0 +1,236 @@
+#include "app/host/host.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <imgui.h>
+
+#include "app/host/browser.hpp"
+#include "app/host/timeline_bar.hpp"
+#include "app/host/widgets.hpp"
+#include "app/session/picture_camera.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+
+constexpr float kBarHeight = 56.0F;
+constexpr float kTabsHeight = 36.0F;
+
+}  // namespace
+
+std::optional<int> step_at(const Story& story, const std::string& at) {
+    const auto last = static_cast<int>(story.steps().size()) - 1;
+    double number = 0.0;
+    const bool is_time = at.starts_with("t=");
+    const char* const begin = at.data() + (is_time ? 2 : 0);
+    const char* const end = at.data() + at.size();
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    if (error == std::errc() && stop == end && std::isfinite(number)) {
+        if (!is_time) {
+            const double index = number - 1.0;
+            const bool fits = index >= 0.0 && index <= last && index == std::floor(index);
+            return fits ? std::optional<int>(static_cast<int>(index)) : std::nullopt;
+        }
+        std::optional<int> nearest;
+        double distance = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= last; ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            if (step.kind != Step::Kind::motion || std::abs(step.t - number) >= distance) { continue; }
+            distance = std::abs(step.t - number);
+            nearest = k;
+        }
+        return nearest;
+    }
+    for (const Stretch& stretch : stretches_of(story)) {
+        if (stretch.name == at) { return stretch.first; }
+    }
+    return std::nullopt;
+}
+
+Host::Host(HostSetup setup)
+    : setup_(std::move(setup)), context_(ImGui::CreateContext()), recent_(setup_.recent_file) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    map_keys(io);
+    state_.dark = setup_.dark;
+    state_.text_scale = setup_.text_scale;
+    resize(setup_.width, setup_.height);
+}
+
+Host::~Host() { ImGui::DestroyContext(context_); }
+
+bool Host::open(const std::filesystem::path& path, const std::string& at) {
+    const ReadResult read = read_lesson_file(path);
+    if (!read.lesson) {
+        file_errors_ = read.report();
+        return false;
+    }
+    file_errors_.clear();
+    std::error_code error;
+    saved_ = std::filesystem::last_write_time(path, error);
+    session_ = std::make_unique<Session>(*read.lesson);
+    path_ = path;
+    recent_.add(path);
+    state_.browser = false;
+    state_.playing = false;
+    state_.pointed_at = {};
+    state_.try_joint = -1;
+    state_.try_driver = 0;
+    state_.freedom = -1;
+    step_waited_ = 0.0;
+    picture_of_ = 0;
+    if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
+    fit_camera(true);
+    settle_ = 2;
+    return true;
+}
+
+void Host::show_browser() {
+    state_.browser = true;
+    entries_ = refreshed_catalogue();
+    settle_ = 2;
+}
+
+void Host::resize(int width, int height) {
+    width_ = std::max(1, width);
+    height_ = std::max(1, height);
+    load_fonts();
+    set_layout();
+    if (session_ && hand_.is_own()) { fit_camera(true); }
+    settle_ = 2;
+}
+
+void Host::load_fonts() {
+    // eighths: a window that is being resized does not build fonts for every pixel
+    const float wanted = std::clamp(panels::scale_of(width_, height_) * state_.text_scale, 0.5F, 3.0F);
+    const float scale = std::max(0.5F, std::floor(wanted * 8.0F + 0.01F) / 8.0F);
+    if (scale == scale_) { return; }
+    ImGui::SetCurrentContext(context_);
+    ImGui::GetIO().Fonts->Clear();
+    fonts_ = render::load_fonts(scale);
+    scale_ = scale;
+    ++fonts_version_;
+    set_style(ImGui::GetStyle(), scale, state_.dark);
+}
+
+void Host::set_layout() {
+    Box window{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
+    const float bar = std::round(kBarHeight * scale_);
+    bar_ = {0.0F, window.height - bar, window.width, bar};
+    window.height -= bar;
+    layout_ = panels::layout_in(window, scale_, std::round(kTabsHeight * scale_));
+}
+
+double Host::scene_size() const { return std::max(1e-9, session_->style().bounds.diagonal()); }
+
+void Host::fit_camera(bool at_once) {
+    fitted_ = session_->told();
+    hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
+}
+
+void Host::frame(double seconds) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+    if (!session_ && entries_.empty() && !state_.browser) { show_browser(); }
+    io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
+    settle_ = events_.empty() ? std::max(0, settle_ - 1) : 2;
+    take_events();
+    ImGui::NewFrame();
+    draw_interface();
+    ImGui::Render();
+    advance(seconds);
+    // what was drawn in a hurry is drawn well when it rests
+    if (was_moving_ && !is_moving()) { settle_ = 2; }
+    was_moving_ = is_moving();
+}
+
+bool Host::is_moving() const {
+    return shows_lesson() && (hand_.is_busy() || state_.playing || state_.freedom >= 0);
+}
+
+void Host::take_events() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const InputEvent& event : events_.take()) {
+        feed(io, event);
+        act_on(event);
+    }
+}
+
+void Host::act_on(const InputEvent& event) {
+    const bool is_key = event.kind == InputEvent::Kind::key && event.down;
+    if (!is_key && event.kind != InputEvent::Kind::text) { return; }
+    if (state_.help) {
+        state_.help = false;
+        return;
+    }
+    if (state_.browser && act_in_browser(event)) { return; }
+    if (state_.panel_keys && act_in_panel(event)) { return; }
+    // while somebody types, letters are letters
+    if (ImGui::GetIO().WantTextInput) { return; }
+    Modifiers modifiers;
+    modifiers.ctrl = ImGui::GetIO().KeyCtrl;
+    modifiers.shift = ImGui::GetIO().KeyShift;
+    if (const CommandInfo* info = command_for(event, modifiers)) { carry_out(info->command); }
+}
+
+bool Host::act_in_panel(const InputEvent& event) {
+    if (event.kind != InputEvent::Kind::key) { return false; }
+    switch (event.key) {
+        case Key::escape:
+            if (!ImGui::GetIO().WantTextInput) { use_panel_keys(false); }
+            return true;
+        case Key::left:
+        case Key::right:
+        case Key::up:
+        case Key::down:
+        case Key::space:
+        case Key::enter:
+        case Key::tab: return true;  // ImGui moves among its widgets
+        default: return false;
+    }
+}
+
+bool Host::act_in_browser(const InputEvent& event) {
+    if (event.kind == InputEvent::Kind::text) {
+        // letters search, wherever the keyboard is; the field takes its own
+        const bool letter = event.character > ' ' && event.character < 127 && event.character != '?';
+        if (!letter || ImGui::GetIO().WantTextInput) { return ImGui::GetIO().WantTextInput; }
+        state_.search += static_cast<char>(event.character);
+        state_.chosen_lesson = -1;
+        return true;
+    }
+    switch (event.key) {
+        case Key::left:
+        case Key::up: move_choice(state_, entries_, -1); return true;
+        case Key::right:
+        case Key::down: move_choice(state_, entries_, 1); return true;
+        case Key::backspace:
+            if (!ImGui::GetIO().WantTextInput && !state_.search.empty()) { state_.search.pop_back(); }
+            return true;
+        case Key::escape:
+            if (!state_.search.empty()) {
+                state_.search.clear();
+            } else if (session_) {
+                state_.browser = false;
+            }
+            return true;
+        case Key::enter:
+            if (state_.chosen_lesson < 0) { move_choice(state_, entries_, 1); }
+            if (state_.chosen_lesson >= 0) {
+                open(entries_[static_cast<std::size_t>(state_.chosen_lesson)].path);
+            }
+            return true;
+        default: return false;
+    }
+}
+
+}  // namespace jw::host

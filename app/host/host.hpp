@@ -1,0 +1,181 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/host/catalogue.hpp"
+#include "app/host/scene_hand.hpp"
+#include "app/host/tabs.hpp"
+#include "app/host/ui.hpp"
+#include "render/fonts.hpp"
+
+struct ImGuiContext;
+
+/// The interface without a surface: lesson browser, lesson, timeline, experiments. Events go in, ImGui's draw
+/// data, a scene and a camera come out; a window or an offscreen picture shows them.
+namespace jw::host {
+
+struct HostSetup {
+    std::filesystem::path catalogue;       ///< folder of the lessons offered
+    std::filesystem::path recent_file;     ///< where the lessons opened last are kept; empty: nowhere
+    std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
+    bool dark = false;
+    float text_scale = 1.0F;
+    int width = 1280;
+    int height = 720;
+};
+
+/// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
+/// @return index of the step, or nothing if `at` is none of these
+std::optional<int> step_at(const Story& story, const std::string& at);
+
+class Host {
+public:
+    explicit Host(HostSetup setup);
+    ~Host();
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+
+    /// What stands beside the picture to begin with.
+    void choose(Tab tab) { state_.tab = tab; }
+
+    /// Opens a lesson file at a step; without it the lessons are shown.
+    /// @return false if it has mistakes: they are shown, and what was open stays
+    bool open(const std::filesystem::path& path, const std::string& at = {});
+
+    /// Size of the picture in pixels of the framebuffer.
+    void resize(int width, int height);
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void push(const InputEvent& event) { events_.push(event); }
+    /// Number of what is drawn at a pixel; whoever draws knows. Without it 3D cannot be pointed at.
+    void set_picker(Picker picker) { pick_ = std::move(picker); }
+
+    /// One frame: events, interface, what was asked for, and what moves by itself.
+    /// @param seconds since the last frame
+    void frame(double seconds);
+
+    /// How long until the next frame is worth drawing without an event [s]; 0: at once.
+    double seconds_to_wait() const;
+    /// Whether a frame now, so long after the last one, would show anything new.
+    bool is_due(double seconds_since) const;
+    /// Looks whether the open file was saved anew; @return true if so
+    bool look_at_file();
+
+    bool wants_to_close() const { return close_; }
+    /// The picture changes from frame to frame: turned, pulled, played.
+    bool is_moving() const;
+    /// A lesson and not the browser is shown.
+    bool shows_lesson() const { return session_ && !state_.browser; }
+    const Session* session() const { return session_.get(); }
+    const UiState& state() const { return state_; }
+    const render::Camera& camera() const { return hand_.camera(); }
+    const panels::FrameLayout& layout() const { return layout_; }
+    /// The picture with what is pointed at lit up; empty without a lesson.
+    const Picture& picture();
+    /// Grows with every change of picture().
+    std::uint64_t picture_version() const { return picture_version_; }
+
+    std::vector<CatalogueEntry>& catalogue() { return entries_; }
+    /// Grows when the font atlas was built anew: its texture must be too.
+    int fonts_version() const { return fonts_version_; }
+
+    /// The next frame is due at once.
+    void rouse() { settle_ = 2; }
+
+    /// Set by a command, carried out by whoever draws, and told with done().
+    enum class Task { none, save_picture, record };
+    Task task() const { return task_; }
+    /// Name for the next file of a task: "four-bar-step-12.png", a folder for `record`.
+    std::filesystem::path task_path() const;
+    void done(const std::string& message);
+
+    /// Something to be read at the foot of the picture for a while.
+    void say(const std::string& message);
+    const std::string& message() const { return message_; }
+    const std::string& file_errors() const { return file_errors_; }
+
+private:
+    void load_fonts();
+    void show_browser();
+    void set_layout();
+    void fit_camera(bool at_once);
+    void take_events();
+    void act_on(const InputEvent& event);
+    bool act_in_browser(const InputEvent& event);
+    bool act_in_panel(const InputEvent& event);
+    void use_panel_keys(bool on);
+    void draw_interface();
+    /// Everything that is lit now.
+    Emphasis emphasis() const;
+    void draw_lesson(const LessonUi& ui);
+    void draw_messages(const Ui& ui);
+    void carry_out(Requests requests);
+    void carry_out(Command command);
+    void carry_out_view(Command command);
+    void go_to(int step);
+    void go_to_joint(int direction);
+    void apply(const Action& action);
+    void advance(double seconds);
+    void advance_play(double seconds);
+    void advance_freedom(double seconds);
+    void next_freedom();
+    void save_lesson();
+    void save_csv();
+    void copy_view(Command command);
+    void copy(const std::string& text, const std::string& what);
+    std::vector<CatalogueEntry> refreshed_catalogue() const;
+    /// "four-bar-2.png": a name in the folder for pictures that is not taken.
+    std::filesystem::path free_name(const std::string& suffix) const;
+    double scene_size() const;
+    double seconds_to_change() const;
+
+    HostSetup setup_;
+    ImGuiContext* context_;
+    render::Fonts fonts_;
+    int fonts_version_ = 0;
+    float scale_ = 0.0F;
+    int width_ = 0;
+    int height_ = 0;
+    panels::Box bar_;
+    panels::FrameLayout layout_;
+
+    RecentLessons recent_;
+    std::vector<CatalogueEntry> entries_;
+    std::filesystem::path path_;
+    std::filesystem::file_time_type saved_{};
+    std::unique_ptr<Session> session_;
+    std::uint64_t fitted_ = 0;  ///< telling that the camera was composed for
+
+    UiState state_;
+    SceneHand hand_;
+    Benches benches_;
+    Picker pick_;
+    InputQueue events_;
+    std::vector<panels::HotSpot> spots_;
+    bool new_text_scale_ = false;
+
+    Picture picture_;
+    std::uint64_t picture_version_ = 0;
+    std::uint64_t picture_of_ = 0;  ///< version of the session that picture_ shows
+    Link picture_link_;
+    std::vector<int> picture_rows_;
+    std::uint64_t picture_ghosts_ = 0;
+    bool picture_has_ghosts_ = false;
+
+    double step_waited_ = 0.0;
+    bool was_moving_ = false;
+    int settle_ = 2;  ///< frames that ImGui needs to come to rest
+    std::string message_;
+    double message_left_ = 0.0;
+    std::string file_errors_;
+    Task task_ = Task::none;
+    bool close_ = false;
+};
+
+}  // namespace jw::host

@@ -1,0 +1,293 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <imgui.h>
+
+#include "app/host/host.hpp"
+#include "app/host/timeline_bar.hpp"
+#include "app/host/widgets.hpp"
+#include "app/session/pace.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::host {
+
+namespace {
+
+constexpr double kTurn = 0.15;  // [rad] per key
+constexpr double kZoom = 1.2;
+constexpr double kMessageSeconds = 6.0;
+constexpr double kFreedomSeconds = 3.0;  // there and back
+// an open file is looked at this often
+constexpr double kIdle = 0.5;
+// between two frames of something that moves: no display shows more
+constexpr double kMoving = 1.0 / 60.0;
+constexpr float kSmallestText = 0.75F;
+constexpr float kLargestText = 1.5F;
+
+bool is_view(Command c) { return c >= Command::fit && c <= Command::zoom_out; }
+
+}  // namespace
+
+void Host::carry_out(Requests requests) {
+    if (requests.lit_rows != state_.lit_rows) {
+        state_.lit_rows = std::move(requests.lit_rows);
+        settle_ = 2;
+    }
+    for (const Action& action : requests.actions) { apply(action); }
+    for (const Command command : requests.commands) { carry_out(command); }
+    if (requests.copy) { copy(*requests.copy, "Copied."); }
+    if (requests.open) { open(*requests.open); }
+}
+
+void Host::apply(const Action& action) {
+    if (!session_) { return; }
+    const std::uint64_t told = session_->told();
+    const std::uint64_t version = session_->version();
+    say(session_->apply(action));
+    if (session_->version() != version) { settle_ = 2; }
+    if (session_->told() != told) {
+        state_.freedom = -1;
+        fitted_ = session_->told();
+    }
+}
+
+void Host::go_to(int step) {
+    step_waited_ = 0.0;
+    state_.freedom = -1;
+    apply(GoTo{step});
+}
+
+void Host::go_to_joint(int direction) {
+    const std::vector<Stretch> stretches = stretches_of(session_->story());
+    const int now = session_->index();
+    int target = direction > 0 ? stretches.back().last : 0;
+    for (const Stretch& s : stretches) {
+        if (direction > 0 && s.first > now) {
+            target = s.first;
+            break;
+        }
+        if (direction < 0 && s.first < now) { target = s.first; }
+    }
+    go_to(target);
+}
+
+void Host::carry_out(Command command) {
+    settle_ = 2;
+    switch (command) {
+        case Command::help: state_.help = !state_.help; return;
+        case Command::quit: close_ = true; return;
+        case Command::dark:
+            state_.dark = !state_.dark;
+            set_style(ImGui::GetStyle(), scale_, state_.dark);
+            ++picture_version_;
+            return;
+        case Command::larger_text:
+        case Command::smaller_text: {
+            const float by = command == Command::larger_text ? 0.125F : -0.125F;
+            state_.text_scale = std::clamp(state_.text_scale + by, kSmallestText, kLargestText);
+            new_text_scale_ = true;
+            return;
+        }
+        case Command::lessons:
+            if (state_.browser && !session_) { return; }
+            state_.playing = false;
+            if (state_.browser) {
+                state_.browser = false;
+            } else {
+                show_browser();
+            }
+            return;
+        default: break;
+    }
+    if (!shows_lesson()) { return; }
+    if (is_view(command)) { return carry_out_view(command); }
+    const int now = session_->index();
+    const int last = static_cast<int>(session_->story().steps().size()) - 1;
+    switch (command) {
+        case Command::next: state_.playing = false; return go_to(now + 1);
+        case Command::back: state_.playing = false; return go_to(now - 1);
+        case Command::play:
+            state_.playing = !state_.playing;
+            if (state_.playing && now == last) { go_to(0); }
+            step_waited_ = 0.0;
+            return;
+        case Command::next_joint: return go_to_joint(1);
+        case Command::previous_joint: return go_to_joint(-1);
+        case Command::first: return go_to(0);
+        case Command::last: return go_to(last);
+        case Command::faster: state_.speed = std::min(4.0, 2.0 * state_.speed); return;
+        case Command::slower: state_.speed = std::max(0.25, 0.5 * state_.speed); return;
+        case Command::tab_step: state_.tab = Tab::step; return;
+        case Command::tab_try: state_.tab = Tab::attempt; return;
+        case Command::tab_plot: state_.tab = Tab::plot; return;
+        case Command::tab_newton: state_.tab = Tab::newton; return;
+        case Command::next_tab:
+            state_.tab = static_cast<Tab>((static_cast<int>(state_.tab) + 1) % kTabs);
+            return;
+        case Command::panel_keys: return use_panel_keys(!state_.panel_keys);
+        case Command::undo: return apply(Undo{});
+        case Command::redo: return apply(Redo{});
+        case Command::start_over: return apply(StartOver{});
+        case Command::play_freedom: return next_freedom();
+        case Command::let_go:
+            task_ = Task::none;
+            state_.freedom = -1;
+            file_errors_.clear();
+            return apply(LetGo{});
+        case Command::reload:
+            saved_ = {};
+            look_at_file();
+            return;
+        case Command::save_picture: task_ = Task::save_picture; return;
+        case Command::record: task_ = Task::record; return;
+        case Command::save_lesson: return save_lesson();
+        case Command::save_csv: return save_csv();
+        default: break;
+    }
+    copy_view(command);
+}
+
+void Host::carry_out_view(Command command) {
+    using render::StandardView;
+    switch (command) {
+        case Command::fit: return fit_camera(false);
+        case Command::view_front: return hand_.show(StandardView::front);
+        case Command::view_back: return hand_.show(StandardView::back);
+        case Command::view_left: return hand_.show(StandardView::left);
+        case Command::view_right: return hand_.show(StandardView::right);
+        case Command::view_top: return hand_.show(StandardView::top);
+        case Command::view_bottom: return hand_.show(StandardView::bottom);
+        case Command::view_free: return hand_.show(StandardView::isometric);
+        case Command::turn_left: return hand_.turn(-kTurn, 0.0);
+        case Command::turn_right: return hand_.turn(kTurn, 0.0);
+        case Command::turn_up: return hand_.turn(0.0, -kTurn);
+        case Command::turn_down: return hand_.turn(0.0, kTurn);
+        case Command::zoom_in: return hand_.zoom(kZoom, layout_.scene, scene_size());
+        case Command::zoom_out: return hand_.zoom(1.0 / kZoom, layout_.scene, scene_size());
+        default: return;
+    }
+}
+
+void Host::use_panel_keys(bool on) {
+    ImGuiIO& io = ImGui::GetIO();
+    state_.panel_keys = on;
+    if (on) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+        if (state_.tab == Tab::step) { state_.tab = Tab::attempt; }
+        ImGui::SetWindowFocus(area_of(state_.tab));
+        say("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        ImGui::SetWindowFocus(nullptr);
+    }
+}
+
+void Host::next_freedom() {
+    const auto count = static_cast<int>(session_->rank().free_motions.size());
+    if (count == 0) { return say("Nothing is free here: there is no motion to follow."); }
+    state_.playing = false;
+    state_.freedom = (state_.freedom + 1) % count;
+    state_.freedom_time = 0.0;
+    apply(LetGo{});
+}
+
+void Host::advance(double seconds) {
+    if (new_text_scale_) {
+        // fonts are not to change while ImGui draws with them
+        new_text_scale_ = false;
+        resize(width_, height_);
+    }
+    if (hand_.advance(seconds)) { settle_ = 2; }
+    if (message_left_ > 0.0) {
+        message_left_ -= seconds;
+        if (message_left_ <= 0.0) {
+            message_.clear();
+            settle_ = 2;
+        }
+    }
+    if (!shows_lesson()) { return; }
+    if (state_.playing) { advance_play(seconds); }
+    if (state_.freedom >= 0) { advance_freedom(seconds); }
+}
+
+void Host::advance_play(double seconds) {
+    const int last = static_cast<int>(session_->story().steps().size()) - 1;
+    step_waited_ += seconds * state_.speed;
+    double due = seconds_of_step(session_->story(), session_->view());
+    int step = session_->index();
+    while (step < last && step_waited_ >= due) {
+        step_waited_ -= due;
+        ++step;
+        // moments of a motion are equally long; whatever else comes is waited for from its beginning
+        if (session_->step().kind != Step::Kind::motion) {
+            step_waited_ = 0.0;
+            break;
+        }
+    }
+    if (step != session_->index()) { apply(GoTo{step}); }
+    if (step == last) { state_.playing = false; }
+}
+
+void Host::advance_freedom(double seconds) {
+    state_.freedom_time += seconds * state_.speed;
+    const double turn = 2.0 * std::numbers::pi * state_.freedom_time / kFreedomSeconds;
+    const std::string refused = session_->apply(ShowFreedom{state_.freedom, std::sin(turn)});
+    settle_ = 2;
+    if (!refused.empty()) {
+        state_.freedom = -1;
+        say(refused);
+    }
+}
+
+double Host::seconds_to_change() const {
+    if (!events_.empty() || settle_ > 0 || task_ != Task::none) { return 0.0; }
+    double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
+    if (!shows_lesson()) { return due; }
+    if (state_.freedom >= 0) { return kMoving; }
+    if (state_.playing) {
+        const double step = seconds_of_step(session_->story(), session_->view());
+        due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));
+    }
+    return due;
+}
+
+double Host::seconds_to_wait() const { return std::min(seconds_to_change(), kIdle); }
+
+bool Host::is_due(double seconds_since) const { return seconds_since >= seconds_to_change(); }
+
+bool Host::look_at_file() {
+    std::error_code error;
+    if (path_.empty()) { return false; }
+    const auto written = std::filesystem::last_write_time(path_, error);
+    if (error || written == saved_) { return false; }
+    saved_ = written;
+    ImGui::SetCurrentContext(context_);
+    const ReadResult read = read_lesson_file(path_);
+    settle_ = 2;
+    if (!read.lesson) {
+        file_errors_ = read.report();
+        return true;
+    }
+    file_errors_.clear();
+    session_->replace(*read.lesson);
+    state_.freedom = -1;
+    if (hand_.is_own()) { fit_camera(true); }
+    say("The file was saved anew: this is the same step of it.");
+    return true;
+}
+
+void Host::say(const std::string& message) {
+    if (message.empty()) { return; }
+    message_ = message;
+    message_left_ = kMessageSeconds;
+    settle_ = 2;
+}
+
+void Host::done(const std::string& message) {
+    task_ = Task::none;
+    say(message);
+}
+
+}  // namespace jw::host

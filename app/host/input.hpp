@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+struct ImGuiIO;
+
+/// What a person does with mouse and keyboard, as values: a window makes them, and so do tests.
+namespace jw::host {
+
+enum class Key {
+    none,
+    left,
+    right,
+    up,
+    down,
+    home,
+    end,
+    page_up,
+    page_down,
+    space,
+    enter,
+    escape,
+    tab,
+    backspace,
+    del,
+    a,
+    c,
+    o,
+    q,
+    r,
+    s,
+    v,
+    x,
+    y,
+    z,
+    f1,
+    f5,
+    ctrl,
+    shift,
+    count,
+};
+
+struct InputEvent {
+    enum class Kind {
+        pointer,  ///< x, y: pixels of the framebuffer
+        button,   ///< number 0 left, 1 right, 2 middle; down
+        wheel,    ///< y: notches, positive away from the person
+        key,      ///< key, down
+        text,     ///< character: a Unicode code point that was typed
+        leave,    ///< the pointer is no longer over the window, or the window lost the keyboard
+    };
+    Kind kind = Kind::pointer;
+    float x = 0.0F;
+    float y = 0.0F;
+    int number = 0;
+    Key key = Key::none;
+    unsigned character = 0;
+    bool down = false;
+
+    static InputEvent pointer(float x, float y);
+    static InputEvent button(int number, bool down);
+    static InputEvent wheel(float notches);
+    static InputEvent pressed(Key key, bool down = true);
+    static InputEvent typed(unsigned character);
+    static InputEvent leave();
+};
+
+/// Events that wait for their frame. ImGui looks at buttons and keys once a frame: a press and its release
+/// must not fall into the same one, or nobody would see them.
+class InputQueue {
+public:
+    void push(const InputEvent& event) { waiting_.push_back(event); }
+    bool empty() const { return waiting_.empty(); }
+    /// The events of one frame: up to the second change of a button or key.
+    std::vector<InputEvent> take();
+
+private:
+    std::vector<InputEvent> waiting_;
+};
+
+/// Tells ImGui how our keys are numbered; once per context.
+void map_keys(ImGuiIO& io);
+/// Passes an event on to ImGui.
+void feed(ImGuiIO& io, const InputEvent& event);
+
+}  // namespace jw::host

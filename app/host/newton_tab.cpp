@@ -1,0 +1,154 @@
+#include "app/host/newton_tab.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <imgui.h>
+
+#include "app/host/widgets.hpp"
+#include "app/panels/newton_comparison.hpp"
+#include "app/session/labels.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+
+constexpr NewtonMethod kMethods[] = {
+    NewtonMethod::stepwise_limited, NewtonMethod::plain, NewtonMethod::damped,
+    NewtonMethod::levenberg_marquardt};
+constexpr const char* kMethodTexts[] = {
+    "turns limited to 0.5 rad", "plain Newton", "damped (line search)", "Levenberg-Marquardt"};
+// more ghosts than this hide each other
+constexpr std::size_t kMostGhosts = 12;
+
+/// The step from which the joint or driver shown was closed, -1 if there is none.
+int start_of_solve(const Session& session) {
+    const std::vector<Step>& steps = session.story().steps();
+    int k = session.index();
+    if (steps[static_cast<std::size_t>(k)].kind == Step::Kind::motion) {
+        k = session.story().last_assembled();
+    }
+    while (k > 0 && steps[static_cast<std::size_t>(k)].kind != Step::Kind::equations) { --k; }
+    return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
+}
+
+NewtonTrace trace_of(const Step& start, CoordinateChoice choice, NewtonMethod method, bool normalisation) {
+    return with_choice(choice, [&](auto c) {
+        return trace_newton<decltype(c)>(*start.system, start.state, start.t, method, normalisation);
+    });
+}
+
+NewtonRun run_of(const NewtonTrace& trace, std::string name) {
+    NewtonRun run;
+    run.name = std::move(name);
+    run.order = trace.order;
+    run.converged = trace.converged;
+    run.wrong_branch = trace.wrong_branch.has_value();
+    for (const NewtonIterate& iterate : trace.iterates) {
+        run.phi_norms.push_back(iterate.phi_norm);
+        run.turns_deg.push_back(iterate.turn * 180.0 / std::numbers::pi);
+    }
+    return run;
+}
+
+void choose_method(float width, NewtonMethod& method) {
+    const auto* const now = std::ranges::find(kMethods, method);
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##method", kMethodTexts[now - std::begin(kMethods)])) { return; }
+    for (std::size_t k = 0; k < std::size(kMethods); ++k) {
+        if (ImGui::Selectable(kMethodTexts[k], kMethods[k] == method)) { method = kMethods[k]; }
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void NewtonBench::controls(const LessonUi& ui) {
+    if (choice_of_ != ui.session.told()) {
+        choice_of_ = ui.session.told();
+        choice_ = ui.session.lesson().coordinates;
+    }
+    if (ImGui::RadioButton("methods, in", compared_ == Compared::methods)) { compared_ = Compared::methods; }
+    ImGui::SameLine(ui.px(150.0F));
+    ImGui::BeginDisabled(compared_ != Compared::methods);
+    choose_coordinates("##choice", ui.px(210.0F), choice_);
+    ImGui::EndDisabled();
+    if (ImGui::RadioButton("coordinates, by", compared_ == Compared::coordinates)) {
+        compared_ = Compared::coordinates;
+    }
+    ImGui::SameLine(ui.px(150.0F));
+    ImGui::BeginDisabled(compared_ != Compared::coordinates);
+    choose_method(ui.px(210.0F), method_);
+    ImGui::EndDisabled();
+    ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
+}
+
+void NewtonBench::compute(const Session& session, int start) {
+    const Key key{session.told(), start, compared_, method_, choice_, normalisation_};
+    if (key == key_) { return; }
+    key_ = key;
+    traces_.clear();
+    std::vector<NewtonRun> runs;
+    const Step& from = session.story().steps()[static_cast<std::size_t>(start)];
+    for (int k = 0; k < 4; ++k) {
+        const bool by_method = compared_ == Compared::methods;
+        const CoordinateChoice choice = by_method ? choice_ : kCoordinateChoices[k];
+        const NewtonMethod method = by_method ? kMethods[k] : method_;
+        traces_.push_back(trace_of(from, choice, method, normalisation_));
+        runs.push_back(run_of(traces_.back(), by_method ? kMethodTexts[k] : text_of(choice)));
+    }
+    comparison_ = compare(runs);
+    choose(chosen_);
+}
+
+void NewtonBench::choose(int run) {
+    chosen_ = std::clamp(run, 0, static_cast<int>(traces_.size()) - 1);
+    ghosts_.clear();
+    ++version_;
+    if (traces_.empty()) { return; }
+    for (const NewtonIterate& iterate : traces_[static_cast<std::size_t>(chosen_)].iterates) {
+        if (ghosts_.size() < kMostGhosts) { ghosts_.push_back(iterate.state); }
+    }
+}
+
+void NewtonBench::draw(const LessonUi& ui, const Box& box) {
+    Area area(ui, "newton", box);
+    const int start = start_of_solve(ui.session);
+    if (start < 0) {
+        forget_ghosts();
+        return note(ui, "Nothing is solved with the free bodies: go to a joint or a driver.");
+    }
+    const Step& from = ui.session.story().steps()[static_cast<std::size_t>(start)];
+    const Addition subject = *subject_of(ui.session.lesson(), from);
+    const auto k = static_cast<std::size_t>(subject.index);
+    const Mechanism& mechanism = ui.session.lesson().mechanism;
+    const std::string name =
+        subject.kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
+    section(ui, ("Closing " + name + " from the same start, compared").c_str());
+    controls(ui);
+    compute(ui.session, start);
+    if (ghosts_.empty()) { choose(chosen_); }
+
+    ImGui::TextUnformatted("Iterates in the picture:");
+    for (int run = 0; run < static_cast<int>(comparison_.rows.size()); ++run) {
+        const std::string& method = comparison_.rows[static_cast<std::size_t>(run)].name;
+        if (ImGui::RadioButton(method.c_str(), chosen_ == run)) { choose(run); }
+        if (run % 2 == 0) { ImGui::SameLine(ui.px(240.0F)); }
+    }
+    const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
+    const bool iterates =
+        std::ranges::any_of(traces_, [](const NewtonTrace& trace) { return trace.iterates.size() > 1; });
+    if (!iterates) {
+        return note(
+            ui,
+            "It is closed at the start estimate already: there is nothing to iterate. Pull a body "
+            "away at the step before and come back.");
+    }
+    const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
+    plot_.hovered = chosen_;
+    panels::newton_comparison_panel(ui.canvas, place, comparison_, plot_);
+}
+
+}  // namespace jw::host

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/host/ui.hpp"
+#include "app/panels/plot.hpp"
+#include "app/session/newton_comparison.hpp"
+#include "core/newton_methods.hpp"
+
+namespace jw::host {
+
+/// "Newton": the same start, several methods or coordinates side by side; the iterates of one as ghosts.
+class NewtonBench {
+public:
+    void draw(const LessonUi& ui, const panels::Box& box);
+
+    /// Iterates that the picture shows as ghosts; empty while this tab is not shown.
+    const std::vector<State>& ghosts() const { return ghosts_; }
+    void forget_ghosts() { ghosts_.clear(); }
+    /// Grows with every change of ghosts().
+    std::uint64_t version() const { return version_; }
+
+private:
+    enum class Compared { methods, coordinates };
+
+    void controls(const LessonUi& ui);
+    void compute(const Session& session, int start);
+    void choose(int run);
+
+    Compared compared_ = Compared::methods;
+    NewtonMethod method_ = NewtonMethod::stepwise_limited;
+    CoordinateChoice choice_ = CoordinateChoice::modified_euler_parameters;
+    std::uint64_t choice_of_ = 0;  ///< telling that choice_ was taken from
+    bool normalisation_ = true;
+    int chosen_ = 0;
+
+    struct Key {
+        std::uint64_t told = 0;
+        int start = -1;
+        Compared compared = Compared::methods;
+        NewtonMethod method = NewtonMethod::stepwise_limited;
+        CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;
+        bool normalisation = true;
+        bool operator==(const Key&) const = default;
+    };
+    Key key_;
+    std::vector<NewtonTrace> traces_;
+    NewtonComparison comparison_;
+    panels::PlotState plot_;
+    std::vector<State> ghosts_;
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace jw::host

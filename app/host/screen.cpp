@@ -1,0 +1,252 @@
+#include "app/host/screen.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <imgui.h>
+
+#include "app/host/frame_files.hpp"
+#include "app/host/frame_painter.hpp"
+#include "app/session/json.hpp"
+#include "app/session/pace.hpp"
+#include "app/session/picture_camera.hpp"
+#include "lessons/reader.hpp"
+#include "render/id_buffer.hpp"
+#include "render/imgui_backend.hpp"
+#include "render/picture_texture.hpp"
+#include "render/png.hpp"
+#include "render/render_targets.hpp"
+#include "render/scene_renderer.hpp"
+
+namespace jw::host {
+
+namespace {
+
+// of the cards in the browser, large enough for a projector
+constexpr int kThumbnailWidth = 464;
+constexpr int kThumbnailHeight = 264;
+constexpr double kPickRadius = 4.0;  // pixels at 720
+
+bool is_software(const render::GlFunctions& gl) {
+    const auto* const name = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string_view renderer = name == nullptr ? "" : name;
+    return renderer.find("llvmpipe") != std::string_view::npos ||
+           renderer.find("softpipe") != std::string_view::npos;
+}
+
+/// What the bodies were drawn from: while that is the same, only panels are drawn anew.
+struct Drawn {
+    std::uint64_t version = 0;
+    render::Camera camera;
+    render::Rect viewport;
+    bool dark = false;
+
+    bool operator==(const Drawn&) const = default;
+};
+
+}  // namespace
+
+/// Pictures of the story as it is now, one per frame of the window, so that the window stays alive.
+struct Screen::Recording {
+    static constexpr int kWidth = 1280;
+    static constexpr int kHeight = 720;
+
+    Recording(const Host& host, const render::GlFunctions& gl)
+        : lesson(host.session()->lesson()),
+          story(lesson),
+          first(host.session()->index()),
+          next(first),
+          folder(host.task_path()),
+          files(folder),
+          painter(story, kWidth, kHeight, gl) {}
+
+    Lesson lesson;
+    Story story;
+    int first;
+    int next;
+    std::filesystem::path folder;
+    FrameFiles files;
+    FramePainter painter;
+};
+
+struct Screen::Surface {
+    Surface(const render::GlFunctions& gl, Host& host)
+        : scene(gl),
+          ids(gl, scene.meshes()),
+          panels(gl),
+          fonts_version(host.fonts_version()),
+          software(is_software(gl)) {}
+
+    render::SceneRenderer scene;
+    render::IdBuffer ids;
+    render::ImguiBackend panels;
+    int fonts_version;
+    bool software;  ///< drawn by the processor: smooth edges wait until nothing moves
+    std::unique_ptr<render::RenderTargets> still;   ///< multisampled
+    std::unique_ptr<render::RenderTargets> moving;  ///< one sample per pixel; only where drawing is slow
+    render::RenderTargets* targets = nullptr;       ///< the one of this frame
+    std::unique_ptr<render::RenderTargets> small;   ///< for thumbnails
+    std::vector<std::unique_ptr<render::PictureTexture>> thumbnails;
+    std::optional<Drawn> drawn;
+    std::unique_ptr<Recording> recording;
+};
+
+Screen::Screen(const render::GlFunctions& gl, Host& host)
+    : gl_(gl), host_(&host), surface_(std::make_unique<Surface>(gl, host)) {
+    fit_to_host();
+    host.set_picker([this](float x, float y) { return pick(x, y); });
+}
+
+Screen::~Screen() { host_->set_picker({}); }
+
+void Screen::fit_to_host() {
+    Surface& s = *surface_;
+    if (s.fonts_version != host_->fonts_version()) {
+        s.panels.reload_fonts();
+        s.fonts_version = host_->fonts_version();
+    }
+    const auto fits = [&](const std::unique_ptr<render::RenderTargets>& t) {
+        return t && t->size().width == host_->width() && t->size().height == host_->height();
+    };
+    const bool quick = s.software && host_->is_moving();
+    std::unique_ptr<render::RenderTargets>& wanted = quick ? s.moving : s.still;
+    if (!fits(wanted)) {
+        s.still.reset();
+        s.moving.reset();
+        s.targets = nullptr;
+        wanted = std::make_unique<render::RenderTargets>(gl_, host_->width(), host_->height(), quick ? 1 : 4);
+    }
+    if (s.targets != wanted.get()) { s.drawn.reset(); }
+    s.targets = wanted.get();
+}
+
+void Screen::draw() {
+    Surface& s = *surface_;
+    fit_to_host();
+    draw_scene();
+    s.targets->begin_2d();
+    if (const ImDrawData* data = ImGui::GetDrawData()) { s.panels.draw(*data, s.targets->size()); }
+    carry_out_task();
+    if (!host_->shows_lesson()) { draw_one_thumbnail(); }
+}
+
+void Screen::draw_scene() {
+    Surface& s = *surface_;
+    if (!host_->shows_lesson()) {
+        // whatever is below the browser
+        s.drawn.reset();
+        s.targets->begin_3d(render::toned(
+            render::palette::kPaper, host_->state().dark ? render::Tone::dark : render::Tone::light));
+        return;
+    }
+    const Picture& picture = host_->picture();
+    const Drawn now{host_->picture_version(), host_->camera(), host_->layout().scene, host_->state().dark};
+    if (s.drawn == now) { return; }
+    s.targets->begin_3d(
+        render::toned(render::palette::kPaper, now.dark ? render::Tone::dark : render::Tone::light));
+    s.scene.draw(
+        picture.scene, now.camera, now.viewport, s.targets->size(),
+        now.dark ? render::Tone::dark : render::Tone::light);
+    s.drawn = now;
+}
+
+bool Screen::is_complete() const {
+    const auto missing = [](const CatalogueEntry& e) { return e.thumbnail == nullptr && e.error.empty(); };
+    return host_->shows_lesson() || std::ranges::none_of(host_->catalogue(), missing);
+}
+
+int Screen::pick(float x, float y) {
+    if (!host_->shows_lesson()) { return 0; }
+    Surface& s = *surface_;
+    fit_to_host();
+    s.ids.update(
+        host_->session()->picture().scene, host_->camera(), host_->layout().scene, s.targets->size(),
+        host_->session()->version());
+    const double scale = static_cast<double>(host_->height()) / 720.0;
+    return s.ids.nearest_id(static_cast<double>(x), static_cast<double>(y), kPickRadius * scale);
+}
+
+void Screen::draw_one_thumbnail() {
+    Surface& s = *surface_;
+    std::vector<CatalogueEntry>& entries = host_->catalogue();
+    for (CatalogueEntry& entry : entries) {
+        if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }
+        const ReadResult read = read_lesson_file(entry.path);
+        if (!read.lesson) {
+            entry.error = "cannot be read";
+            continue;
+        }
+        if (!s.small) {
+            s.small = std::make_unique<render::RenderTargets>(gl_, kThumbnailWidth, kThumbnailHeight);
+        }
+        const Story story(*read.lesson, poses_only());
+        const PictureStyle style = picture_style(story);
+        const render::Rect whole{0.0, 0.0, kThumbnailWidth, kThumbnailHeight};
+        const render::Camera camera = camera_of(story, style, whole, render::shrunk(whole, 16.0));
+        const Picture picture = picture_of(story, style, story.last_assembled());
+        s.small->begin_3d();
+        s.scene.draw(picture.scene, camera, whole, s.small->size());
+        s.small->begin_2d();
+        s.thumbnails.push_back(std::make_unique<render::PictureTexture>(gl_, s.small->read()));
+        for (CatalogueEntry& same : entries) {
+            std::error_code error;
+            if (std::filesystem::equivalent(same.path, entry.path, error)) {
+                same.thumbnail = s.thumbnails.back()->id();
+            }
+        }
+        host_->rouse();
+        return;
+    }
+}
+
+void Screen::carry_out_task() {
+    // given up by the person: what is there is whole
+    if (surface_->recording && host_->task() != Host::Task::record) { finish_recording(); }
+    if (host_->task() == Host::Task::none) { return; }
+    try {
+        if (host_->task() == Host::Task::save_picture) {
+            const std::filesystem::path path = host_->task_path();
+            render::write_file_atomically(path, render::encode_png(read()));
+            host_->done("Saved " + path.string());
+            return;
+        }
+        record_one();
+    } catch (const std::exception& error) {
+        surface_->recording.reset();
+        host_->done(std::string("Not saved: ") + error.what());
+    }
+}
+
+void Screen::record_one() {
+    std::unique_ptr<Recording>& recording = surface_->recording;
+    if (!recording) { recording = std::make_unique<Recording>(*host_, gl_); }
+    Recording& r = *recording;
+    const auto count = static_cast<int>(r.story.steps().size());
+    const View view = view_of(r.story, r.next);
+    r.files.add(r.next, view, seconds_of_step(r.story, view), r.painter.paint(view));
+    ++r.next;
+    if (r.next < count) {
+        host_->say(
+            "Recording: " + std::to_string(r.next - r.first) + " of " + std::to_string(count - r.first) +
+            "   ·   Escape stops");
+    } else {
+        finish_recording();
+    }
+}
+
+void Screen::finish_recording() {
+    const std::unique_ptr<Recording> r = std::move(surface_->recording);
+    r->files.finish(
+        {{"format", "jointwise render"},
+         {"version", kJsonVersion},
+         {"lesson", {{"file", r->lesson.file_name}, {"title", r->lesson.title}}},
+         {"size", {Recording::kWidth, Recording::kHeight}},
+         {"frames_in_all", static_cast<int>(r->story.steps().size())}});
+    host_->done(std::to_string(r->next - r->first) + " pictures and manifest.json in " + r->folder.string());
+}
+
+render::Image Screen::read() { return surface_->targets->read(); }
+
+void Screen::show() const { surface_->targets->blit_to_window(); }
+
+}  // namespace jw::host

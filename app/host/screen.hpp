@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+
+#include "app/host/host.hpp"
+#include "render/gl_functions.hpp"
+#include "render/image.hpp"
+
+/// Draws a host through a table of GL functions: the same in a window and in memory.
+namespace jw::host {
+
+class Screen {
+public:
+    /// The context must be current here, in every call and at destruction; `gl` and `host` must outlive this.
+    Screen(const render::GlFunctions& gl, Host& host);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    /// Draws what the last Host::frame left, and carries out its task.
+    void draw();
+    /// Whether pictures of lessons are still missing in the browser.
+    bool is_complete() const;
+    /// The picture as it was drawn.
+    render::Image read();
+    /// To the lower left corner of the window's own framebuffer.
+    void show() const;
+
+private:
+    struct Surface;
+    struct Recording;
+
+    void fit_to_host();
+    void draw_scene();
+    void draw_one_thumbnail();
+    void carry_out_task();
+    void record_one();
+    void finish_recording();
+    int pick(float x, float y);
+
+    const render::GlFunctions& gl_;
+    Host* host_;
+    std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace jw::host

@@ -1,0 +1,93 @@
+#include "app/host/tabs.hpp"
+
+#include <imgui.h>
+
+#include "app/host/try_tab.hpp"
+#include "app/host/widgets.hpp"
+#include "app/panels/column.hpp"
+#include "app/panels/parts.hpp"
+#include "app/panels/theme.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+namespace theme = panels::theme;
+
+constexpr Command kCommandOf[] = {
+    Command::tab_step, Command::tab_try, Command::tab_plot, Command::tab_newton};
+
+void tab_strip(const LessonUi& ui, const Box& strip) {
+    const panels::Canvas& canvas = ui.canvas;
+    canvas.fill(strip, theme::kShade);
+    Area area(ui, "tabs", strip);
+    for (int k = 0; k < kTabs; ++k) {
+        const auto tab = static_cast<Tab>(k);
+        const Box box = panels::column_of(strip, k, kTabs);
+        const bool chosen = ui.state.tab == tab;
+        ImGui::SetCursorScreenPos({box.x, box.y});
+        ImGui::PushID(k);
+        if (ImGui::InvisibleButton("tab", {box.width, box.height})) {
+            ui.requests.add(kCommandOf[static_cast<std::size_t>(k)]);
+        }
+        const bool hovered = ImGui::IsItemHovered();
+        if (hovered) {
+            const CommandInfo& info = info_of(kCommandOf[static_cast<std::size_t>(k)]);
+            ImGui::SetTooltip("%s  (%s)", info.text, info.keys);
+        }
+        ImGui::PopID();
+        if (chosen) {
+            canvas.fill(box, theme::kPaper);
+            canvas.fill({box.x, box.y, box.width, canvas.px(3.0F)}, theme::kAccent);
+        }
+        const ImFont* const font = chosen ? canvas.fonts().bold : canvas.fonts().normal;
+        const float y = box.centre().y - 0.5F * canvas.line_height(font);
+        canvas.text(
+            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft, name_of(tab),
+            panels::Align::centre);
+    }
+    canvas.fill({strip.x, strip.y, panels::hairline(canvas), strip.height}, theme::kLine);
+}
+
+}  // namespace
+
+const char* name_of(Tab tab) {
+    switch (tab) {
+        case Tab::step: return "Step";
+        case Tab::attempt: return "Try it";
+        case Tab::plot: return "Plots";
+        case Tab::newton: break;
+    }
+    return "Newton";
+}
+
+const char* area_of(Tab tab) {
+    switch (tab) {
+        case Tab::attempt: return "try it";
+        case Tab::plot: return "plots";
+        case Tab::newton: return "newton";
+        case Tab::step: break;
+    }
+    return "tabs";
+}
+
+void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches& benches) {
+    tab_strip(ui, layout.tabs);
+    if (ui.state.tab != Tab::newton) { benches.newton.forget_ghosts(); }
+    if (ui.state.tab == Tab::step) {
+        panels::draw_column(ui.canvas, layout.column, ui.session.view());
+        return;
+    }
+    ui.canvas.fill(layout.column, theme::kPaper);
+    ui.canvas.fill(
+        {layout.column.x, layout.column.y, panels::hairline(ui.canvas), layout.column.height}, theme::kLine);
+    switch (ui.state.tab) {
+        case Tab::attempt: return try_tab(ui, layout.column);
+        case Tab::plot: return benches.plot.draw(ui, layout.column);
+        case Tab::newton: return benches.newton.draw(ui, layout.column);
+        case Tab::step: return;
+    }
+}
+
+}  // namespace jw::host

@@ -1,0 +1,237 @@
+#include "app/window.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <stdexcept>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "app/host/screen.hpp"
+#include "render/gl_functions.hpp"
+
+namespace jw {
+
+namespace {
+
+using host::Host;
+using host::InputEvent;
+using host::Key;
+
+constexpr const char* kWithoutWindow =
+    "; pictures and text need no display: use 'jointwise render', 'jointwise step' or 'jointwise doctor'";
+
+std::string last_glfw_error;
+
+/// GLFW from beginning to end, and one window with its context current.
+class GlfwWindow {
+public:
+    GlfwWindow(int width, int height, bool visible) {
+        glfwSetErrorCallback([](int, const char* text) { last_glfw_error = text; });
+        if (glfwInit() == GLFW_FALSE) { fail("no display can be opened"); }
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        // the picture is multisampled before it is copied into the window
+        glfwWindowHint(GLFW_SAMPLES, 0);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+        window_ = glfwCreateWindow(width, height, "Jointwise", nullptr, nullptr);
+        if (window_ == nullptr) {
+            glfwTerminate();
+            fail("no window with OpenGL 3.3 can be opened");
+        }
+        glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwMakeContextCurrent(window_);
+        glfwSwapInterval(1);
+    }
+    ~GlfwWindow() {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    GLFWwindow* get() const { return window_; }
+
+private:
+    [[noreturn]] static void fail(const std::string& what) {
+        throw std::runtime_error(
+            what + (last_glfw_error.empty() ? "" : " (" + last_glfw_error + ")") + kWithoutWindow);
+    }
+
+    GLFWwindow* window_ = nullptr;
+};
+
+Key key_of(int glfw) {
+    switch (glfw) {
+        case GLFW_KEY_LEFT: return Key::left;
+        case GLFW_KEY_RIGHT: return Key::right;
+        case GLFW_KEY_UP: return Key::up;
+        case GLFW_KEY_DOWN: return Key::down;
+        case GLFW_KEY_HOME: return Key::home;
+        case GLFW_KEY_END: return Key::end;
+        case GLFW_KEY_PAGE_UP: return Key::page_up;
+        case GLFW_KEY_PAGE_DOWN: return Key::page_down;
+        case GLFW_KEY_SPACE: return Key::space;
+        case GLFW_KEY_KP_ENTER:
+        case GLFW_KEY_ENTER: return Key::enter;
+        case GLFW_KEY_ESCAPE: return Key::escape;
+        case GLFW_KEY_TAB: return Key::tab;
+        case GLFW_KEY_BACKSPACE: return Key::backspace;
+        case GLFW_KEY_DELETE: return Key::del;
+        case GLFW_KEY_F1: return Key::f1;
+        case GLFW_KEY_F5: return Key::f5;
+        case GLFW_KEY_LEFT_CONTROL:
+        case GLFW_KEY_RIGHT_CONTROL: return Key::ctrl;
+        case GLFW_KEY_LEFT_SHIFT:
+        case GLFW_KEY_RIGHT_SHIFT: return Key::shift;
+        default: return Key::none;
+    }
+}
+
+/// Letters with Ctrl, whatever the layout of the keyboard.
+Key letter_of(int glfw, int scancode) {
+    const char* const name = glfwGetKeyName(glfw, scancode);
+    if (name == nullptr || name[1] != '\0') { return Key::none; }
+    switch (name[0]) {
+        case 'a': return Key::a;
+        case 'c': return Key::c;
+        case 'o': return Key::o;
+        case 'q': return Key::q;
+        case 'r': return Key::r;
+        case 's': return Key::s;
+        case 'v': return Key::v;
+        case 'x': return Key::x;
+        case 'y': return Key::y;
+        case 'z': return Key::z;
+        default: return Key::none;
+    }
+}
+
+Host& host_of(GLFWwindow* window) { return *static_cast<Host*>(glfwGetWindowUserPointer(window)); }
+
+/// Pixels of the framebuffer for one unit of the window's coordinates.
+float pixel_ratio(GLFWwindow* window) {
+    int pixels = 0;
+    int units = 0;
+    glfwGetFramebufferSize(window, &pixels, nullptr);
+    glfwGetWindowSize(window, &units, nullptr);
+    return units > 0 ? static_cast<float>(pixels) / static_cast<float>(units) : 1.0F;
+}
+
+void listen(GLFWwindow* window) {
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        const float ratio = pixel_ratio(w);
+        host_of(w).push(InputEvent::pointer(static_cast<float>(x) * ratio, static_cast<float>(y) * ratio));
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+        host_of(w).push(InputEvent::button(button, action == GLFW_PRESS));
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+        host_of(w).push(InputEvent::wheel(static_cast<float>(y)));
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int mods) {
+        Key key = key_of(code);
+        if (key == Key::none && (mods & GLFW_MOD_CONTROL) != 0) { key = letter_of(code, scancode); }
+        if (key != Key::none) { host_of(w).push(InputEvent::pressed(key, action != GLFW_RELEASE)); }
+    });
+    glfwSetCharCallback(
+        window, [](GLFWwindow* w, unsigned character) { host_of(w).push(InputEvent::typed(character)); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        if (entered == GLFW_FALSE) { host_of(w).push(InputEvent::leave()); }
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        if (focused == GLFW_FALSE) { host_of(w).push(InputEvent::leave()); }
+    });
+    // what is hidden and shown again has lost its picture
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { host_of(w).rouse(); });
+}
+
+void use_clipboard(GLFWwindow* window) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = window;
+    io.SetClipboardTextFn = [](void* w, const char* text) {
+        glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+    };
+    io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
+}
+
+void fit(GLFWwindow* window, Host& host) {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    if (width > 0 && height > 0 && (width != host.width() || height != host.height())) {
+        host.resize(width, height);
+    }
+}
+
+render::GlFunctions functions() {
+    return render::load_gl_functions(
+        [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
+}
+
+std::string title_of(const Host& host) {
+    if (!host.shows_lesson()) { return "Jointwise"; }
+    return host.session()->lesson().title + (host.session()->is_changed() ? " (changed)" : "") +
+           " – Jointwise";
+}
+
+}  // namespace
+
+void run_window(const WindowSetup& setup) {
+    const GlfwWindow window(setup.host.width, setup.host.height, true);
+    const render::GlFunctions gl = functions();
+    host::HostSetup wanted = setup.host;
+    glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
+    Host host(wanted);
+    host.choose(setup.tab);
+    if (setup.file) { host.open(*setup.file, setup.at); }
+    glfwSetWindowUserPointer(window.get(), &host);
+    listen(window.get());
+    use_clipboard(window.get());
+    host::Screen screen(gl, host);
+
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point before = Clock::now();
+    std::string title;
+    while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !host.wants_to_close()) {
+        const double wait = host.seconds_to_wait();
+        if (wait > 0.0) {
+            glfwWaitEventsTimeout(wait);
+        } else {
+            glfwPollEvents();
+        }
+        fit(window.get(), host);
+        host.look_at_file();
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - before).count();
+        if (!host.is_due(seconds)) { continue; }
+        before = now;
+        host.frame(seconds);
+        screen.draw();
+        screen.show();
+        glfwSwapBuffers(window.get());
+        if (std::string name = title_of(host); name != title) {
+            title = std::move(name);
+            glfwSetWindowTitle(window.get(), title.c_str());
+        }
+    }
+}
+
+void with_hidden_window(const std::function<void(const render::GlFunctions& gl)>& use) {
+    const GlfwWindow window(64, 64, false);
+    use(functions());
+}
+
+bool has_display() {
+    const auto is_set = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+}  // namespace jw

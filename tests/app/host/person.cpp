@@ -1,0 +1,103 @@
+#include "tests/app/host/person.hpp"
+
+#include "lessons/catalogue.hpp"
+
+namespace jw::test {
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+constexpr int kMostFrames = 600;
+
+}  // namespace
+
+Person::Person(const std::string& lesson, Pictures pictures, int width, int height, bool dark) {
+    host::HostSetup setup;
+    setup.catalogue = catalogue_folder();
+    setup.pictures = std::filesystem::temp_directory_path();
+    setup.dark = dark;
+    setup.width = width;
+    setup.height = height;
+    if (pictures == Pictures::drawn) { context_ = std::make_unique<render::Offscreen>(16, 16); }
+    host_ = std::make_unique<host::Host>(setup);
+    if (!lesson.empty()) { host_->open(setup.catalogue / lesson); }
+    if (context_) {
+        context_->begin_3d();
+        screen_ = std::make_unique<host::Screen>(context_->gl(), *host_);
+    }
+    settle();
+}
+
+Person::~Person() {
+    screen_.reset();
+    host_.reset();
+}
+
+void Person::frame() { host_->frame(kFrame); }
+
+void Person::settle() {
+    for (int k = 0; k < 3 || (host_->seconds_to_wait() <= 0.0 && k < kMostFrames); ++k) { frame(); }
+}
+
+void Person::wait(double seconds) {
+    for (double t = 0.0; t < seconds; t += kFrame) { frame(); }
+}
+
+void Person::press(host::Key key, bool ctrl) {
+    if (ctrl) { host_->push(host::InputEvent::pressed(host::Key::ctrl)); }
+    host_->push(host::InputEvent::pressed(key));
+    host_->push(host::InputEvent::pressed(key, false));
+    if (ctrl) { host_->push(host::InputEvent::pressed(host::Key::ctrl, false)); }
+    settle();
+}
+
+void Person::type(std::string_view text) {
+    for (const char c : text) {
+        host_->push(host::InputEvent::typed(static_cast<unsigned char>(c)));
+        settle();
+    }
+}
+
+void Person::point(float x, float y) {
+    host_->push(host::InputEvent::pointer(x, y));
+    settle();
+}
+
+void Person::click(float x, float y) {
+    point(x, y);
+    host_->push(host::InputEvent::button(0, true));
+    host_->push(host::InputEvent::button(0, false));
+    settle();
+}
+
+void Person::drag(float x, float y, float to_x, float to_y, int button) {
+    constexpr int kMoves = 8;
+    point(x, y);
+    host_->push(host::InputEvent::button(button, true));
+    settle();
+    for (int k = 1; k <= kMoves; ++k) {
+        const float part = static_cast<float>(k) / kMoves;
+        point(x + part * (to_x - x), y + part * (to_y - y));
+    }
+    host_->push(host::InputEvent::button(button, false));
+    settle();
+}
+
+void Person::wheel(float notches) {
+    host_->push(host::InputEvent::wheel(notches));
+    settle();
+}
+
+void Person::go_to(int step) {
+    while (session().index() < step) { press(host::Key::right); }
+    while (session().index() > step) { press(host::Key::left); }
+}
+
+render::Image Person::picture() {
+    screen_->draw();
+    frame();
+    screen_->draw();
+    return screen_->read();
+}
+
+}  // namespace jw::test

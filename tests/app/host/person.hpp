@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "app/host/screen.hpp"
+#include "render/offscreen.hpp"
+
+/// A person at the window, without a window: moves the pointer, clicks, types, and looks at the picture.
+namespace jw::test {
+
+class Person {
+public:
+    enum class Pictures { none, drawn };
+
+    /// @param lesson  path below the catalogue, "loops/four-bar.toml"; empty: the browser
+    explicit Person(
+        const std::string& lesson, Pictures pictures = Pictures::none, int width = 1280, int height = 720,
+        bool dark = false);
+    ~Person();
+    Person(const Person&) = delete;
+    Person& operator=(const Person&) = delete;
+
+    host::Host& host() { return *host_; }
+    const Session& session() const { return *host_->session(); }
+    const View& view() const { return session().view(); }
+
+    /// Frames of a sixtieth of a second, until nothing waits or for a time [s].
+    void settle();
+    void wait(double seconds);
+
+    void press(host::Key key, bool ctrl = false);
+    void type(std::string_view text);
+    void point(float x, float y);
+    void click(float x, float y);
+    void drag(float x, float y, float to_x, float to_y, int button = 0);
+    void wheel(float notches);
+    void go_to(int step);
+
+    /// Drawn as it is now.
+    render::Image picture();
+
+private:
+    void frame();
+
+    std::unique_ptr<render::Offscreen> context_;
+    std::unique_ptr<host::Host> host_;
+    std::unique_ptr<host::Screen> screen_;
+};
+
+}  // namespace jw::test
