@@ -138,7 +138,7 @@ std::string Session::apply(const Action& action) {
     if (std::holds_alternative<Redo>(action)) { return step_back_in_history(redo_, undo_); }
     if (std::holds_alternative<StartOver>(action)) {
         if (!is_changed()) { return "Nothing was changed."; }
-        undo_.push_back({lesson_, index_, "start over"});
+        undo_.push_back(present("start over"));
         redo_.clear();
         gesture_ = 0;
         take_over(written_);
@@ -152,7 +152,7 @@ std::string Session::edit(const Action& action) {
     if (!result.lesson) { return result.what; }
     const std::size_t gesture = gesture_of(action);
     if (gesture == 0 || gesture != gesture_) {
-        undo_.push_back({lesson_, index_, result.what});
+        undo_.push_back(present(result.what));
         if (undo_.size() > kMostHistory) { undo_.erase(undo_.begin()); }
     }
     gesture_ = gesture;
@@ -166,7 +166,8 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
     if (from.empty()) { return &from == &undo_ ? "There is nothing to undo." : "There is nothing to redo."; }
     Past past = std::move(from.back());
     from.pop_back();
-    to.push_back({lesson_, index_, past.what});
+    to.push_back(present(past.what));
+    written_ = past.written;
     take_over(past.lesson);
     index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
     changed();
@@ -174,13 +175,15 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
 }
 
 void Session::replace(Lesson lesson) {
-    undo_.push_back({lesson_, index_, "the file before"});
+    undo_.push_back(present("the file before"));
     redo_.clear();
     gesture_ = 0;
     hand_.reset();
     written_ = std::make_shared<Lesson>(std::move(lesson));
     take_over(written_);
 }
+
+Session::Past Session::present(std::string what) const { return {lesson_, written_, index_, std::move(what)}; }
 
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     const Place place = place_of(*story_, index_);
@@ -247,7 +250,7 @@ std::string Session::scrub(const Drag& drag) {
 std::string Session::release() {
     if (!hand_) { return {}; }
     const State state = hand_->step().state;
-    undo_.push_back({lesson_, index_, "start estimate moved by hand"});
+    undo_.push_back(present("start estimate moved by hand"));
     redo_.clear();
     take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));
     return "The pose is the new start estimate.";

@@ -68,6 +68,7 @@ private:
     /// One entry of the history: what it was before.
     struct Past {
         std::shared_ptr<const Lesson> lesson;
+        std::shared_ptr<const Lesson> written;  ///< another one where the file was saved anew since
         int index = 0;
         std::string what;
     };
@@ -79,6 +80,7 @@ private:
     std::string release();
     std::string show_freedom(const ShowFreedom& action);
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
+    Past present(std::string what) const;
     void take_over(std::shared_ptr<const Lesson> lesson);
     void tell();
     void changed();
