@@ -21,6 +21,9 @@ using panels::Box;
 
 constexpr float kBarHeight = 56.0F;
 constexpr float kTabsHeight = 36.0F;
+// a window manager may ask for less than the window offers: there the picture is cut
+constexpr int kSmallestWidth = 320;
+constexpr int kSmallestHeight = 200;
 
 }  // namespace
 
@@ -100,8 +103,8 @@ void Host::show_browser() {
 }
 
 void Host::resize(int width, int height) {
-    width_ = std::max(1, width);
-    height_ = std::max(1, height);
+    width_ = std::max(kSmallestWidth, width);
+    height_ = std::max(kSmallestHeight, height);
     load_fonts();
     set_layout();
     if (session_ && hand_.is_own()) { fit_camera(true); }
