@@ -8,22 +8,20 @@ target_compile_definitions(Eigen3::Eigen INTERFACE EIGEN_DONT_PARALLELIZE)
 
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-if(NOT JW_SANITIZE)
-  find_package(CLI11 REQUIRED)
-  find_package(nlohmann_json REQUIRED)
-  pkg_check_modules(glfw3 REQUIRED IMPORTED_TARGET glfw3)
-  pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
-  pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
-  pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
-  pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(glfw3 REQUIRED IMPORTED_TARGET glfw3)
+pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 
-  # libimgui.a is static: it needs stb and freetype after it on the link line
-  pkg_check_modules(imgui REQUIRED imgui)
-  find_library(IMGUI_LIBRARY imgui REQUIRED)
-  add_library(ImGui::ImGui INTERFACE IMPORTED)
-  target_include_directories(ImGui::ImGui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
-  target_link_libraries(ImGui::ImGui INTERFACE ${IMGUI_LIBRARY} PkgConfig::stb PkgConfig::freetype2
-                                               ${CMAKE_DL_LIBS})
-endif()
+# libimgui.a is static: it needs stb and freetype after it on the link line
+pkg_check_modules(imgui REQUIRED imgui)
+find_library(IMGUI_LIBRARY imgui REQUIRED)
+add_library(ImGui::ImGui INTERFACE IMPORTED)
+target_include_directories(ImGui::ImGui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
+target_link_libraries(ImGui::ImGui INTERFACE ${IMGUI_LIBRARY} PkgConfig::stb PkgConfig::freetype2
+                                             ${CMAKE_DL_LIBS})
 
 find_package(Catch2 2.13 REQUIRED)

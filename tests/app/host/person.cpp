@@ -14,7 +14,8 @@ constexpr int kMostFrames = 600;
 Person::Person(const std::string& lesson, Pictures pictures, int width, int height, bool dark) {
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
-    setup.pictures = std::filesystem::temp_directory_path();
+    setup.pictures = folder_.path();
+    setup.recent_file = folder_.path() / "state" / "recent";
     setup.dark = dark;
     setup.width = width;
     setup.height = height;
@@ -36,7 +37,10 @@ Person::~Person() {
 void Person::frame() { host_->frame(kFrame); }
 
 void Person::settle() {
-    for (int k = 0; k < 3 || (host_->seconds_to_wait() <= 0.0 && k < kMostFrames); ++k) { frame(); }
+    const auto waits = [&] {
+        return host_->seconds_to_wait() <= 0.0 && host_->task() == host::Host::Task::none;
+    };
+    for (int k = 0; k < 3 || (waits() && k < kMostFrames); ++k) { frame(); }
 }
 
 void Person::wait(double seconds) {
@@ -56,6 +60,13 @@ void Person::type(std::string_view text) {
         host_->push(host::InputEvent::typed(static_cast<unsigned char>(c)));
         settle();
     }
+}
+
+void Person::ask(host::Command command) {
+    const host::CommandInfo& info = host::info_of(command);
+    if (info.key != host::Key::none) { return press(info.key); }
+    if (info.character != 0) { return type(std::string_view(&info.character, 1)); }
+    press(info.ctrl, true);
 }
 
 void Person::point(float x, float y) {

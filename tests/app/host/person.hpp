@@ -5,6 +5,7 @@
 
 #include "app/host/screen.hpp"
 #include "render/offscreen.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// A person at the window, without a window: moves the pointer, clicks, types, and looks at the picture.
 namespace jw::test {
@@ -13,7 +14,7 @@ class Person {
 public:
     enum class Pictures { none, drawn };
 
-    /// @param lesson  path below the catalogue, "loops/four-bar.toml"; empty: the browser
+    /// @param lesson  path below the catalogue, "loops/four-bar.toml", or any other; empty: the browser
     explicit Person(
         const std::string& lesson, Pictures pictures = Pictures::none, int width = 1280, int height = 720,
         bool dark = false);
@@ -22,15 +23,21 @@ public:
     Person& operator=(const Person&) = delete;
 
     host::Host& host() { return *host_; }
+    /// Where pictures, lessons and the list of lessons opened last are saved.
+    const TemporaryFolder& folder() const { return folder_; }
     const Session& session() const { return *host_->session(); }
     const View& view() const { return session().view(); }
 
-    /// Frames of a sixtieth of a second, until nothing waits or for a time [s].
+    /// Frames of a sixtieth of a second: one, until nothing waits but a task, or for a time [s].
+    void frame();
     void settle();
     void wait(double seconds);
 
     void press(host::Key key, bool ctrl = false);
+    /// ASCII, a character at a time.
     void type(std::string_view text);
+    /// One of the catalogue of commands, as somebody at the keyboard asks for it.
+    void ask(host::Command command);
     void point(float x, float y);
     void click(float x, float y);
     void drag(float x, float y, float to_x, float to_y, int button = 0);
@@ -41,8 +48,7 @@ public:
     render::Image picture();
 
 private:
-    void frame();
-
+    TemporaryFolder folder_;
     std::unique_ptr<render::Offscreen> context_;
     std::unique_ptr<host::Host> host_;
     std::unique_ptr<host::Screen> screen_;
