@@ -32,6 +32,17 @@ Mat3 turn_between(const Vec3& from, const Vec3& to) {
     return Mat3::Identity() + v + v * v / (1.0 + cosine);
 }
 
+bool is_finite(const TimeFunction& f) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return std::ranges::all_of(f.polynomial, finite) &&
+           std::ranges::all_of(
+               f.harmonics,
+               [&](const auto& h) { return finite(h.amplitude) && finite(h.omega) && finite(h.phase); }) &&
+           std::ranges::all_of(f.steps, [&](const auto& s) {
+               return finite(s.from) && finite(s.to) && finite(s.start) && finite(s.end) && s.start < s.end;
+           });
+}
+
 bool usable(const JointGeometry& g) {
     const auto finite = [](const Vec3& v) { return v.allFinite(); };
     const auto direction = [](const Vec3& v) { return v.allFinite() && v.norm() > 1e-9; };
@@ -108,6 +119,9 @@ public:
         Joint* const joint = joint_of(a.joint);
         if (joint == nullptr) { return refused("there is no such joint"); }
         if (!usable(a.geometry)) { return refused("points must be finite and directions not zero"); }
+        if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
+            return refused("a length must be above 0");
+        }
         joint->geometry = a.geometry;
         measure_anew(a.joint);
         return done(joint->name + " moved");
@@ -116,6 +130,9 @@ public:
     Edit operator()(const SetDriver& a) {
         if (!is_index(a.driver, lesson_.mechanism.drivers.size())) {
             return refused("there is no such driver");
+        }
+        if (!is_finite(a.function)) {
+            return refused("numbers of a driver must be finite, a step must have an end");
         }
         Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
         driver.function = a.function;

@@ -39,7 +39,7 @@ DragOutcome Hand::pull(int body, const Vec3& point_local, const Vec3& target) {
 }
 
 bool Hand::follow(int motion, double part) {
-    if (motion != followed_motion_) {
+    if (!followed_ || motion != followed_motion_) {
         const RankReport report = rank_of(*system_, start_, step_.t);
         if (motion < 0 || motion >= static_cast<int>(report.free_motions.size())) { return false; }
         followed_ = follow_free_motion(

@@ -96,6 +96,10 @@ std::string bodies_sentence(const Lesson& lesson, const Step& step) {
 std::string equations_sentence(const Lesson& lesson, const Step& step, const Addition& subject) {
     const System& system = *step.system;
     const std::vector<int> rows = rows_of(system, subject);
+    if (rows.empty()) {
+        return subject_name(lesson, subject) + " brings no equation: all of them are taken out. " +
+               count_text(system.rows(), "equation") + " in all.";
+    }
     std::string text =
         subject_name(lesson, subject) + " brings " + count_text(static_cast<int>(rows.size()), "equation");
     if (subject.kind == Addition::Kind::joint) {
