@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/host/host.hpp"
 #include "render/gl_functions.hpp"
@@ -16,6 +17,7 @@ struct WindowSetup {
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
     std::string at;
     host::Tab tab = host::Tab::step;
+    std::vector<std::string> tries;  ///< experiments to begin with
 };
 
 /// Runs until the window is closed.

@@ -59,6 +59,8 @@ struct JointGeometry {
     /// Screw, start estimate of the artificial coordinate and its rate; absent: measured from u_i to u_j.
     std::optional<double> theta_start;      ///< [rad]
     std::optional<double> theta_dot_start;  ///< [rad/s]
+
+    bool operator==(const JointGeometry&) const = default;
 };
 
 struct JointType {

@@ -11,6 +11,8 @@ struct TimeFunction {
         double amplitude = 0.0;
         double omega = 0.0;  ///< [rad/s]
         double phase = 0.0;  ///< [rad]
+
+        bool operator==(const Harmonic&) const = default;
     };
     /// From `from` before `start` to `to` after `end` along 6u⁵ - 15u⁴ + 10u³: two continuous derivatives.
     struct SmoothStep {
@@ -18,6 +20,8 @@ struct TimeFunction {
         double to = 0.0;
         double start = 0.0;  ///< [s]
         double end = 1.0;    ///< [s], > start
+
+        bool operator==(const SmoothStep&) const = default;
     };
     struct Value {
         double f = 0.0;
@@ -30,6 +34,8 @@ struct TimeFunction {
     std::vector<SmoothStep> steps;
 
     Value at(double t) const;
+
+    bool operator==(const TimeFunction&) const = default;
 };
 
 }  // namespace jw

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
+#include "app/session/carried_claims.hpp"
 #include "app/session/checks.hpp"
 #include "app/session/describe.hpp"
 #include "lessons/reader.hpp"
@@ -10,6 +12,12 @@
 namespace jw {
 
 namespace {
+
+struct Options {
+    std::vector<std::string> files;
+    std::vector<std::string> tries;
+    bool quiet = false;
+};
 
 struct Tally {
     int held = 0;
@@ -29,30 +37,46 @@ void print(const ClaimResult& result, const Lesson& lesson, const Streams& strea
     if (!result.claim->why.empty()) { streams.out << "        " << result.claim->why << '\n'; }
 }
 
-Tally check_one(const std::string& file, bool quiet, const Streams& streams) {
-    const Lesson lesson = lesson_of(file, streams);
+/// The lesson after `tries`, with the claims that can still be judged; says what was done.
+Lesson changed_lesson(const Lesson& written, const Options& options, const Streams& streams) {
+    Session session(written);
+    streams.out << tried_text(try_all(session, options.tries));
+    Lesson changed = session.lesson();
+    changed.claims = carried_claims(written, changed);
+    if (const std::size_t gone = written.claims.size() - changed.claims.size(); gone > 0) {
+        streams.out << "not judged: " << gone << (gone == 1 ? " claim" : " claims")
+                    << " about what was taken out\n";
+    }
+    return changed;
+}
+
+Tally check_one(const std::string& file, const Options& options, const Streams& streams) {
+    Lesson lesson = lesson_of(file, streams);
+    const bool claims_nothing = lesson.claims.empty();
+    if (!options.tries.empty()) { lesson = changed_lesson(lesson, options, streams); }
     Tally tally;
     const std::vector<ClaimResult> results = check_claims(lesson);
     for (const ClaimResult& result : results) { ++(result.holds ? tally.held : tally.failed); }
     streams.out << lesson.file_name << ": " << tally.held << " of " << results.size()
                 << (results.size() == 1 ? " claim holds" : " claims hold") << '\n';
     for (const ClaimResult& result : results) {
-        if (!quiet || !result.holds) { print(result, lesson, streams); }
+        if (!options.quiet || !result.holds) { print(result, lesson, streams); }
     }
-    if (results.empty()) {
+    if (claims_nothing) {
         streams.err << file << ": warning: the lesson claims nothing; add [[expect]] blocks\n";
     }
     return tally;
 }
 
-Exit check(const std::vector<std::string>& files, bool quiet, const Streams& streams) {
+Exit check(const Options& options, const Streams& streams) {
     Exit exit = Exit::done;
-    for (const std::string& file : files) {
+    for (const std::string& file : options.files) {
         // the other files are checked all the same
         try {
-            if (check_one(file, quiet, streams).failed > 0) { exit = std::max(exit, Exit::check_failed); }
+            if (check_one(file, options, streams).failed > 0) { exit = std::max(exit, Exit::check_failed); }
         } catch (const CommandError& error) {
-            streams.err << error.what();
+            const std::string text = error.what();
+            streams.err << text << (text.ends_with('\n') ? "" : "\n");
             exit = std::max(exit, error.exit());
         }
     }
@@ -63,17 +87,13 @@ Exit check(const std::vector<std::string>& files, bool quiet, const Streams& str
 
 void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
-    struct Options {
-        std::vector<std::string> files;
-        bool quiet = false;
-    };
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->files, "lesson files")->required()->type_name("");
+    add_try_option(*command, options->tries);
     command->add_flag("--quiet", options->quiet, "show only claims that fail");
     command->footer("Example: jointwise check lessons/catalogue/loops/*.toml");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return check(options->files, options->quiet, streams); };
-    });
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return check(*options, streams); }; });
 }
 
 }  // namespace jw

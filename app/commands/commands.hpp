@@ -21,6 +21,7 @@ void add_check(CLI::App& app, const Streams& streams, Run& run);
 void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
 void add_solve(CLI::App& app, const Streams& streams, Run& run);
+void add_try(CLI::App& app, const Streams& streams, Run& run);
 void add_render(CLI::App& app, const Streams& streams, Run& run);
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
 

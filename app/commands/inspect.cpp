@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
 #include "app/session/describe_inspection.hpp"
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 struct Options {
     std::string file;
+    std::vector<std::string> tries;
     std::optional<int> step;
     std::optional<double> time;
     bool as_given = false;
@@ -54,12 +56,15 @@ Inspection inspected(const Options& options, const Lesson& lesson) {
 }
 
 Exit inspect(const Options& options, const Streams& streams) {
-    const Lesson lesson = lesson_of(options.file, streams);
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Lesson& lesson = tried.lesson;
     const Inspection inspection = inspected(options, lesson);
     if (options.format == "json") {
-        streams.out << json_of(inspection, lesson).dump(1) << '\n';
+        Json json = json_of(inspection, lesson);
+        add_tried(json, tried.done);
+        streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << describe(inspection, lesson);
+        streams.out << tried_text(tried.done) << describe(inspection, lesson);
     }
     return Exit::done;
 }
@@ -71,6 +76,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         "inspect", "every number of the equations at one moment; default: all put together");
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
     auto* step =
         command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
             ->check(&fault_of_step)

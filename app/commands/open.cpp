@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct Options {
     std::string file;
     std::string at;
+    std::vector<std::string> tries;
     std::string size = "1280x720";
     bool dark = false;
     double text = 1.0;
@@ -28,7 +30,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
     host.choose(setup.tab);
-    if (setup.file) { host.open(*setup.file, setup.at); }
+    if (setup.file) { host.open(*setup.file, setup.at, setup.tries); }
     host::Screen screen(surface.gl(), host);
     // a frame for ImGui to find its sizes, and one per small picture of the browser
     constexpr int most = 2000;
@@ -62,8 +64,8 @@ Exit open(const Options& options, const Streams& streams) {
     setup.host.height = std::stoi(match[2]);
     setup.tab = tab_of(options.tab);
     if (!options.file.empty()) {
-        const Lesson lesson =
-            lesson_of(options.file, streams);  // its mistakes are told before a window opens
+        // mistakes are told before a window opens
+        const Lesson lesson = lesson_of(options.file, options.tries, streams).lesson;
         if (!options.at.empty() && !host::step_at(Story(lesson), options.at)) {
             throw CommandError(
                 Exit::bad_input,
@@ -72,6 +74,7 @@ Exit open(const Options& options, const Streams& streams) {
         }
         setup.file = options.file;
         setup.at = options.at;
+        setup.tries = options.tries;
     }
     if (!options.picture.empty()) {
         setup.host.recent_file.clear();  // the same picture whatever was opened before
@@ -91,6 +94,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("");
     command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
         ->type_name("STEP");
+    add_try_option(*command, options->tries);
     command->add_option("--size", options->size, "of the window")->type_name("WxH")->capture_default_str();
     command->add_flag("--dark", options->dark, "light letters on dark paper");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")

@@ -52,7 +52,8 @@ int run_program(
         return "jointwise: error: " + std::string(error.what()) + "\nhint: jointwise " + command + "--help\n";
     });
     Run run;
-    for (const auto add : {add_open, add_list, add_check, add_step, add_inspect, add_solve, add_render}) {
+    for (const auto add :
+         {add_open, add_list, add_check, add_step, add_inspect, add_try, add_solve, add_render}) {
         add(app, streams, run);
     }
     add_doctor(app, streams, run, doctor_window);

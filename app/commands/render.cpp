@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/frame_range.hpp"
+#include "app/commands/tries.hpp"
 #include "app/host/frame_files.hpp"
 #include "app/host/frame_painter.hpp"
 #include "app/session/pace.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 struct Options {
     std::string file;
+    std::vector<std::string> tries;
     std::string out;
     std::string size = "1280x720";
     double fps = 30.0;
@@ -65,7 +67,9 @@ int intervals_of(const Lesson& lesson, double fps) {
 
 Exit render_command(const Options& options, const Streams& streams) {
     const Size size = size_of(options.size);
-    const Lesson lesson = lesson_of(options.file, streams);
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Lesson& lesson = tried.lesson;
+    streams.err << tried_text(tried.done);
     StoryOptions how;
     how.intervals = intervals_of(lesson, options.fps);
     const Story story(lesson, how);
@@ -82,13 +86,15 @@ Exit render_command(const Options& options, const Streams& streams) {
             files.add(k, view, seconds_to_look(view, 1.0 / options.fps), painter.paint(view));
             bar.show(static_cast<double>(k - range.first + 1) / (range.last - range.first + 1));
         }
-        files.finish(
-            {{"format", "jointwise render"},
-             {"version", kJsonVersion},
-             {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
-             {"size", {size.width, size.height}},
-             {"fps", options.fps},
-             {"frames_in_all", frames}});
+        Json manifest{
+            {"format", "jointwise render"},
+            {"version", kJsonVersion},
+            {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+            {"size", {size.width, size.height}},
+            {"fps", options.fps},
+            {"frames_in_all", frames}};
+        add_tried(manifest, tried.done);
+        files.finish(manifest);
     }
     const int drawn = range.last - range.first + 1;
     streams.err << drawn << (drawn == 1 ? " picture" : " pictures") << " and manifest.json in " << options.out
@@ -107,6 +113,7 @@ void add_render(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
     command->add_option("--out", options->out, "folder for the pictures and manifest.json; made if needed")
         ->required()
         ->type_name("DIR");

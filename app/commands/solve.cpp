@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
 #include "app/session/json.hpp"
 #include "app/session/solution.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 
 struct Options {
     std::string file;
+    std::vector<std::string> tries;
     std::string analysis = "position";
     std::optional<double> from;
     std::optional<double> to;
@@ -72,7 +74,8 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
     }
 }
 
-void write_json(const Sweep& sweep, const Lesson& lesson, const Options& options, std::ostream& out) {
+void write_json(const Sweep& sweep, const LessonTried& tried, const Options& options, std::ostream& out) {
+    const Lesson& lesson = tried.lesson;
     Json rows = Json::array();
     for (const SweepRow& row : sweep.rows) {
         rows.push_back(
@@ -81,7 +84,7 @@ void write_json(const Sweep& sweep, const Lesson& lesson, const Options& options
              {"consistent", row.consistent},
              {"change_point", row.change_point}});
     }
-    const Json json{
+    Json json{
         {"format", "jointwise solve"},
         {"version", kJsonVersion},
         {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
@@ -89,6 +92,7 @@ void write_json(const Sweep& sweep, const Lesson& lesson, const Options& options
         {"columns", sweep.columns},
         {"rows", rows},
         {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
+    add_tried(json, tried.done);
     out << json.dump(1) << '\n';
 }
 
@@ -107,7 +111,9 @@ void warn(const Sweep& sweep, Analysis analysis, const Streams& streams) {
 }
 
 Exit solve_command(const Options& options, const Streams& streams) {
-    const Lesson lesson = lesson_of(options.file, streams);
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Lesson& lesson = tried.lesson;
+    streams.err << tried_text(tried.done);
     const SweepPlan plan = plan_of(options, lesson);
     Sweep sweep;
     {
@@ -115,7 +121,7 @@ Exit solve_command(const Options& options, const Streams& streams) {
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
     if (options.format == "json") {
-        write_json(sweep, lesson, options, streams.out);
+        write_json(sweep, tried, options, streams.out);
     } else {
         write_csv(sweep, streams.out);
     }
@@ -132,6 +138,7 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
     command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
         ->check(CLI::IsMember({"position", "velocity", "acceleration"}))
         ->type_name("WHAT");

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
 #include "app/session/describe.hpp"
 #include "app/session/json.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 struct Options {
     std::string file;
+    std::vector<std::string> tries;
     int until = -1;
     std::string format = "text";
 };
@@ -34,7 +36,8 @@ std::vector<int> told_steps(const Story& story, int until) {
 }
 
 Exit step(const Options& options, const Streams& streams) {
-    const Lesson lesson = lesson_of(options.file, streams);
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Lesson& lesson = tried.lesson;
     ProgressBar bar(streams, "following the motion");
     StoryOptions how;
     how.progress = [&](double fraction) { bar.show(fraction); };
@@ -48,12 +51,14 @@ Exit step(const Options& options, const Streams& streams) {
     }
     const Exit exit = story.failure() != nullptr && until == last ? Exit::numerics : Exit::done;
     if (options.format == "json") {
-        streams.out << json_of(story, until).dump(1) << '\n';
+        Json json = json_of(story, until);
+        add_tried(json, tried.done);
+        streams.out << json.dump(1) << '\n';
         return exit;
     }
     streams.out << lesson.title << '\n';
     if (!lesson.source.empty()) { streams.out << lesson.source << '\n'; }
-    streams.out << '\n';
+    streams.out << tried_text(tried.done) << '\n';
     for (const int k : told_steps(story, until)) {
         streams.out << describe(view_of(story, k), kWidth) << '\n';
     }
@@ -66,6 +71,7 @@ void add_step(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("step", "tell a lesson joint by joint");
     auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
     command->add_option("--until", options->until, "last step to show")
         ->check(&fault_of_step)
         ->type_name("N");

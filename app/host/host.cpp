@@ -11,6 +11,7 @@
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
 #include "app/session/picture_camera.hpp"
+#include "app/session/trial.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {
@@ -70,7 +71,8 @@ Host::Host(HostSetup setup)
 
 Host::~Host() { ImGui::DestroyContext(context_); }
 
-bool Host::open(const std::filesystem::path& path, const std::string& at) {
+bool Host::open(
+    const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& tries) {
     const ReadResult read = read_lesson_file(path);
     if (!read.lesson) {
         file_errors_ = read.report();
@@ -90,6 +92,7 @@ bool Host::open(const std::filesystem::path& path, const std::string& at) {
     state_.freedom = -1;
     step_waited_ = 0.0;
     picture_of_ = 0;
+    for (const std::string& text : tries) { say(try_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
     settle_ = 2;

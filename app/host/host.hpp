@@ -44,8 +44,11 @@ public:
     void choose(Tab tab) { state_.tab = tab; }
 
     /// Opens a lesson file at a step; without it the lessons are shown.
+    /// @param tries  experiments to begin with, see app/session/trial.hpp
     /// @return false if it has mistakes: they are shown, and what was open stays
-    bool open(const std::filesystem::path& path, const std::string& at = {});
+    bool open(
+        const std::filesystem::path& path, const std::string& at = {},
+        const std::vector<std::string>& tries = {});
 
     /// Size of the picture in pixels of the framebuffer.
     void resize(int width, int height);

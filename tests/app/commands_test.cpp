@@ -8,7 +8,8 @@
 namespace jw::test {
 namespace {
 
-const std::vector<std::string> kCommands{"list", "check", "step", "inspect", "solve", "render", "doctor"};
+const std::vector<std::string> kCommands{"open",   "list",  "check", "step",   "inspect", "try",
+                                         "solve",  "render", "doctor"};
 
 }  // namespace
 
@@ -34,9 +35,9 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
     const Folder folder;
     const std::string crank = folder.file("crank.toml", kCrank);
     const std::vector<Case> cases{
-        {{}, "jointwise: error: A subcommand is required\nhint: jointwise --help\n"},
         {{"chekc"},
-         "jointwise: error: no command 'chekc'; expected one of list, check, step, inspect, solve, render, "
+         "jointwise: error: no command 'chekc'; expected one of open, list, check, step, inspect, try, "
+         "solve, render, "
          "doctor\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},
@@ -78,7 +79,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: --frames ''; expected A:B, A:, :B or A with numbers from 0 to 35, the frames of "
          "this lesson\n"},
         {{"render", crank, "--out", crank},
-         "jointwise: error: --out '" + crank +
+         "jointwise: error: '" + crank +
              "' cannot be made a folder: Not a directory; expected a folder that "
              "can be written\n"},
     };

@@ -1,0 +1,50 @@
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
+#include "app/session/experiments.hpp"
+#include "app/session/trial.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::vector<std::string> tries;
+    std::string format = "text";
+};
+
+Exit try_command(const Options& options, const Streams& streams) {
+    const Lesson lesson = lesson_of(options.file, streams);
+    Session session(lesson);
+    session.apply(GoTo{session.story().last_assembled()});
+    const std::vector<std::string> done = try_all(session, options.tries);
+    const Experiments experiments = experiments_of(session);
+    if (options.format == "json") {
+        Json json = json_of(experiments, lesson);
+        add_tried(json, done);
+        streams.out << json.dump(1) << '\n';
+    } else {
+        streams.out << tried_text(done) << describe(experiments, lesson);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_try(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand(
+        "try", "what can be tried in a lesson, and what it would do to rank and condition");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
+    command->add_option("--format", options->format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->type_name("FORMAT");
+    command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return try_command(*options, streams); }; });
+}
+
+}  // namespace jw

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "lessons/lesson.hpp"
+
+namespace jw {
+
+/// The claims of a lesson that can still be judged after joints and drivers were taken out of it: those about
+/// what is left, each at the moment after the same joint or driver.
+std::vector<Claim> carried_claims(const Lesson& written, const Lesson& changed);
+
+}  // namespace jw

@@ -1,0 +1,125 @@
+#include <algorithm>
+
+#include "app/session/describe.hpp"
+#include "app/session/experiments.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kWidth = 100;
+constexpr int kNumberWidth = 10;
+
+std::string summary_of(const Effect& e) {
+    return count_text(e.rows, "equation") + ", rank " + std::to_string(e.rank) + ", " +
+           count_text(e.dof, "freedom") + ", " + std::to_string(e.redundant()) + " repeated, condition " +
+           number_text(e.condition, 3);
+}
+
+std::string cells(const Effect& e) {
+    const auto cell = [](const std::string& text) { return padded(text, kNumberWidth, true); };
+    return cell(std::to_string(e.rank)) + cell(std::to_string(e.dof)) + cell(std::to_string(e.redundant())) +
+           cell(number_text(e.condition, 3));
+}
+
+int widest_of(const ExperimentGroup& group) {
+    int widest = 0;
+    for (const Experiment& e : group.experiments) { widest = std::max(widest, displayed_width(e.text)); }
+    return widest;
+}
+
+std::string group_text(const ExperimentGroup& group, int widest) {
+    std::string text = group.title + '\n';
+    for (const Experiment& e : group.experiments) {
+        std::string line = "  " + padded(e.text, widest);
+        if (e.effect) { line += cells(*e.effect); }
+        if (e.now) { line += "  as it is"; }
+        if (e.free) { line += "  costs no rank"; }
+        text += line + '\n';
+    }
+    return text + '\n';
+}
+
+std::string motions_text(const Experiments& all) {
+    if (all.free_motions.empty()) { return "No free motion: every direction is held.\n"; }
+    std::string text = "Free motions\n";
+    for (const FreeMotionVerdict& v : all.free_motions) {
+        text += "  " + padded(v.text, 12) + (v.finite ? "finite         " : "instantaneous  ") +
+                wrapped(v.motion, kWidth - 29, 29) + '\n';
+    }
+    return text;
+}
+
+std::string repeated_text(const Experiments& all) {
+    if (all.combinations.empty()) { return "No equation repeats others.\n\n"; }
+    std::string text = "Equations that repeat each other\n";
+    for (const std::string& combination : all.combinations) {
+        text += "  " + wrapped(combination, kWidth - 2, 4) + '\n';
+    }
+    std::string list;
+    for (const std::string& row : all.removable) { list += (list.empty() ? "" : ", ") + row; }
+    const std::string verdict = all.present.redundant() == 1
+                                    ? "Taking out any one of these restores full row rank: "
+                                    : "Taking out any one of these leaves the rank as it is: ";
+    return text + "  " + wrapped(verdict + list, kWidth - 2, 4) + "\n\n";
+}
+
+Json json_of(const Effect& e) {
+    return {
+        {"rows", e.rows},
+        {"rank", e.rank},
+        {"dof", e.dof},
+        {"redundant", e.redundant()},
+        {"condition", number(e.condition)}};
+}
+
+Json json_of(const ExperimentGroup& group) {
+    Json experiments = Json::array();
+    for (const Experiment& e : group.experiments) {
+        experiments.push_back(
+            {{"try", e.text},
+             {"now", e.now},
+             {"costs_no_rank", e.free},
+             {"effect", e.effect ? json_of(*e.effect) : Json()}});
+    }
+    return {{"title", group.title}, {"experiments", experiments}};
+}
+
+}  // namespace
+
+std::string describe(const Experiments& all, const Lesson& lesson) {
+    std::string text = lesson.title + '\n' + all.moment + " (step " + std::to_string(all.step) +
+                       "): " + summary_of(all.present) + "\n\n";
+    int widest = widest_of(all.coordinates);
+    for (const ExperimentGroup& group : all.groups) { widest = std::max(widest, widest_of(group)); }
+    const auto cell = [](const char* word) { return padded(word, kNumberWidth, true); };
+    text += "  " + padded("", widest) + cell("rank") + cell("freedoms") + cell("repeated") +
+            cell("condition") + '\n';
+    for (const ExperimentGroup& group : all.groups) { text += group_text(group, widest); }
+    text += group_text(all.coordinates, widest);
+    return text + repeated_text(all) + motions_text(all);
+}
+
+Json json_of(const Experiments& all, const Lesson& lesson) {
+    Json groups = Json::array();
+    for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
+    Json motions = Json::array();
+    for (const FreeMotionVerdict& v : all.free_motions) {
+        motions.push_back({{"try", v.text}, {"motion", v.motion}, {"finite", v.finite}});
+    }
+    return {
+        {"format", "jointwise try"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"moment", all.moment},
+        {"step", all.step},
+        {"present", json_of(all.present)},
+        {"groups", groups},
+        {"coordinates", json_of(all.coordinates)},
+        {"combinations", all.combinations},
+        {"removable", all.removable},
+        {"free_motions", motions}};
+}
+
+}  // namespace jw

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/linear.hpp"
+
+/// Sentences that people type, read from left to right.
+namespace jw {
+
+/// What is wrong with a sentence and what was expected; a hint stands in a line of its own.
+class Unreadable : public std::runtime_error {
+public:
+    explicit Unreadable(const std::string& message, const std::string& hint = {})
+        : std::runtime_error(hint.empty() ? message : message + "\nhint: " + hint) {}
+};
+
+class Words {
+public:
+    /// Words stand between blanks; between double quotes, several are one.
+    /// @throws Unreadable for a quote that is not closed
+    explicit Words(std::string_view text);
+
+    bool done() const { return next_ == words_.size(); }
+    /// The next word, empty at the end.
+    std::string_view peek() const;
+    /// All that is left, joined by blanks.
+    std::string rest() const;
+
+    /// Goes past `phrase`, one or several words, if they come next.
+    bool take(std::string_view phrase);
+    /// The name of `names` that comes next, the longest one where several do; names may have blanks.
+    /// @param kind  what it is the name of, for messages: "joint"
+    /// @return its index
+    /// @throws Unreadable if there is none
+    std::size_t name(const std::vector<std::string>& names, const std::string& kind);
+    /// The same for everything that is left.
+    std::size_t last_word(const std::vector<std::string>& words, const std::string& kind);
+    /// @throws Unreadable if no finite number of at most 1e9 in size comes next
+    double number(const std::string& what);
+    /// Three numbers [m or none].
+    Vec3 vector(const std::string& what);
+    int integer(const std::string& what);
+    /// @throws Unreadable if something is left
+    void finish() const;
+
+private:
+    struct Word {
+        std::string text;
+        bool quoted = false;
+    };
+    std::string joined(std::size_t count) const;
+    std::string guess(const std::vector<std::string>& names) const;
+
+    std::vector<Word> words_;
+    std::size_t next_ = 0;
+};
+
+/// A name as a sentence can have it: in quotes where it has blanks or could be taken for the beginning of
+/// another one.
+std::string quoted_name(const std::string& name, const std::vector<std::string>& names);
+
+}  // namespace jw

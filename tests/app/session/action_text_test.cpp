@@ -1,0 +1,225 @@
+#include "app/session/action_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lessons/equation_labels.hpp"
+#include "lessons/writer.hpp"
+#include "tests/app/session/catalogue_lessons.hpp"
+#include "tests/support/random_mechanisms.hpp"
+
+namespace jw::test {
+namespace {
+
+/// Every kind of edit of every joint, driver and body of a lesson.
+std::vector<Action> edits_of(const Lesson& lesson, Random& random) {
+    std::vector<Action> all;
+    const Mechanism& m = lesson.mechanism;
+    for (int j = 0; j < static_cast<int>(m.joints.size()); ++j) {
+        const Joint& joint = m.joints[static_cast<std::size_t>(j)];
+        for (int f = 0; f < 6; ++f) { all.push_back(SetParallelForm{j, static_cast<ParallelForm>(f)}); }
+        for (int f = 0; f < 3; ++f) { all.push_back(SetScrewAngleForm{j, static_cast<ScrewAngleForm>(f)}); }
+        for (const bool present : {false, true}) {
+            all.push_back(SetPresent{{Addition::Kind::joint, j}, present});
+            for (const LabelledEquation& e : equations_of(*joint.type, joint.parallel_form)) {
+                all.push_back(SetEquationPresent{j, e.equation, present});
+            }
+        }
+        JointGeometry point = joint.geometry;
+        point.P_j_local = random.vector(1.0);
+        JointGeometry anything = joint.geometry;
+        anything.h_i_local = random.vector(1.0);
+        anything.u_j_local = random.vector(1.0);
+        anything.s_i_local = random.vector(1.0);
+        anything.alpha = random.number(-1.0, 1.0);
+        anything.theta_start = random.number(-9.0, 9.0);
+        anything.screw_angle_form = ScrewAngleForm::sine;
+        for (const JointGeometry& g :
+             {point, anything, with_axis(joint.geometry, false, random.vector(1.0)),
+              with_axis(joint.geometry, true, Vec3(0.0, 0.0, 2.0))}) {
+            all.push_back(SetGeometry{j, g});
+        }
+    }
+    for (int d = 0; d < static_cast<int>(m.drivers.size()); ++d) {
+        for (const bool present : {false, true}) {
+            all.push_back(SetPresent{{Addition::Kind::driver, d}, present});
+        }
+        TimeFunction moved = m.drivers[static_cast<std::size_t>(d)].function;
+        moved.polynomial.resize(std::max<std::size_t>(2, moved.polynomial.size()));
+        moved.polynomial[0] = random.number(-1.0, 1.0);
+        moved.polynomial[1] = 0.5;
+        for (const TimeFunction& f : {moved, random_function(random), TimeFunction{}}) {
+            all.push_back(SetDriver{d, f});
+        }
+    }
+    for (int c = 0; c < 4; ++c) { all.push_back(SetCoordinates{static_cast<CoordinateChoice>(c)}); }
+    for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
+        all.push_back(Drag{b, Vec3::Zero(), random.vector(1.0)});
+        all.push_back(Drag{b, random.vector(1.0), random.vector(1.0)});
+    }
+    for (const Action& looking : std::vector<Action>{
+             GoTo{0}, Release{}, ShowFreedom{2, -0.25}, LetGo{}, Undo{}, Redo{}, StartOver{}}) {
+        all.push_back(looking);
+    }
+    return all;
+}
+
+/// Whether two actions are the same, every number bit by bit.
+struct Same {
+    bool operator()(const GoTo& a, const GoTo& b) const { return a.step == b.step; }
+    bool operator()(const SetParallelForm& a, const SetParallelForm& b) const {
+        return a.joint == b.joint && a.form == b.form;
+    }
+    bool operator()(const SetScrewAngleForm& a, const SetScrewAngleForm& b) const {
+        return a.joint == b.joint && a.form == b.form;
+    }
+    bool operator()(const SetCoordinates& a, const SetCoordinates& b) const { return a.choice == b.choice; }
+    bool operator()(const SetPresent& a, const SetPresent& b) const {
+        return a.what == b.what && a.present == b.present;
+    }
+    bool operator()(const SetEquationPresent& a, const SetEquationPresent& b) const {
+        return a.joint == b.joint && a.equation == b.equation && a.present == b.present;
+    }
+    bool operator()(const SetGeometry& a, const SetGeometry& b) const {
+        return a.joint == b.joint && a.geometry == b.geometry;
+    }
+    bool operator()(const SetDriver& a, const SetDriver& b) const {
+        return a.driver == b.driver && a.function == b.function;
+    }
+    bool operator()(const Drag& a, const Drag& b) const {
+        return a.body == b.body && a.point_local == b.point_local && a.target == b.target;
+    }
+    bool operator()(const ShowFreedom& a, const ShowFreedom& b) const {
+        return a.motion == b.motion && a.part == b.part;
+    }
+    template <class A, class B>
+    bool operator()(const A& /*a*/, const B& /*b*/) const {
+        return std::is_same_v<A, B>;
+    }
+};
+
+void check_there_and_back(const Action& action, const Session& session) {
+    const std::string text = text_of(action, session);
+    std::string error;
+    const std::optional<Action> read = read_action(text, session, error);
+    INFO(text << ": " << error);
+    REQUIRE(read.has_value());
+    CHECK(std::visit(Same{}, action, *read));
+}
+
+Action read(const std::string& text, const Session& session) {
+    std::string error;
+    const std::optional<Action> action = read_action(text, session, error);
+    INFO(text << ": " << error);
+    REQUIRE(action.has_value());
+    return *action;
+}
+
+std::string problem_of(const std::string& text, const Session& session) {
+    std::string error;
+    CHECK_FALSE(read_action(text, session, error).has_value());
+    return error;
+}
+
+}  // namespace
+
+TEST_CASE("every action is told in words that are read as the same action", "[app][session]") {
+    Random random(7);
+    for (const auto& file : all_lesson_files()) {
+        const Session session(without_motion(shipped(file)));
+        INFO(file);
+        for (const Action& action : edits_of(session.lesson(), random)) {
+            check_there_and_back(action, session);
+        }
+    }
+}
+
+TEST_CASE("names with blanks, and names that begin others, are read as they are told", "[app][session]") {
+    Lesson lesson = without_motion(lesson_named("loops/four-bar"));
+    lesson.mechanism.joints[0].name = "D p1";
+    lesson.mechanism.joints[1].name = "the long pin";
+    lesson.mechanism.bodies[1].name = "crank by";
+    const Session session(lesson);
+    Random random(3);
+    for (const Action& action : edits_of(session.lesson(), random)) { check_there_and_back(action, session); }
+    CHECK(std::get<SetParallelForm>(read("form the long pin drop z", session)).joint == 1);
+    CHECK(std::get<SetParallelForm>(read("form \"the long pin\" rule", session)).joint == 1);
+}
+
+TEST_CASE("sentences are read as a student means them", "[app][session]") {
+    const Session session(without_motion(lesson_named("loops/four-bar")));
+    const auto driver = [&](const std::string& text) {
+        return std::get<SetDriver>(read("driver motor " + text, session)).function.polynomial;
+    };
+    const double quarter = 1.5707963267948966;
+    CHECK(driver("start 90 deg rate 180 deg/s") == std::vector<double>{quarter, 2.0 * quarter});
+    CHECK(driver("rate 180deg/s")[1] == 2.0 * quarter);
+    CHECK(driver("start 90°")[0] == quarter);
+    CHECK(driver("start 1.5 rad")[0] == 1.5);
+    CHECK(driver("function polynomial 0 90 180 deg") == std::vector<double>{0.0, quarter, 2.0 * quarter});
+
+    const auto taken = std::get<SetEquationPresent>(read("take out D p1 x", session));
+    CHECK(taken.joint == 3);
+    CHECK(taken.equation == EquationOut{Role::axes_parallel, 0});
+    CHECK(std::get<SetPresent>(read("  take  out motor ", session)).what.kind == Addition::Kind::driver);
+    CHECK(
+        std::get<SetCoordinates>(read("coordinates rp-true", session)).choice ==
+        CoordinateChoice::true_euler_parameters);
+
+    // from its origin at the free bodies of the lesson, and from another point of it
+    const Body& crank = session.lesson().mechanism.bodies[1];
+    CHECK(std::get<Drag>(read("drag crank by 0 0 0.1", session)).target == crank.r + Vec3(0.0, 0.0, 0.1));
+    const auto tip = std::get<Drag>(read("drag crank at 0.4 0 0 by 0 0 0.1 m", session));
+    CHECK(tip.point_local == Vec3(0.4, 0.0, 0.0));
+    const int closed = std::get<GoTo>(read("go to D", session)).step;
+    const Step& step = session.story().steps()[static_cast<std::size_t>(closed)];
+    CHECK(step.kind == Step::Kind::assembled);
+    CHECK(step.additions == 4);
+}
+
+TEST_CASE("what cannot be read says what was expected and what may be meant", "[app][session]") {
+    const Session session(without_motion(lesson_named("loops/four-bar")));
+    struct Case {
+        std::string text;
+        std::string says;
+    };
+    const std::vector<Case> cases{
+        {"", "nothing to try; expected one of form, screw,"},
+        {"frm A rule", "no experiment 'frm'; expected one of form, screw,"},
+        {"frm A rule", "hint: did you mean 'form'?"},
+        {"take oot A", "hint: did you mean 'take out'?"},
+        {"form E rule", "no joint 'E'; expected one of A, B, C, D"},
+        {"form A", "the form is missing; expected one of rule, drop x, drop y, drop z, all three, pair"},
+        {"form A drop w", "no form 'drop w'; expected one of rule,"},
+        {"form A al three", "hint: did you mean 'all three'?"},
+        {"take out moter",
+         "no joint or driver 'moter'; expected one of A, B, C, D, motor\nhint: did you mean 'motor'?"},
+        {"take out A p1 w", "no equation 'p1 w'; expected one of s x, s y, s z, p1 x, p1 y, p1 z"},
+        {"take out motor p1 x", "'p1 x' is left over; nothing more was expected"},
+        {"coordinates polar",
+         "no choice 'polar'; expected one of rp, rp-modified, omega-local, omega-global"},
+        {"axis A i 0 0 0", "the axis has length 0; expected a direction"},
+        {"axis A k 0 0 1", "no side 'k'; expected one of i, j"},
+        {"axis A i 0 0", "the end where a direction should be; expected a number"},
+        {"axis A i 0 0 nan", "expected at most 1e9 in size"},
+        {"point A i 0 0 1e12", "expected at most 1e9 in size"},
+        {"length A 1", "a revolute joint has no length"},
+        {"driver motor start 30", "the unit is missing; expected deg or rad"},
+        {"driver motor start 30 deg rate 3 deg", "the unit is missing; expected deg/s or rad/s"},
+        {"driver motor", "the part of a driver's function is missing; expected one of start, rate,"},
+        {"driver motor step from 0 deg to 1 deg between 2 1 s", "the step ends before it begins"},
+        {"drag crank 0 0 1", "expected 'by' or 'to' and three numbers [m], for example: by 0 0 0.1"},
+        {"drag cronk by 0 0 1",
+         "no body 'cronk'; expected one of ground, crank, coupler, rocker\nhint: did you mean 'crank'?"},
+        {"go to step 999", "no step 999; the lesson has steps 0 to "},
+        {"go to step 1.5", "'1.5' is no whole number"},
+        {"follow one", "'one' where the number of a free motion, counted from 1 should be"},
+        {"undo twice", "'twice' is left over"},
+        {"form \"A rule", "a quote \" is not closed"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.text << " -> " << problem_of(c.text, session));
+        CHECK(problem_of(c.text, session).find(c.says) != std::string::npos);
+    }
+}
+
+}  // namespace jw::test

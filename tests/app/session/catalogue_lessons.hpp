@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/json.hpp"
+#include "app/session/session.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+
+/// Shipped lessons for tests of sessions.
+namespace jw::test {
+
+inline Lesson shipped(const std::filesystem::path& file) {
+    const ReadResult read = read_lesson_file(file);
+    if (!read.lesson) { throw std::runtime_error(read.report()); }
+    return *read.lesson;
+}
+
+/// "loops/four-bar"
+inline Lesson lesson_named(const std::string& name) { return shipped(catalogue_folder() / (name + ".toml")); }
+
+inline std::vector<std::filesystem::path> all_lesson_files() { return lessons_below(catalogue_folder()); }
+
+/// Without its motion: what is about the equations needs none, and telling it takes time.
+inline Lesson without_motion(Lesson lesson) {
+    lesson.motion.reset();
+    lesson.step_texts.times.clear();
+    return lesson;
+}
+
+/// Everything that is told, every number in full.
+inline std::string told(const Story& story) {
+    return json_of(story, static_cast<int>(story.steps().size()) - 1).dump();
+}
+
+/// Everything that stands in a view, every number in full.
+inline std::string shown(const Session& session) {
+    return json_of(session.story(), session.index()).at("steps").back().dump();
+}
+
+/// Lessons of all kinds of joints and drivers, small enough to be told often.
+inline const std::vector<std::string>& few_lessons() {
+    static const std::vector<std::string> names{"loops/four-bar",   "loops/rssr",       "joints/screw",
+                                                "joints/prismatic", "joints/universal", "hard/forced-drop"};
+    return names;
+}
+
+}  // namespace jw::test
