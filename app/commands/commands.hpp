@@ -22,6 +22,8 @@ void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
 void add_solve(CLI::App& app, const Streams& streams, Run& run);
 void add_try(CLI::App& app, const Streams& streams, Run& run);
+void add_newton(CLI::App& app, const Streams& streams, Run& run);
+void add_plot(CLI::App& app, const Streams& streams, Run& run);
 void add_render(CLI::App& app, const Streams& streams, Run& run);
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
 

@@ -9,7 +9,7 @@ namespace jw::test {
 namespace {
 
 const std::vector<std::string> kCommands{"open",   "list",  "check", "step",   "inspect", "try",
-                                         "solve",  "render", "doctor"};
+                                         "newton", "solve", "plot",  "render", "doctor"};
 
 }  // namespace
 
@@ -37,7 +37,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
     const std::vector<Case> cases{
         {{"chekc"},
          "jointwise: error: no command 'chekc'; expected one of open, list, check, step, inspect, try, "
-         "solve, render, "
+         "newton, solve, plot, render, "
          "doctor\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},
@@ -100,6 +100,7 @@ TEST_CASE("a wrong lesson is status 2 with file, line and column, for every comm
         if (command == "list" || command == "doctor") { continue; }
         std::vector<std::string> arguments{command, wrong};
         if (command == "render") { arguments.insert(arguments.end(), {"--out", folder.path("frames")}); }
+        if (command == "plot") { arguments.insert(arguments.end(), {"--out", folder.path("plot.png")}); }
         const Ran ran = run(arguments);
         CHECK(ran.status == 2);
         CHECK(ran.err.find(wrong + ":3:1: error: unknown key 'color'") != std::string::npos);

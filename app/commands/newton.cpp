@@ -1,0 +1,116 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/tries.hpp"
+#include "app/session/newton_runs.hpp"
+#include "lessons/diagnostics.hpp"
+#include "lessons/typed.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::vector<std::string> tries;
+    std::string at;
+    std::string compare = "methods";
+    std::string coordinates;
+    std::string method = "limited";
+    bool without_normalisation = false;
+    std::string format = "text";
+};
+
+template <class Names>
+std::size_t place_in(const Names& names, const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - std::begin(names));
+}
+
+NewtonPlan plan_of(const Options& options, const Lesson& lesson) {
+    NewtonPlan plan;
+    plan.by_method = options.compare == "methods";
+    plan.choice = options.coordinates.empty()
+                      ? lesson.coordinates
+                      : static_cast<CoordinateChoice>(place_in(kChoices, options.coordinates));
+    plan.method = static_cast<NewtonMethod>(place_in(method_names(), options.method));
+    plan.normalisation_rows = !options.without_normalisation;
+    return plan;
+}
+
+/// The step at which closing the joint or driver `at` begins; of the last one without a name.
+int start_of(const Story& story, const std::string& at) {
+    const Lesson& lesson = story.lesson();
+    std::vector<std::string> names;
+    for (const Addition& addition : lesson.order) {
+        const auto k = static_cast<std::size_t>(addition.index);
+        const bool is_joint = addition.kind == Addition::Kind::joint;
+        names.push_back(is_joint ? lesson.mechanism.joints[k].name : lesson.mechanism.drivers[k].name);
+    }
+    if (names.empty()) {
+        throw CommandError(Exit::bad_input, "jointwise: error: the lesson has no joint: nothing is solved");
+    }
+    const std::size_t place = at.empty() ? names.size() - 1 : place_in(names, at);
+    if (place == names.size()) {
+        const std::string hint = did_you_mean(at, names);
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --at " + in_quotes(at) +
+                                 ": no such joint or driver; expected one of " + comma_list(names) +
+                                 (hint.empty() ? "" : "\nhint: " + hint));
+    }
+    const int start = start_of_closing(story, lesson.order[place]);
+    if (start < 0) { throw not_reached(lesson, *story.failure()); }
+    return start;
+}
+
+Exit newton(const Options& options, const Streams& streams) {
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Story story(tried.lesson, poses_only());
+    const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, tried.lesson));
+    if (options.format == "json") {
+        Json json = json_of(runs, tried.lesson);
+        add_tried(json, tried.done);
+        streams.out << json.dump(1) << '\n';
+    } else if (options.format == "csv") {
+        streams.err << tried_text(tried.done);
+        streams.out << csv_of(runs.comparison.residuals);
+    } else {
+        streams.out << tried.lesson.title << '\n' << tried_text(tried.done) << describe(runs);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_newton(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command =
+        app.add_subcommand("newton", "Newton's method in several ways from the same start, side by side");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
+    command->add_option("--at", options->at, "the joint or driver that is closed; default: the last one")
+        ->type_name("NAME");
+    command->add_option("--compare", options->compare, "methods or coordinates")
+        ->check(CLI::IsMember({"methods", "coordinates"}))
+        ->type_name("WHAT")
+        ->capture_default_str();
+    command->add_option("--coordinates", options->coordinates, "of the methods; default: the lesson's")
+        ->check(CLI::IsMember(strings(kChoices)))
+        ->type_name("CHOICE");
+    command->add_option("--method", options->method, "by which coordinates are compared")
+        ->check(CLI::IsMember(method_names()))
+        ->type_name("METHOD")
+        ->capture_default_str();
+    command->add_flag(
+        "--without-normalisation", options->without_normalisation,
+        "leave the rows p'p - 1 of the (r, p) choices out");
+    command->add_option("--format", options->format, "text, json or csv")
+        ->check(CLI::IsMember({"text", "json", "csv"}))
+        ->type_name("FORMAT");
+    command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return newton(*options, streams); }; });
+}
+
+}  // namespace jw

@@ -1,0 +1,161 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <regex>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/plot_picture.hpp"
+#include "app/commands/tries.hpp"
+#include "app/session/series.hpp"
+#include "lessons/diagnostics.hpp"
+#include "render/png.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::vector<std::string> tries;
+    std::string of = "quantities";
+    std::string joint;
+    std::vector<std::string> curves;
+    std::string out;
+    std::string size = "1280x720";
+};
+
+constexpr int kSmallest = 320;
+constexpr int kLargest = 3840;
+
+CommandError bad(const std::string& message, const std::string& hint = {}) {
+    return CommandError(
+        Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
+}
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+Size size_of(const std::string& text) {
+    static const std::regex form("([0-9]{3,4})x([0-9]{3,4})");
+    std::smatch match;
+    const auto fits = [](int n) { return n >= kSmallest && n <= kLargest; };
+    if (std::regex_match(text, match, form)) {
+        const Size size{std::stoi(match[1]), std::stoi(match[2])};
+        if (fits(size.width) && fits(size.height)) { return size; }
+    }
+    throw bad("--size " + in_quotes(text) + "; expected WIDTHxHEIGHT in pixels, each from 320 to 3840");
+}
+
+/// The joint whose pairs are plotted: the one named, else the one that the story is about.
+int joint_of(const Options& options, const Story& story) {
+    std::vector<std::string> names;
+    for (const Joint& joint : story.lesson().mechanism.joints) { names.push_back(joint.name); }
+    if (options.joint.empty()) { return std::max(0, story.featured_joint()); }
+    const auto found = std::ranges::find(names, options.joint);
+    if (found == names.end()) {
+        throw bad(
+            "--joint " + in_quotes(options.joint) + ": no such joint; expected one of " + comma_list(names),
+            did_you_mean(options.joint, names));
+    }
+    return static_cast<int>(found - names.begin());
+}
+
+SeriesSet set_of(const Options& options, const Story& story) {
+    if (options.of == "quantities") { return motion_series(story); }
+    if (options.of == "residuals") { return newton_series(story); }
+    if (options.of == "singular-values") { return singular_value_series(story); }
+    return condition_series(story, joint_of(options, story));
+}
+
+std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& curves) {
+    std::vector<std::string> names;
+    for (const Series& series : set.series) { names.push_back(series.name); }
+    std::vector<int> shown;
+    for (const std::string& curve : curves) {
+        const auto found = std::ranges::find(names, curve);
+        if (found == names.end()) {
+            throw bad(
+                "no curve " + in_quotes(curve) + "; expected one of " + comma_list(names),
+                did_you_mean(curve, names));
+        }
+        shown.push_back(static_cast<int>(found - names.begin()));
+    }
+    std::ranges::sort(shown);
+    return shown;
+}
+
+/// The set with the chosen curves only: what a table is made of.
+SeriesSet only(SeriesSet set, const std::vector<int>& shown) {
+    if (shown.empty()) { return set; }
+    std::vector<Series> series;
+    for (const int k : shown) { series.push_back(set.series[static_cast<std::size_t>(k)]); }
+    set.series = std::move(series);
+    set.telling.clear();
+    return set;
+}
+
+const char* title_of(const std::string& of) {
+    if (of == "quantities") { return "quantities over time"; }
+    if (of == "residuals") { return "‖Φ‖ over all iterations"; }
+    return of == "conditions" ? "condition of the pairs over time" : "singular values over time";
+}
+
+Exit plot(const Options& options, const Streams& streams) {
+    const Size size = size_of(options.size);
+    const bool is_csv = options.out.ends_with(".csv");
+    if (!is_csv && !options.out.ends_with(".png")) {
+        throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
+    }
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    streams.err << tried_text(tried.done);
+    StoryOptions how;
+    how.with_ranks = false;
+    const Story story(tried.lesson, how);
+    const SeriesSet set = set_of(options, story);
+    if (set.at.empty()) { throw bad("nothing to plot: " + set.why_empty); }
+    panels::PlotState state;
+    state.shown = chosen(set, options.curves);
+    if (is_csv) {
+        const std::string text = csv_of(only(set, state.shown));
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+        render::write_file_atomically(options.out, std::span(bytes, text.size()));
+    } else {
+        const std::string title = tried.lesson.title + ": " + title_of(options.of);
+        render::write_file_atomically(
+            options.out, render::encode_png(picture_of_plot(set, state, title, size.width, size.height)));
+    }
+    streams.err << options.out << ": " << set.at.size() << " points\n";
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("plot", "curves over time or iterations, as a picture or a table");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->tries);
+    command->add_option("--of", options->of, "quantities, residuals, singular-values or conditions")
+        ->check(CLI::IsMember({"quantities", "residuals", "singular-values", "conditions"}))
+        ->type_name("WHAT")
+        ->capture_default_str();
+    command->add_option("--joint", options->joint, "of conditions; default: the one that the lesson is about")
+        ->type_name("NAME");
+    command
+        ->add_option("--curves", options->curves, "names, separated by commas; default: those that say most")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("A,B");
+    command->add_option("--out", options->out, "FILE.png or FILE.csv")->required()->type_name("FILE");
+    command->add_option("--size", options->size, "pixels of the picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->footer(
+        "Example: jointwise plot lessons/catalogue/loops/four-bar.toml --of singular-values --out sigma.png");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return plot(*options, streams); }; });
+}
+
+}  // namespace jw

@@ -1,0 +1,61 @@
+#include "app/commands/plot_picture.hpp"
+
+#include <imgui.h>
+
+#include "app/panels/frame.hpp"
+#include "app/panels/theme.hpp"
+#include "render/imgui_backend.hpp"
+#include "render/offscreen.hpp"
+
+namespace jw {
+
+namespace {
+
+/// ImGui for one picture: no file, no clock.
+class Context {
+public:
+    Context(int width, int height) : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
+        ImGui::SetCurrentContext(own_);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.LogFilename = nullptr;
+        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+        io.DeltaTime = 1.0F / 30.0F;
+    }
+    ~Context() {
+        ImGui::DestroyContext(own_);
+        if (before_ != nullptr) { ImGui::SetCurrentContext(before_); }
+    }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+private:
+    ImGuiContext* before_;
+    ImGuiContext* own_;
+};
+
+}  // namespace
+
+render::Image picture_of_plot(
+    const SeriesSet& set, const panels::PlotState& state, const std::string& title, int width, int height) {
+    render::Offscreen offscreen(width, height);
+    const Context context(width, height);
+    const render::Fonts fonts = render::load_fonts(panels::scale_of(width, height));
+    const render::ImguiBackend backend(offscreen.gl());
+    offscreen.begin_3d(panels::theme::kPaper);
+    offscreen.begin_2d();
+    ImGui::NewFrame();
+    const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), fonts);
+    const float margin = canvas.px(16.0F);
+    const float head = canvas.line_height(fonts.bold) + canvas.px(10.0F);
+    canvas.text({margin, margin}, fonts.bold, panels::theme::kInk, title);
+    const panels::Box box{
+        margin, margin + head, static_cast<float>(width) - 2.0F * margin,
+        static_cast<float>(height) - 2.0F * margin - head};
+    panels::plot(canvas, box, set, state);
+    ImGui::Render();
+    backend.draw(*ImGui::GetDrawData(), offscreen.size());
+    return offscreen.read();
+}
+
+}  // namespace jw

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/panels/plot.hpp"
+#include "render/image.hpp"
+
+namespace jw {
+
+/// A plot as a picture of its own, drawn in memory.
+/// @throws std::runtime_error if OSMesa or a font is missing
+render::Image picture_of_plot(
+    const SeriesSet& set, const panels::PlotState& state, const std::string& title, int width, int height);
+
+}  // namespace jw

@@ -1,0 +1,160 @@
+#include "app/session/newton_runs.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "app/session/describe.hpp"
+#include "app/session/explanations.hpp"
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kDegree = 180.0 / std::numbers::pi;
+constexpr int kNameWidth = 22;
+constexpr int kColumn = 22;
+
+NewtonRun run_of(const NewtonTrace& trace, const std::string& name) {
+    NewtonRun run;
+    run.name = name;
+    run.order = trace.order;
+    run.converged = trace.converged;
+    run.wrong_branch = trace.wrong_branch.has_value();
+    for (const NewtonIterate& iterate : trace.iterates) {
+        run.phi_norms.push_back(iterate.phi_norm);
+        run.turns_deg.push_back(iterate.turn * kDegree);
+    }
+    return run;
+}
+
+std::string name_of_part(const Mechanism& m, const Addition& part) {
+    const auto k = static_cast<std::size_t>(part.index);
+    return part.kind == Addition::Kind::joint ? m.joints[k].name : m.drivers[k].name;
+}
+
+std::string title_of(const Story& story, int start, const NewtonPlan& plan) {
+    const Step& step = story.steps()[static_cast<std::size_t>(start)];
+    const std::string part = name_of_part(story.lesson().mechanism, *subject_of(story.lesson(), step));
+    const std::string what = plan.by_method
+                                 ? std::string("methods in ") + name_of_choice(plan.choice)
+                                 : "coordinates by " + method_names()[static_cast<std::size_t>(plan.method)];
+    return "Closing " + part + " from the same start, " + what +
+           (plan.normalisation_rows ? "" : ", without the rows pᵀp − 1");
+}
+
+std::string cell(const std::string& text, int width) { return padded(text, width, true); }
+
+std::string table_text(const NewtonComparison& comparison) {
+    std::string text = "  " + padded("", kNameWidth) + cell("iterations", 10) + cell("‖Φ‖", 10) +
+                       cell("order", 8) + cell("turn", 10) + '\n';
+    for (const NewtonRunRow& row : comparison.rows) {
+        text += "  " + padded(row.name, kNameWidth) + cell(std::to_string(row.iterations), 10) +
+                cell(small_text(row.phi_norm), 10) + cell(row.order, 8) + cell(row.turn, 10) + "  " +
+                row.verdict + '\n';
+    }
+    return text;
+}
+
+/// ‖Φ‖ before the first step and after each, a column per way.
+std::string iterates_text(const NewtonRuns& runs) {
+    std::string text = "  " + padded("‖Φ‖", 5);
+    for (const std::string& name : runs.names) { text += cell(name, kColumn); }
+    text += '\n';
+    std::size_t longest = 0;
+    for (const NewtonTrace& trace : runs.traces) { longest = std::max(longest, trace.iterates.size()); }
+    for (std::size_t k = 0; k < longest; ++k) {
+        std::string line = "  " + padded(std::to_string(k), 5);
+        for (const NewtonTrace& trace : runs.traces) {
+            line += cell(k < trace.iterates.size() ? small_text(trace.iterates[k].phi_norm) : "", kColumn);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+Json json_of(const NewtonTrace& trace, const std::string& name, const std::string& wrong) {
+    Json iterates = Json::array();
+    for (const NewtonIterate& iterate : trace.iterates) {
+        iterates.push_back(
+            {{"phi_norm", number(iterate.phi_norm)},
+             {"residual", number(iterate.residual)},
+             {"delta_norm", number(iterate.delta_norm)},
+             {"turn_rad", number(iterate.turn)},
+             {"fraction", number(iterate.fraction)},
+             {"damping", number(iterate.damping)}});
+    }
+    return {
+        {"name", name},
+        {"method", method_names()[static_cast<std::size_t>(trace.method)]},
+        {"converged", trace.converged},
+        {"wrong_branch", wrong.empty() ? Json() : Json(wrong)},
+        {"order", trace.order ? number(*trace.order) : Json()},
+        {"iterates", iterates}};
+}
+
+}  // namespace
+
+const std::vector<std::string>& method_names() {
+    static const std::vector<std::string> names{"limited", "plain", "damped", "levenberg-marquardt"};
+    return names;
+}
+
+int start_of_closing(const Story& story, const Addition& subject) {
+    for (std::size_t k = 0; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        const bool starts = step.kind == Step::Kind::equations;
+        if (starts && subject_of(story.lesson(), step) == subject) { return static_cast<int>(k); }
+    }
+    return -1;
+}
+
+NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan) {
+    const Step& from = story.steps()[static_cast<std::size_t>(start)];
+    NewtonRuns runs;
+    runs.title = title_of(story, start, plan);
+    std::vector<NewtonRun> compared;
+    for (int k = 0; k < 4; ++k) {
+        const CoordinateChoice choice = plan.by_method ? plan.choice : static_cast<CoordinateChoice>(k);
+        const NewtonMethod method = plan.by_method ? static_cast<NewtonMethod>(k) : plan.method;
+        NewtonTrace trace = with_choice(choice, [&](auto c) {
+            return trace_newton<decltype(c)>(
+                *from.system, from.state, from.t, method, plan.normalisation_rows);
+        });
+        runs.names.push_back(
+            plan.by_method ? method_names()[static_cast<std::size_t>(k)] : name_of_choice(choice));
+        runs.wrong_branches.push_back(
+            trace.wrong_branch ? branch_text(*from.system, *trace.wrong_branch) : std::string());
+        compared.push_back(run_of(trace, runs.names.back()));
+        runs.traces.push_back(std::move(trace));
+    }
+    runs.comparison = compare(compared);
+    return runs;
+}
+
+std::string describe(const NewtonRuns& runs) {
+    std::string text = runs.title + "\n\n" + table_text(runs.comparison) + '\n' + iterates_text(runs) + '\n' +
+                       runs.comparison.summary + '\n';
+    for (std::size_t k = 0; k < runs.names.size(); ++k) {
+        if (!runs.wrong_branches[k].empty()) { text += runs.names[k] + ": " + runs.wrong_branches[k] + '\n'; }
+    }
+    return text;
+}
+
+Json json_of(const NewtonRuns& runs, const Lesson& lesson) {
+    Json all = Json::array();
+    for (std::size_t k = 0; k < runs.names.size(); ++k) {
+        all.push_back(json_of(runs.traces[k], runs.names[k], runs.wrong_branches[k]));
+    }
+    return {
+        {"format", "jointwise newton"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"title", runs.title},
+        {"runs", all},
+        {"summary", runs.comparison.summary}};
+}
+
+}  // namespace jw
