@@ -59,6 +59,8 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
 
 Host::Host(HostSetup setup)
     : setup_(std::move(setup)), context_(ImGui::CreateContext()), recent_(setup_.recent_file) {
+    // creating does not make it the current one if there is another
+    ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
