@@ -91,6 +91,13 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double 
         }
         return;
     }
+    const std::size_t bodies = ui.session.lesson().mechanism.bodies.size();
+    if (mode_ == Mode::drag && static_cast<std::size_t>(body_) >= bodies) {
+        // the lesson was saved anew, or another one opened, without the body that is held
+        mode_ = Mode::idle;
+        body_ = -1;
+        return;
+    }
     const bool held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     if (!held) { return release(ui); }
     move(ui, viewport);
