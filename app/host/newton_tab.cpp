@@ -34,25 +34,6 @@ int start_of_solve(const Session& session) {
     return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
 }
 
-NewtonTrace trace_of(const Step& start, CoordinateChoice choice, NewtonMethod method, bool normalisation) {
-    return with_choice(choice, [&](auto c) {
-        return trace_newton<decltype(c)>(*start.system, start.state, start.t, method, normalisation);
-    });
-}
-
-NewtonRun run_of(const NewtonTrace& trace, std::string name) {
-    NewtonRun run;
-    run.name = std::move(name);
-    run.order = trace.order;
-    run.converged = trace.converged;
-    run.wrong_branch = trace.wrong_branch.has_value();
-    for (const NewtonIterate& iterate : trace.iterates) {
-        run.phi_norms.push_back(iterate.phi_norm);
-        run.turns_deg.push_back(iterate.turn * 180.0 / std::numbers::pi);
-    }
-    return run;
-}
-
 void choose_method(float width, NewtonMethod& method) {
     const auto* const now = std::ranges::find(kMethods, method);
     ImGui::SetNextItemWidth(width);
@@ -86,29 +67,20 @@ void NewtonBench::controls(const LessonUi& ui) {
 }
 
 void NewtonBench::compute(const Session& session, int start) {
-    const Key key{session.told(), start, compared_, method_, choice_, normalisation_};
+    const NewtonPlan plan{compared_ == Compared::methods, choice_, method_, normalisation_};
+    const Key key{session.told(), start, plan};
     if (key == key_) { return; }
     key_ = key;
-    traces_.clear();
-    std::vector<NewtonRun> runs;
-    const Step& from = session.story().steps()[static_cast<std::size_t>(start)];
-    for (int k = 0; k < 4; ++k) {
-        const bool by_method = compared_ == Compared::methods;
-        const CoordinateChoice choice = by_method ? choice_ : kCoordinateChoices[k];
-        const NewtonMethod method = by_method ? kMethods[k] : method_;
-        traces_.push_back(trace_of(from, choice, method, normalisation_));
-        runs.push_back(run_of(traces_.back(), by_method ? kMethodTexts[k] : text_of(choice)));
-    }
-    comparison_ = compare(runs);
+    runs_ = run_newton(session.story(), start, plan);
     choose(chosen_);
 }
 
 void NewtonBench::choose(int run) {
-    chosen_ = std::clamp(run, 0, static_cast<int>(traces_.size()) - 1);
     ghosts_.clear();
     ++version_;
-    if (traces_.empty()) { return; }
-    for (const NewtonIterate& iterate : traces_[static_cast<std::size_t>(chosen_)].iterates) {
+    if (runs_.traces.empty()) { return; }
+    chosen_ = std::clamp(run, 0, static_cast<int>(runs_.traces.size()) - 1);
+    for (const NewtonIterate& iterate : runs_.traces[static_cast<std::size_t>(chosen_)].iterates) {
         if (ghosts_.size() < kMostGhosts) { ghosts_.push_back(iterate.state); }
     }
 }
@@ -132,14 +104,15 @@ void NewtonBench::draw(const LessonUi& ui, const Box& box) {
     if (ghosts_.empty()) { choose(chosen_); }
 
     ImGui::TextUnformatted("Iterates in the picture:");
-    for (int run = 0; run < static_cast<int>(comparison_.rows.size()); ++run) {
-        const std::string& method = comparison_.rows[static_cast<std::size_t>(run)].name;
-        if (ImGui::RadioButton(method.c_str(), chosen_ == run)) { choose(run); }
+    for (int run = 0; run < static_cast<int>(runs_.comparison.rows.size()); ++run) {
+        const auto way = static_cast<std::size_t>(run);
+        const char* const text = key_.plan.by_method ? kMethodTexts[way] : text_of(kCoordinateChoices[way]);
+        if (ImGui::RadioButton(text, chosen_ == run)) { choose(run); }
         if (run % 2 == 0) { ImGui::SameLine(ui.px(240.0F)); }
     }
     const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
     const bool iterates =
-        std::ranges::any_of(traces_, [](const NewtonTrace& trace) { return trace.iterates.size() > 1; });
+        std::ranges::any_of(runs_.traces, [](const NewtonTrace& trace) { return trace.iterates.size() > 1; });
     if (!iterates) {
         return note(
             ui,
@@ -148,7 +121,7 @@ void NewtonBench::draw(const LessonUi& ui, const Box& box) {
     }
     const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
     plot_.hovered = chosen_;
-    panels::newton_comparison_panel(ui.canvas, place, comparison_, plot_);
+    panels::newton_comparison_panel(ui.canvas, place, runs_.comparison, plot_);
 }
 
 }  // namespace jw::host

@@ -5,8 +5,7 @@
 
 #include "app/host/ui.hpp"
 #include "app/panels/plot.hpp"
-#include "app/session/newton_comparison.hpp"
-#include "core/newton_methods.hpp"
+#include "app/session/newton_runs.hpp"
 
 namespace jw::host {
 
@@ -38,15 +37,11 @@ private:
     struct Key {
         std::uint64_t told = 0;
         int start = -1;
-        Compared compared = Compared::methods;
-        NewtonMethod method = NewtonMethod::stepwise_limited;
-        CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;
-        bool normalisation = true;
+        NewtonPlan plan;
         bool operator==(const Key&) const = default;
     };
     Key key_;
-    std::vector<NewtonTrace> traces_;
-    NewtonComparison comparison_;
+    NewtonRuns runs_;
     panels::PlotState plot_;
     std::vector<State> ghosts_;
     std::uint64_t version_ = 0;

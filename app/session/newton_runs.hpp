@@ -17,6 +17,8 @@ struct NewtonPlan {
     CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;  ///< by method
     NewtonMethod method = NewtonMethod::stepwise_limited;                   ///< by coordinates
     bool normalisation_rows = true;
+
+    bool operator==(const NewtonPlan&) const = default;
 };
 
 /// "limited", "plain", "damped", "levenberg-marquardt": in the order of NewtonMethod.
