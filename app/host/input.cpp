@@ -52,12 +52,16 @@ InputEvent InputEvent::leave() {
 std::vector<InputEvent> InputQueue::take() {
     std::size_t end = 0;
     bool changed = false;
+    bool moved = false;
     for (; end < waiting_.size(); ++end) {
         const InputEvent& event = waiting_[end];
         const bool change = event.kind == InputEvent::Kind::button || event.kind == InputEvent::Kind::key;
         if (change && changed) { break; }
         // the pointer must have arrived before the button goes down, and stay until it has
         if (changed && event.kind == InputEvent::Kind::pointer) { break; }
+        // and what is held must have followed before it is let go
+        if (moved && event.kind == InputEvent::Kind::button && !event.down) { break; }
+        moved = moved || event.kind == InputEvent::Kind::pointer;
         changed = changed || change;
     }
     const auto last = waiting_.begin() + static_cast<std::ptrdiff_t>(end);

@@ -72,7 +72,8 @@ class InputQueue {
 public:
     void push(const InputEvent& event) { waiting_.push_back(event); }
     bool empty() const { return waiting_.empty(); }
-    /// The events of one frame: up to the second change of a button or key.
+    /// The events of one frame: up to the second change of a button or key, and not both a move and the
+    /// release at its end.
     std::vector<InputEvent> take();
 
 private:
