@@ -47,6 +47,13 @@ void Person::wait(double seconds) {
     for (double t = 0.0; t < seconds; t += kFrame) { frame(); }
 }
 
+void Person::rest() {
+    constexpr double kLong = 10.0;
+    settle();
+    host_->frame(kLong);
+    settle();
+}
+
 void Person::press(host::Key key, bool ctrl) {
     if (ctrl) { host_->push(host::InputEvent::pressed(host::Key::ctrl)); }
     host_->push(host::InputEvent::pressed(key));

@@ -32,6 +32,8 @@ public:
     void frame();
     void settle();
     void wait(double seconds);
+    /// As a window at rest that was waited for: one long frame. Messages are gone, cameras have turned.
+    void rest();
 
     void press(host::Key key, bool ctrl = false);
     /// ASCII, a character at a time.

@@ -1,0 +1,159 @@
+#include <catch2/catch.hpp>
+
+#include "app/host/timeline_bar.hpp"
+#include "app/session/pace.hpp"
+#include "tests/app/host/checks.hpp"
+#include "tests/app/host/person.hpp"
+
+namespace jw::test {
+namespace {
+
+using host::Command;
+using host::Key;
+
+constexpr const char* kFourBar = "loops/four-bar.toml";
+
+int last_of(const Person& person) { return static_cast<int>(person.session().story().steps().size()) - 1; }
+
+int first_step_of(const Person& person, const std::string& name) {
+    for (const host::Stretch& s : host::stretches_of(person.session().story())) {
+        if (s.name == name) { return s.first; }
+    }
+    return -1;
+}
+
+}  // namespace
+
+TEST_CASE("Keys go to the next step and back, to the joints, and to both ends") {
+    Person person(kFourBar);
+    CHECK(person.session().index() == 0);
+    person.press(Key::left);
+    CHECK(person.session().index() == 0);
+    person.press(Key::right);
+    CHECK(person.session().index() == 1);
+    person.type("n");
+    CHECK(person.session().index() == 2);
+    person.type("b");
+    CHECK(person.session().index() == 1);
+    person.press(Key::page_down);
+    CHECK(person.session().index() == first_step_of(person, "B"));
+    person.press(Key::page_down);
+    CHECK(person.session().index() == first_step_of(person, "C"));
+    person.press(Key::right);
+    person.press(Key::page_up);
+    CHECK(person.session().index() == first_step_of(person, "C"));
+    person.press(Key::page_up);
+    CHECK(person.session().index() == first_step_of(person, "B"));
+    person.press(Key::end);
+    CHECK(person.session().index() == last_of(person));
+    person.press(Key::right);
+    CHECK(person.session().index() == last_of(person));
+    person.press(Key::home);
+    CHECK(person.session().index() == 0);
+}
+
+TEST_CASE("Every step of the four-bar is the same forth and back") {
+    Person person(kFourBar);
+    const int motion = person.session().story().last_assembled() + 5;
+    std::vector<std::string> forth;
+    for (int k = 0; k <= motion; ++k) {
+        REQUIRE(person.session().index() == k);
+        forth.push_back(text_of(person.view()));
+        person.press(Key::right);
+    }
+    for (int k = motion; k >= 0; --k) {
+        person.press(Key::left);
+        REQUIRE(person.session().index() == k);
+        REQUIRE(text_of(person.view()) == forth[static_cast<std::size_t>(k)]);
+    }
+}
+
+TEST_CASE("It plays to the end, pauses where it is, and begins anew from the end") {
+    Person person("joints/revolute.toml");
+    person.press(Key::space);
+    REQUIRE(person.host().state().playing);
+    person.wait(0.5);
+    const int before = person.session().index();
+    person.wait(seconds_of_step(person.session().story(), person.view()));
+    CHECK(person.session().index() == before + 1);
+    person.press(Key::space);
+    CHECK_FALSE(person.host().state().playing);
+    const int paused = person.session().index();
+    person.wait(3.0);
+    CHECK(person.session().index() == paused);
+
+    for (int k = 0; k < 4; ++k) { person.type("."); }
+    CHECK(person.host().state().speed == 4.0);
+    person.press(Key::space);
+    for (int minute = 0; minute < 3 && person.host().state().playing; ++minute) { person.wait(60.0); }
+    CHECK(person.session().index() == last_of(person));
+    CHECK_FALSE(person.host().state().playing);
+    person.press(Key::space);
+    CHECK(person.session().index() < last_of(person));
+    CHECK(person.host().state().playing);
+    for (int k = 0; k < 6; ++k) { person.type(","); }
+    CHECK(person.host().state().speed == 0.25);
+}
+
+TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
+    Person person(kFourBar);
+    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    std::vector<int> seen;
+    for (float x = 240.0F; x <= 1080.0F; x += 70.0F) {
+        person.click(x, y);
+        if (!seen.empty()) { CHECK(person.session().index() >= seen.back()); }
+        seen.push_back(person.session().index());
+    }
+    CHECK(seen.front() < first_step_of(person, "B"));
+    CHECK(seen.back() > person.session().story().last_assembled());
+    person.drag(1080.0F, y, 300.0F, y);
+    CHECK(person.session().index() < first_step_of(person, "C"));
+    const int before = person.session().index();
+    person.wheel(-1.0F);
+    CHECK(person.session().index() == before + 1);
+    person.wheel(1.0F);
+    CHECK(person.session().index() == before);
+}
+
+TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
+    Person person(kFourBar);
+    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    person.host().push(host::InputEvent::pointer(300.0F, y));
+    person.host().push(host::InputEvent::button(0, true));
+    person.host().push(host::InputEvent::pointer(700.0F, y));
+    person.host().push(host::InputEvent::pointer(1080.0F, y));
+    person.host().push(host::InputEvent::button(0, false));
+    person.settle();
+    CHECK(person.session().index() > person.session().story().last_assembled());
+}
+
+TEST_CASE("Every step lies on the line where a click finds it") {
+    Person person(kFourBar);
+    const std::vector<host::Stretch> stretches = host::stretches_of(person.session().story());
+    const host::TimelineScale scale(stretches, 230.0F, 860.0F);
+    for (int k = 0; k <= last_of(person); ++k) { REQUIRE(scale.step_at(scale.x_of(k)) == k); }
+}
+
+TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
+    Person person(kFourBar);
+    const Story& story = person.session().story();
+    const int last = last_of(person);
+    CHECK(host::step_at(story, "12") == 11);
+    CHECK(host::step_at(story, "1") == 0);
+    CHECK(host::step_at(story, std::to_string(last + 1)) == last);
+    CHECK(host::step_at(story, "B") == first_step_of(person, "B"));
+    CHECK(host::step_at(story, "motor") == first_step_of(person, "motor"));
+    const auto half = host::step_at(story, "t=0.5");
+    REQUIRE(half);
+    // 200 intervals in 4 s
+    CHECK(story.steps()[static_cast<std::size_t>(*half)].t == Approx(0.5).margin(0.0101));
+    CHECK(host::step_at(story, "t=-7") == story.last_assembled() + 1);
+    for (const std::string nonsense :
+         {"", "0", "-1", "1.5", "b", "t=", "t=soon", "t=nan", "1e9", "12x", "t=0.5s", " 1"}) {
+        CAPTURE(nonsense);
+        CHECK_FALSE(host::step_at(story, nonsense));
+    }
+    CHECK_FALSE(host::step_at(story, std::to_string(last + 2)));
+}
+
+}  // namespace jw::test
