@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/session/describe.hpp"
+#include "app/session/export.hpp"
 #include "app/session/json.hpp"
 #include "app/session/session.hpp"
 #include "lessons/catalogue.hpp"
@@ -34,9 +36,11 @@ inline std::string told(const Story& story) {
     return json_of(story, static_cast<int>(story.steps().size()) - 1).dump();
 }
 
-/// Everything that stands in a view, every number in full.
+/// What stands in a view; matrix, Newton table and singular values with every number in full.
 inline std::string shown(const Session& session) {
-    return json_of(session.story(), session.index()).at("steps").back().dump();
+    const View& view = session.view();
+    return describe(view) + matrix_csv(view.matrix) + newton_csv(view.newton) +
+           singular_values_csv(view.rank);
 }
 
 /// Lessons of all kinds of joints and drivers, small enough to be told often.
