@@ -1,0 +1,113 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "app/host/browser.hpp"
+#include "lessons/catalogue.hpp"
+#include "tests/app/host/checks.hpp"
+#include "tests/app/host/reach.hpp"
+
+namespace jw::test {
+
+using host::Key;
+
+TEST_CASE("All words of a search must be found, in any case") {
+    const auto entries = host::catalogue_of(catalogue_folder(), {});
+    CHECK(entries.size() == lessons_below(catalogue_folder()).size());
+    CHECK(host::found_in(entries, "").size() == entries.size());
+    CHECK(host::found_in(entries, "  ").size() == entries.size());
+    CHECK(host::found_in(entries, "nothing-of-the-kind").empty());
+    const std::vector<int> found = host::found_in(entries, "FOUR revolutes");
+    REQUIRE_FALSE(found.empty());
+    CHECK(found.size() < entries.size());
+    for (const int k : host::found_in(entries, "bennett")) {
+        CHECK(entries[static_cast<std::size_t>(k)].path.stem() == "bennett");
+    }
+}
+
+TEST_CASE("A lesson is searched for, chosen and opened with the keyboard alone") {
+    Person person("");
+    REQUIRE(person.host().state().browser);
+    const Widget field = find(person, "lessons head", {"##search"});
+    person.click(field.x, field.y);
+    person.type("bennett");
+    person.press(Key::enter);
+    person.settle();
+    REQUIRE(person.host().shows_lesson());
+    CHECK(person.session().lesson().file_name.find("bennett") != std::string::npos);
+    person.type("g");
+    CHECK(person.host().state().browser);
+    person.press(Key::escape);
+    CHECK(person.host().shows_lesson());
+}
+
+TEST_CASE("A card that is clicked is opened, and is the newest of the lessons opened before") {
+    Person person("");
+    const auto width = static_cast<float>(person.host().width());
+    const auto height = static_cast<float>(person.host().height());
+    const std::vector<Widget> cards = widgets_in(person, {20.0F, 100.0F, width - 60.0F, 60.0F});
+    REQUIRE(cards.size() >= 3);
+    person.click(cards[1].x, std::min(cards[1].y + 40.0F, height));
+    REQUIRE(person.host().shows_lesson());
+    CHECK(fault_of(person.host()) == "");
+    const host::RecentLessons recent(person.folder().path() / "state" / "recent");
+    REQUIRE(recent.paths().size() == 1);
+    CHECK(
+        recent.paths().front().filename() ==
+        std::filesystem::path(person.session().lesson().file_name).filename());
+}
+
+TEST_CASE("Lessons opened before are kept, newest first, each once, twelve of them") {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "recent";
+    {
+        host::RecentLessons recent(file);
+        for (int k = 0; k < 20; ++k) { recent.add(folder.path() / (std::to_string(k) + ".toml")); }
+        recent.add(folder.path() / "15.toml");
+    }
+    const host::RecentLessons recent(file);
+    REQUIRE(recent.paths().size() == 12);
+    CHECK(recent.paths()[0].filename() == "15.toml");
+    CHECK(recent.paths()[1].filename() == "19.toml");
+    CHECK(std::ranges::count(recent.paths(), recent.paths()[0]) == 1);
+}
+
+TEST_CASE("A lesson of one's own stands among those opened before; one with mistakes says so") {
+    const TemporaryFolder folder;
+    const auto good = folder.path() / "mine.toml";
+    std::filesystem::copy_file(catalogue_folder() / "joints" / "revolute.toml", good);
+    const auto bad = folder.write("bad.toml", "title = 3\n");
+    const auto entries = host::catalogue_of(catalogue_folder(), {bad, good, folder.path() / "gone.toml"});
+    const std::size_t shipped = lessons_below(catalogue_folder()).size();
+    REQUIRE(entries.size() == shipped + 2);
+    CHECK_FALSE(entries[shipped].error.empty());
+    CHECK(entries[shipped + 1].error.empty());
+    CHECK(entries[shipped + 1].recent);
+}
+
+TEST_CASE("Another lesson brings its own numbers to all tabs") {
+    // both are told once, and looked at in the same step
+    for (const char* const tab : {"3", "4"}) {
+        Person fresh("loops/bennett.toml");
+        fresh.go_to(4);
+        fresh.type(tab);
+        fresh.rest();
+        fresh.ask(host::Command::save_csv);
+        const auto size = std::filesystem::file_size(fresh.folder().path() / "bennett-quantities.csv");
+        const std::size_t shapes = fresh.host().picture().scene.shapes.size();
+
+        Person person("loops/four-bar.toml");
+        person.go_to(4);
+        person.type(tab);
+        person.rest();
+        person.host().open(catalogue_folder() / "loops" / "bennett.toml");
+        person.go_to(4);
+        person.rest();
+        person.ask(host::Command::save_csv);
+        INFO("tab " << tab);
+        CHECK(std::filesystem::file_size(person.folder().path() / "bennett-quantities.csv") == size);
+        CHECK(person.host().picture().scene.shapes.size() == shapes);
+    }
+}
+
+}  // namespace jw::test

@@ -1,0 +1,144 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/app/host/checks.hpp"
+#include "tests/app/host/person.hpp"
+
+namespace jw::test {
+namespace {
+
+using host::Key;
+
+/// Numbers of what is outlined in the picture.
+std::set<int> lit_in(const Picture& picture) {
+    std::set<int> ids;
+    const auto add = [&](const auto& parts) {
+        for (const auto& part : parts) {
+            if (part.highlighted && part.id != 0) { ids.insert(part.id); }
+        }
+    };
+    add(picture.scene.shapes);
+    add(picture.scene.arrows);
+    return ids;
+}
+
+/// Points at one place of the column after the other until `fits` holds of what is pointed at.
+template <class Fits>
+bool look_for(Person& person, const panels::Box& box, float step, const Fits& fits) {
+    for (float y = box.y + 4.0F; y < box.bottom(); y += step) {
+        for (float x = box.x + 4.0F; x < box.right(); x += step) {
+            person.host().push(host::InputEvent::pointer(x, y));
+            person.frame();
+            if (fits(person.host().state().pointed_at)) {
+                person.settle();
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// The four-bar where joint A shows its equations, drawn.
+std::unique_ptr<Person> at_equations() {
+    auto person = std::make_unique<Person>("loops/four-bar.toml", Person::Pictures::drawn);
+    person->go_to(1);
+    person->picture();
+    return person;
+}
+
+Emphasis emphasis(Person& person) {
+    return {*person.session().step().system, 4, person.host().state().pointed_at};
+}
+
+}  // namespace
+
+TEST_CASE("Pointing at a row of equations or matrix outlines its joint and its vectors in the picture") {
+    const auto person = at_equations();
+    REQUIRE_FALSE(lit_in(person->host().picture()).contains(picture_id(Link::vector(0, Link::kVectorI))));
+    const panels::Box column = person->host().layout().column;
+    REQUIRE(look_for(*person, column, 7.0F, [](const Link& link) { return link.kind == Link::Kind::row; }));
+    const std::set<int> lit = lit_in(person->host().picture());
+    CHECK(lit.contains(picture_id(Link::vector(0, Link::kVectorI))));
+    CHECK(lit.contains(picture_id(Link::vector(0, Link::kVectorJ))));
+}
+
+TEST_CASE("Pointing at a symbol of a formula outlines that vector alone") {
+    const auto person = at_equations();
+    const panels::Box column = person->host().layout().column;
+    const Link wanted = Link::vector(0, Link::kVectorJ);
+    REQUIRE(look_for(*person, column, 5.0F, [&](const Link& link) { return link == wanted; }));
+    const std::set<int> lit = lit_in(person->host().picture());
+    CHECK(lit.contains(picture_id(wanted)));
+    CHECK_FALSE(lit.contains(picture_id(Link::vector(0, Link::kVectorI))));
+}
+
+TEST_CASE("Pointing at a vector in the picture lights up the rows that it is in") {
+    const auto person = at_equations();
+    const panels::Box scene = panels::box_of(person->host().layout().scene);
+    const std::set<int> at_rest = lit_in(person->host().picture());
+    REQUIRE(look_for(
+        *person, scene, 6.0F, [](const Link& l) { return l.kind == Link::Kind::vector && l.index == 0; }));
+    const Emphasis lit = emphasis(*person);
+    int rows = 0;
+    for (int row = 0; row < person->session().step().system->rows(); ++row) {
+        rows += lit.contains(Link::row(row)) ? 1 : 0;
+    }
+    CHECK(rows > 0);
+    CHECK(lit_in(person->host().picture()) != at_rest);
+    const std::uint64_t version = person->host().picture_version();
+    person->point(scene.x + 2.0F, scene.y + 2.0F);
+    CHECK(person->host().picture_version() > version);
+    CHECK(lit_in(person->host().picture()) == at_rest);
+}
+
+TEST_CASE("Pointing at a body in the picture lights up its columns, and it can be pulled there") {
+    const auto person = at_equations();
+    const panels::Box scene = panels::box_of(person->host().layout().scene);
+    REQUIRE(look_for(*person, scene, 8.0F, [](const Link& link) { return link == Link::body(2); }));
+    const Emphasis lit = emphasis(*person);
+    const int first = person->session().step().system->body_column(2, 4);
+    for (int k = 0; k < 7; ++k) { CHECK(lit.contains(Link::column(first + k))); }
+    CHECK(lit_in(person->host().picture()).contains(picture_id(Link::body(2))));
+
+    host::Host& host = person->host();
+    host.push(host::InputEvent::button(0, true));
+    person->settle();
+    host.push(host::InputEvent::pointer(400.0F, 200.0F));
+    person->settle();
+    host.push(host::InputEvent::button(0, false));
+    person->settle();
+    const auto r = [](const Lesson& lesson) { return lesson.mechanism.bodies[2].r; };
+    CHECK((r(person->session().lesson()) - r(person->session().as_written())).norm() > 1e-3);
+}
+
+TEST_CASE("A saved picture is what is on the screen, and p writes it into the folder for pictures") {
+    const auto person = at_equations();
+    person->type("p");
+    const render::Image image = person->picture();
+    const auto file = person->folder().path() / "four-bar-step-2.png";
+    REQUIRE(std::filesystem::exists(file));
+    // more than one colour
+    CHECK(std::ranges::adjacent_find(image.rgb, std::not_equal_to<>()) != image.rgb.end());
+    CHECK(person->host().message().find("four-bar-step-2.png") != std::string::npos);
+    CHECK(person->host().task() == host::Host::Task::none);
+}
+
+TEST_CASE("Windows of any size show the lesson, light and dark, with large text and small") {
+    Person person("loops/four-bar.toml");
+    person.go_to(6);
+    for (const auto& [width, height] : {std::pair(640, 400), std::pair(1000, 1300), std::pair(2560, 1440)}) {
+        person.host().resize(width, height);
+        for (const char* const change : {"d", "+", "+", "-", "-", "-", "d"}) {
+            person.type(change);
+            for (const char* const tab : {"1", "2", "3", "4"}) {
+                person.type(tab);
+                INFO(width << " x " << height << ", tab " << tab);
+                CHECK(fault_of(person.host()) == "");
+            }
+        }
+    }
+}
+
+}  // namespace jw::test
