@@ -104,6 +104,7 @@ bool Host::open(
 
 void Host::show_browser() {
     state_.browser = true;
+    state_.search.clear();
     entries_ = refreshed_catalogue();
     settle_ = 2;
 }

@@ -121,6 +121,7 @@ private:
     void carry_out(Requests requests);
     void carry_out(Command command);
     void carry_out_view(Command command);
+    void forget_what_is_pointed_at();
     void go_to(int step);
     void go_to_joint(int direction);
     void apply(const Action& action);

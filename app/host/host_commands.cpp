@@ -49,8 +49,15 @@ void Host::apply(const Action& action) {
     if (session_->version() != version) { settle_ = 2; }
     if (session_->told() != told) {
         state_.freedom = -1;
+        forget_what_is_pointed_at();
         fitted_ = session_->told();
     }
+}
+
+/// What was pointed at need not be there in another lesson.
+void Host::forget_what_is_pointed_at() {
+    state_.pointed_at = {};
+    state_.lit_rows.clear();
 }
 
 void Host::go_to(int step) {
@@ -272,6 +279,7 @@ bool Host::look_at_file() {
     }
     file_errors_.clear();
     session_->replace(*read.lesson);
+    forget_what_is_pointed_at();
     state_.freedom = -1;
     if (hand_.is_own()) { fit_camera(true); }
     say("The file was saved anew: this is the same step of it.");

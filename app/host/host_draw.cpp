@@ -193,7 +193,7 @@ void Host::draw_messages(const Ui& ui) {
 
 const Picture& Host::picture() {
     if (!session_) { return picture_; }
-    const std::vector<State>& ghosts = benches_.newton.ghosts();
+    const std::span<const State> ghosts = benches_.newton.ghosts(session_->told());
     const bool same_ghosts =
         picture_ghosts_ == benches_.newton.version() && picture_has_ghosts_ == !ghosts.empty();
     if (picture_of_ == session_->version() && picture_link_ == state_.pointed_at && same_ghosts &&

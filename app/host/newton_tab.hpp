@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "app/host/ui.hpp"
@@ -14,8 +15,11 @@ class NewtonBench {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
 
-    /// Iterates that the picture shows as ghosts; empty while this tab is not shown.
-    const std::vector<State>& ghosts() const { return ghosts_; }
+    /// Iterates that the picture shows as ghosts; empty while this tab is not shown, and where they are of
+    /// another telling than `told`: its bodies need not be the same.
+    std::span<const State> ghosts(std::uint64_t told) const {
+        return told == key_.told ? std::span<const State>(ghosts_) : std::span<const State>();
+    }
     void forget_ghosts() { ghosts_.clear(); }
     /// Grows with every change of ghosts().
     std::uint64_t version() const { return version_; }

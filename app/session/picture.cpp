@@ -170,7 +170,7 @@ Picture compose(const Story& story, const PictureStyle& style, const Step& step,
 }  // namespace picture
 
 void add_ghosts(
-    const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture) {
+    const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture) {
     constexpr float palest = 0.10F;
     constexpr float strongest = 0.30F;
     for (std::size_t k = 0; k < poses.size(); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,7 @@ void light_up(Picture& picture, const Emphasis& lit);
 
 /// Other poses of the same bodies, pale; the later ones stronger.
 void add_ghosts(
-    const Lesson& lesson, const PictureStyle& style, const std::vector<State>& poses, Picture& picture);
+    const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture);
 
 /// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
