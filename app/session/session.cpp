@@ -183,7 +183,9 @@ void Session::replace(Lesson lesson) {
     take_over(written_);
 }
 
-Session::Past Session::present(std::string what) const { return {lesson_, written_, index_, std::move(what)}; }
+Session::Past Session::present(std::string what) const {
+    return {lesson_, written_, index_, std::move(what)};
+}
 
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     const Place place = place_of(*story_, index_);
