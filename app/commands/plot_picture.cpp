@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "app/host/panel_context.hpp"
 #include "app/panels/frame.hpp"
 #include "app/panels/theme.hpp"
 #include "render/imgui_backend.hpp"
@@ -9,37 +10,10 @@
 
 namespace jw {
 
-namespace {
-
-/// ImGui for one picture: no file, no clock.
-class Context {
-public:
-    Context(int width, int height) : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
-        ImGui::SetCurrentContext(own_);
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.LogFilename = nullptr;
-        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-        io.DeltaTime = 1.0F / 30.0F;
-    }
-    ~Context() {
-        ImGui::DestroyContext(own_);
-        if (before_ != nullptr) { ImGui::SetCurrentContext(before_); }
-    }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-
-private:
-    ImGuiContext* before_;
-    ImGuiContext* own_;
-};
-
-}  // namespace
-
 render::Image picture_of_plot(
     const SeriesSet& set, const panels::PlotState& state, const std::string& title, int width, int height) {
     render::Offscreen offscreen(width, height);
-    const Context context(width, height);
+    const host::PanelContext context(width, height);
     const render::Fonts fonts = render::load_fonts(panels::scale_of(width, height));
     const render::ImguiBackend backend(offscreen.gl());
     offscreen.begin_3d(panels::theme::kPaper);

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "app/host/panel_context.hpp"
 #include "app/panels/frame.hpp"
 #include "app/session/picture_camera.hpp"
 #include "render/fonts.hpp"
@@ -13,40 +14,6 @@
 #include "render/scene_renderer.hpp"
 
 namespace jw::host {
-
-namespace {
-
-/// ImGui without a window: nothing is read from or written to a file, no clock. The context that was current
-/// before is so again between frames.
-class PanelContext {
-public:
-    PanelContext(int width, int height)
-        : before_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()) {
-        ImGui::SetCurrentContext(context_);
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.LogFilename = nullptr;
-        io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-        io.DeltaTime = 1.0F / 30.0F;
-    }
-    ~PanelContext() {
-        ImGui::DestroyContext(context_);
-        leave();
-    }
-    PanelContext(const PanelContext&) = delete;
-    PanelContext& operator=(const PanelContext&) = delete;
-
-    void enter() const { ImGui::SetCurrentContext(context_); }
-    void leave() const {
-        if (before_ != nullptr) { ImGui::SetCurrentContext(before_); }
-    }
-
-private:
-    ImGuiContext* before_;
-    ImGuiContext* context_;
-};
-
-}  // namespace
 
 struct FramePainter::Surface {
     Surface(int width, int height)

@@ -83,6 +83,8 @@ public:
     const Picture& picture();
     /// Grows with every change of picture().
     std::uint64_t picture_version() const { return picture_version_; }
+    /// Counts the poses shown, over all lessons opened: what is highlighted does not count.
+    std::uint64_t pose_version() const { return pose_version_; }
 
     std::vector<CatalogueEntry>& catalogue() { return entries_; }
     /// Grows when the font atlas was built anew: its texture must be too.
@@ -166,6 +168,7 @@ private:
 
     Picture picture_;
     std::uint64_t picture_version_ = 0;
+    std::uint64_t pose_version_ = 0;
     std::uint64_t picture_of_ = 0;  ///< version of the session that picture_ shows
     Link picture_link_;
     std::vector<int> picture_rows_;

@@ -204,6 +204,7 @@ const Picture& Host::picture() {
     add_ghosts(session_->lesson(), session_->style(), ghosts, picture_);
     picture_ghosts_ = benches_.newton.version();
     picture_has_ghosts_ = !ghosts.empty();
+    if (picture_of_ != session_->version()) { ++pose_version_; }
     picture_of_ = session_->version();
     picture_link_ = state_.pointed_at;
     ++picture_version_;

@@ -6,48 +6,19 @@
 
 namespace jw::host {
 
-InputEvent InputEvent::pointer(float x, float y) {
-    InputEvent event;
-    event.x = x;
-    event.y = y;
-    return event;
-}
+InputEvent InputEvent::pointer(float x, float y) { return {.kind = Kind::pointer, .x = x, .y = y}; }
 
 InputEvent InputEvent::button(int number, bool down) {
-    InputEvent event;
-    event.kind = Kind::button;
-    event.number = number;
-    event.down = down;
-    return event;
+    return {.kind = Kind::button, .number = number, .down = down};
 }
 
-InputEvent InputEvent::wheel(float notches) {
-    InputEvent event;
-    event.kind = Kind::wheel;
-    event.y = notches;
-    return event;
-}
+InputEvent InputEvent::wheel(float notches) { return {.kind = Kind::wheel, .y = notches}; }
 
-InputEvent InputEvent::pressed(Key key, bool down) {
-    InputEvent event;
-    event.kind = Kind::key;
-    event.key = key;
-    event.down = down;
-    return event;
-}
+InputEvent InputEvent::pressed(Key key, bool down) { return {.kind = Kind::key, .key = key, .down = down}; }
 
-InputEvent InputEvent::typed(unsigned character) {
-    InputEvent event;
-    event.kind = Kind::text;
-    event.character = character;
-    return event;
-}
+InputEvent InputEvent::typed(unsigned character) { return {.kind = Kind::text, .character = character}; }
 
-InputEvent InputEvent::leave() {
-    InputEvent event;
-    event.kind = Kind::leave;
-    return event;
-}
+InputEvent InputEvent::leave() { return {.kind = Kind::leave}; }
 
 std::vector<InputEvent> InputQueue::take() {
     std::size_t end = 0;

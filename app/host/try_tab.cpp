@@ -56,7 +56,8 @@ void history(const LessonUi& ui) {
     button(Command::redo, "Do again", !redo.empty());
     ImGui::SameLine();
     button(Command::start_over, "As it was written", ui.session.is_changed());
-    if (!undo.empty()) { note(ui, "last change: " + undo); }
+    // there from the start, so that nothing moves below it
+    note(ui, undo.empty() ? "no change yet" : "last change: " + undo);
 }
 
 void coordinates(const LessonUi& ui) {
