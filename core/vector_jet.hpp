@@ -49,6 +49,11 @@ struct Jet {
 
 namespace detail {
 
+/// An operand without blocks.
+struct Blockless {
+    static constexpr unsigned kSides = kNone;
+};
+
 /// out = Σ of `scale_x * x.block` over the operands that have the block; `a` and `b` are maps Block -> Block.
 template <class Out, class A, class B, class MapA, class MapB>
 void combine_blocks(Out& out, const A& a, const B& b, MapA&& map_a, MapB&& map_b) {
@@ -135,7 +140,7 @@ Jet<C, K, 1, S> chain(const Jet<C, K, 1, S>& x, double f, double f_prime, double
         out.bias(0) = f_prime * x.bias(0) + f_second * x.rate(0) * x.rate(0);
     } else {
         const auto scaled = [&](const auto& block) { return (f_prime * block).eval(); };
-        detail::combine_blocks(out, x, Jet<C, K, 1, kNone>{}, scaled, scaled);
+        detail::combine_blocks(out, x, detail::Blockless{}, scaled, scaled);
     }
     return out;
 }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/coordinates.hpp"
+#include "core/dynamics/loads.hpp"
+#include "core/dynamics/methods.hpp"
 #include "core/mechanism.hpp"
 #include "lessons/claims.hpp"
 
@@ -68,6 +70,25 @@ struct MotionPlan {
     int steps = 100;        ///< equal intervals of time that are solved
 };
 
+/// A point of a body, in the body frame [m].
+struct BodyPoint {
+    int body = 0;
+    Vec3 point_local = Vec3::Zero();
+};
+
+/// What a lesson of dynamics adds: masses, loads, and how it is integrated unless asked otherwise.
+struct DynamicsPlan {
+    Loads loads;
+    double duration = 1.0;  ///< [s], > 0, from t = 0
+    Method method = Method::explicit_8;
+    Treatment treatment = Treatment::projection;
+    double tolerance = 1e-6;         ///< of adaptive methods, > 0
+    double step = 1e-3;              ///< of the others [s], > 0
+    std::optional<BodyPoint> point;  ///< whose path is compared and plotted
+    /// Trusted position of the point at the end [m]; digits as far as they are trusted.
+    std::optional<Vec3> point_at_end;
+};
+
 /// A joint or a driver that is added in one step.
 struct Addition {
     enum class Kind { joint, driver };
@@ -102,6 +123,7 @@ struct Lesson {
     std::vector<Addition> order;  ///< every joint and driver once, in the order in which they are added
     CoordinateChoice coordinates = CoordinateChoice::modified_euler_parameters;
     std::optional<MotionPlan> motion;
+    std::optional<DynamicsPlan> dynamics;
     CameraWish camera;
     StepTexts step_texts;
     std::vector<Claim> claims;

@@ -1,0 +1,203 @@
+#include "core/dynamics/integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jw {
+
+namespace {
+
+constexpr int kMostAttempts = 60;
+/// Near a singular position: the pivot has fallen this much, its square root to a sixth.
+constexpr double kNearSingular = 3e-2;
+/// Too near for a stage: an acceleration there is wrong by 1e-16 / pivot.
+constexpr double kTooNear = 1e-6;
+/// A stage that lies too near is moved by a step of another length.
+constexpr double kDodge = 0.93;
+constexpr int kMostDodges = 8;
+/// A step through a singular position is at least this share of the last regular one.
+constexpr double kSmallestShare = 0.4;
+/// Drift off the constraints that is allowed, by the tolerance of a step.
+constexpr double kDriftShare = 0.1;
+
+}  // namespace
+
+Integrator::Integrator(
+    MotionEquations& equations, const IntegrationOptions& options, double t, std::vector<double> y)
+    : equations_(&equations),
+      options_(options),
+      t_(t),
+      y_(std::move(y)),
+      y_new_(y_.size()),
+      y_dot_new_(y_.size()),
+      stages_(static_cast<std::size_t>(options.table->stages), std::vector<double>(y_.size())) {
+    equations_->choose_rows(t_, y_.data());
+    if (options_.project) {
+        equations_->project(t_, y_.data());
+        ++counts_.projections;
+    }
+    ++counts_.evaluations;
+    verdict_ = equations_->evaluate(t_, y_.data(), stages_.front().data());
+    pivot_at_choice_ = verdict_.smallest_pivot;
+    update_scales();
+    h_ = options_.fixed_step > 0.0 ? options_.fixed_step : first_step();
+}
+
+/// A stage; `y` may be moved onto the constraints.
+RowsVerdict Integrator::evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot) {
+    ++counts_.evaluations;
+    if (on_manifold_) {
+        equations_->project(t, y.data());
+        ++counts_.projections;
+    }
+    return equations_->evaluate(t, y.data(), y_dot.data());
+}
+
+void Integrator::update_scales() {
+    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
+        for (std::size_t c = 7; c < 10; ++c) {
+            velocity_scale_ = std::max(velocity_scale_, std::abs(y_[k + c]));
+        }
+        for (std::size_t c = 10; c < 13; ++c) { omega_scale_ = std::max(omega_scale_, std::abs(y_[k + c])); }
+    }
+}
+
+/// A share of the time in which something moves by its scale.
+double Integrator::first_step() const {
+    double rate = 1e-3;  // [1/s] of a scene at rest without forces
+    double acceleration = 0.0;
+    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
+        for (std::size_t c = 7; c < 10; ++c) {
+            acceleration = std::max(acceleration, std::abs(stages_.front()[k + c]) / options_.length_scale);
+        }
+        for (std::size_t c = 10; c < 13; ++c) {
+            acceleration = std::max(acceleration, std::abs(stages_.front()[k + c]));
+        }
+    }
+    rate = std::max({rate, velocity_scale_ / options_.length_scale, omega_scale_, std::sqrt(acceleration)});
+    return 0.5 * std::pow(options_.tolerance, 1.0 / options_.table->order) / rate;
+}
+
+double Integrator::error_of(double h) const {
+    const RungeKuttaTable& table = *options_.table;
+    double rate = 0.0;
+    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
+        for (std::size_t c = 7; c < 10; ++c) { rate = std::max(rate, std::abs(h * stages_.front()[k + c])); }
+    }
+    const double scales[3] = {options_.length_scale, 1.0, 0.0};
+    const double velocity = std::max(velocity_scale_, 0.5 * rate);
+    const double omega = std::max(omega_scale_, velocity / options_.length_scale);
+    double sum = 0.0;
+    double sum_third = 0.0;
+    for (std::size_t k = 0; k < y_.size(); ++k) {
+        const std::size_t c = k % kNumbersPerBody;
+        const double scale = c < 3 ? scales[0] : c < 7 ? scales[1] : c < 10 ? velocity : omega;
+        double error = 0.0;
+        double third = 0.0;
+        for (std::size_t s = 0; s < static_cast<std::size_t>(table.stages); ++s) {
+            error += table.e[s] * stages_[s][k];
+            third += table.e_third[s] * stages_[s][k];
+        }
+        sum += (error / scale) * (error / scale);
+        sum_third += (third / scale) * (third / scale);
+    }
+    const double count = static_cast<double>(y_.size());
+    if (sum_third == 0.0) { return std::abs(h) * std::sqrt(sum / count) / options_.tolerance; }
+    return std::abs(h) * sum / std::sqrt((sum + 0.01 * sum_third) * count) / options_.tolerance;
+}
+
+void Integrator::take_step(double h) {
+    const RungeKuttaTable& table = *options_.table;
+    lowest_pivot_ = verdict_.smallest_pivot;
+    const auto add = [&](std::vector<double>& y, double factor, std::size_t stage) {
+        if (factor == 0.0) { return; }
+        const double* k = stages_[stage].data();
+        for (std::size_t n = 0; n < y.size(); ++n) { y[n] += factor * k[n]; }
+    };
+    const auto stages = static_cast<std::size_t>(table.stages);
+    for (std::size_t s = 1; s < stages; ++s) {
+        y_new_ = y_;
+        for (std::size_t m = 0; m < s; ++m) { add(y_new_, h * table.a[s][m], m); }
+        const RowsVerdict verdict = evaluate(t_ + table.c[s] * h, y_new_, stages_[s]);
+        lowest_pivot_ = std::min(lowest_pivot_, verdict.smallest_pivot);
+    }
+    y_new_ = y_;
+    for (std::size_t s = 0; s < stages; ++s) { add(y_new_, h * table.b[s], s); }
+    // the first stage of the next step: it must not be too near to a singular position either
+    verdict_new_ = evaluate_end(t_ + h);
+    lowest_pivot_ = std::min(lowest_pivot_, verdict_new_.smallest_pivot);
+}
+
+/// ẏ at the end of a step, which is moved back onto the constraints if it has drifted.
+RowsVerdict Integrator::evaluate_end(double t) {
+    ++counts_.evaluations;
+    RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    const double drift = kDriftShare * options_.tolerance * options_.length_scale;
+    if (options_.project && (on_manifold_ || verdict.violation > drift)) {
+        equations_->project(t, y_new_.data());
+        ++counts_.projections;
+        ++counts_.evaluations;
+        verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    }
+    return verdict;
+}
+
+/// The end of the step becomes the start of the next.
+void Integrator::accept(double t) {
+    t_ = t;
+    std::swap(y_, y_new_);
+    std::swap(stages_.front(), y_dot_new_);
+    verdict_ = verdict_new_;
+    ++counts_.steps;
+    update_scales();
+}
+
+bool Integrator::is_near_singular() const {
+    // not a number fails every comparison
+    return options_.project && !(lowest_pivot_ >= kNearSingular * pivot_at_choice_);
+}
+
+bool Integrator::step(double t_end) {
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        const double left = t_end - t_;
+        const bool last = h_ >= left * (1.0 - 1e-12);
+        const double h = last ? left : (h_ > 0.5 * left ? 0.5 * left : h_);
+        on_manifold_ = false;
+        take_step(h);
+        const bool singular = is_near_singular();
+        if (singular) {
+            // off the constraints a small residual becomes a large acceleration there
+            on_manifold_ = true;
+            take_step(h);
+            ++counts_.singular_passages;
+            if (lowest_pivot_ < kTooNear * pivot_at_choice_ && attempt < kMostDodges) {
+                h_ = kDodge * h;
+                continue;
+            }
+        }
+        const double error = options_.fixed_step > 0.0 ? 0.0 : error_of(h);
+        // the estimate of a step through a singular position sees rounding, not the motion
+        const bool small_enough = singular && h <= kSmallestShare * regular_step_;
+        if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
+            accept(last ? t_end : t_ + h);
+            if (options_.fixed_step > 0.0) { return true; }
+            const double most = rejected_before_ ? 1.0 : 6.0;
+            const double factor =
+                error > 0.0 ? std::clamp(0.9 * std::pow(error, -1.0 / options_.table->order), 0.333, most)
+                            : most;
+            rejected_before_ = false;
+            h_ = h * factor;
+            if (!singular && !last) { regular_step_ = h; }
+            if (singular) { h_ = std::max(h_, kSmallestShare * regular_step_); }
+            return true;
+        }
+        ++counts_.rejected;
+        rejected_before_ = true;
+        const double factor =
+            std::isfinite(error) ? 0.9 * std::pow(error, -1.0 / options_.table->order) : 0.1;
+        h_ = h * std::clamp(factor, 0.1, 0.9);
+    }
+    return false;
+}
+
+}  // namespace jw

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "core/drivers.hpp"
+#include "core/system.hpp"
+
+/// The constraint equations as the equations of motion want them: grouped by the pair of bodies that they
+/// link, without artificial coordinates (which have no mass).
+namespace jw {
+
+/// A screw without its θ: Φ = (d - d0) - α (θ - θ0) with θ the angle from u_i to u_j, turns left out (m).
+struct ScrewTurned {
+    static constexpr int kEquations = 1;
+    DisplacementMeasure displacement;
+    AngleMeasure angle;
+    double alpha;    ///< [m/rad]
+    double d_0;      ///< [m]
+    double theta_0;  ///< [rad]
+};
+
+/// A measure that follows a function of time. θ of a screw is driven as its angle.
+struct Driven {
+    static constexpr int kEquations = 1;
+    Measure measure;
+    TimeFunction function;
+};
+
+using LinkPrimitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, Driven>;
+
+/// Equations of one primitive between two bodies; rows of its link that it fills from `first_row` on.
+struct LinkEquation {
+    LinkPrimitive primitive;
+    unsigned left_out = 0;  ///< bit k: component k has no row
+    int first_row = 0;
+    int rows = 0;
+};
+
+/// Rows that are factored together: those of a joint (or a driver) between two bodies.
+struct Link {
+    int joint = -1;   ///< index in the mechanism, -1 for a driver
+    int driver = -1;  ///< index in the mechanism, -1 for a joint
+    int body_i = 0;
+    int body_j = 0;
+    std::vector<LinkEquation> equations;
+    int rows = 0;
+};
+
+/// All joints and drivers as links of at most `kMostRows` rows. p1 and p2 under the rule (or with all three
+/// equations) become their n1 / n2 pair: condition 1 for every axis, so that no row has to be switched on the
+/// way. Forms chosen by hand stay what they are.
+inline constexpr int kMostRows = 6;
+std::vector<Link> links_of(const Mechanism& mechanism);
+
+/// Rows of one primitive at a time: value, and as asked for by K the Jacobian or the motion.
+/// Calls `f(jet, f_dot, f_ddot)`; the two are those of a driver's function, else 0.
+template <Content K, class C, class F>
+void visit_rows(
+    const LinkPrimitive& primitive, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t, F&& f) {
+    std::visit(
+        [&](const auto& p) {
+            using P = std::decay_t<decltype(p)>;
+            if constexpr (std::is_same_v<P, ScrewTurned>) {
+                auto jet = measured<K>(p.displacement, i, j, Theta{}) -
+                           scaled(p.alpha, measured<K>(p.angle, i, j, Theta{}));
+                const double phi = jet.value(0) - p.d_0 + p.alpha * p.theta_0;
+                jet.value(0) = std::remainder(phi, 2.0 * std::numbers::pi * p.alpha);
+                f(jet, 0.0, 0.0);
+            } else if constexpr (std::is_same_v<P, Driven>) {
+                std::visit(
+                    [&](const auto& measure) {
+                        auto jet = measured<K>(measure, i, j, Theta{});
+                        const TimeFunction::Value target = target_of(p.measure, p.function, t);
+                        jet.value(0) = driver_residual(p.measure, jet.value(0), target.f);
+                        f(jet, target.f_dot, target.f_ddot);
+                    },
+                    p.measure);
+            } else {
+                f(equations<K>(p, i, j, Theta{}), 0.0, 0.0);
+            }
+        },
+        primitive);
+}
+
+}  // namespace jw
