@@ -1,27 +1,31 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <vector>
+#include <utility>
 
+#include "core/dynamics/flat_state.hpp"
 #include "core/dynamics/loads.hpp"
 
 /// The equations of motion as a first-order system ẏ = f(t, y).
 ///
 ///   M q̈ - Φqᵀ λ = Q,   Φq q̈ = γ
 ///
-/// y holds for every moving body its r, p, ṙ, ω' of the centroidal frame, 13 numbers.
+/// y holds for every moving body its r, p, ṙ, ω' of the centroidal frame (flat_state.hpp).
 /// @source slides 18-19 and 24; signs in docs/notation.md
 namespace jw {
-
-inline constexpr int kNumbersPerBody = 13;
 
 /// What one evaluation says about the rows in use.
 struct RowsVerdict {
     /// Smallest pivot of Φq M⁻¹ Φqᵀ, each by its row's own size: the square of the sine between a row and
     /// those before it. It falls as (distance)² to a singular position.
     double smallest_pivot = 1.0;
-    double violation = 0.0;  ///< largest |Φ| of all rows, in their own units
+    double violation = 0.0;  ///< largest |Φ| of all rows, each by the size of its equation
+};
+
+/// See MotionEquations::tangent_space.
+struct TangentSpace {
+    MatrixX basis;
+    MatrixX weighted;
 };
 
 class MotionEquations {
@@ -36,23 +40,23 @@ public:
     virtual RowsVerdict evaluate(double t, const double* y, double* y_dot) = 0;
     /// Moves y to the nearest state (in the metric of M) that satisfies the constraints and their rates, p
     /// unit.
-    /// @return how far the worst position equation was off before [m, 1]
+    /// @return how far the worst position equation was off before, by the size of its equation
     virtual double project(double t, double* y) = 0;
     /// Chooses anew which rows are kept, of those that repeat each other, at y. @return true if they changed
     virtual bool choose_rows(double t, const double* y) = 0;
-    /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included.
+    /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included, by the size of their equations.
     virtual std::pair<double, double> violation(double t, const double* y) = 0;
     /// Kinetic and potential energy (gravity and springs) [J].
     virtual double kinetic_energy(const double* y) const = 0;
     virtual double potential_energy(const double* y) const = 0;
 
+    /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
+    /// metric of M; and M times them. Dense, for small mechanisms.
+    virtual TangentSpace tangent_space(double t, const double* y) = 0;
+
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;
 };
-
-/// y of a state and a motion in centroidal frames, and back; `moving` lists the moving bodies.
-void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y);
-void unpack(const double* y, std::span<const int> moving, State& state, Motion& motion);
 
 /// Block-sparse equations of motion in (r, ω'): cost linear in the bodies for chains and rows of loops, no
 /// allocation per evaluation. `centroidal` must outlive the result.

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/block_matrix.hpp"
+#include "core/dynamics/link_equations.hpp"
+#include "core/dynamics/motion_equations.hpp"
+
+/// The equations of motion over the graph of joints: Φq M⁻¹ Φqᵀ is a block-sparse matrix with one block of
+/// B x B for every pair of links that share a moving body. Included by its two parts only.
+namespace jw {
+
+inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+using Kinematics6 = BodyKinematics<OmegaLocal>;
+
+/// A body that moves: its number, its M⁻¹ and where it is.
+struct MovingBody {
+    int body = 0;
+    double mass = 0.0;
+    double inverse_mass = 0.0;
+    Mat3 J = Mat3::Zero();
+    Mat3 inverse_J = Mat3::Zero();
+};
+
+/// A link as it is evaluated: its equations, its bodies and the rows that are kept.
+struct Node {
+    Link link;
+    int moving_i = -1;  ///< place among the moving bodies, -1 for a fixed one
+    int moving_j = -1;
+    unsigned kept = 0;  ///< bit r: row r is kept
+};
+
+/// One product W Jᵀ of the matrix Φq M⁻¹ Φqᵀ; sides are counted 2 node (+ 1 for body j).
+struct Product {
+    int block = 0;
+    int w_side = 0;
+    int j_side = 0;
+};
+
+template <int B>
+class BlockEquations final : public MotionEquations {
+public:
+    BlockEquations(const Centroidal& scene, std::vector<Link> links);
+
+    int size() const override { return kNumbersPerBody * static_cast<int>(moving_.size()); }
+    RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
+    double project(double t, double* y) override;
+    bool choose_rows(double t, const double* y) override;
+    std::pair<double, double> violation(double t, const double* y) override;
+    double kinetic_energy(const double* y) const override;
+    double potential_energy(const double* y) const override;
+    TangentSpace tangent_space(double t, const double* y) override;
+    int rows() const override;
+    int rows_left_out() const override;
+
+private:
+    static constexpr int kSide = 6 * B;
+    /// Where the numbers of a side begin in j_ and w_.
+    static std::size_t side_at(int side) { return static_cast<std::size_t>(side) * kSide; }
+    static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
+    /// Place of a body of a node among the moving ones (s = 0: i, 1: j), -1 if it is fixed.
+    static int moving_of(const Node& node, int s) { return s == 0 ? node.moving_i : node.moving_j; }
+
+    void build_structure();
+    template <bool WithMotion>
+    void set_bodies(const double* y);
+    /// Φ and Φq of every link, and γ if asked for.
+    template <bool WithMotion>
+    void evaluate_links(double t);
+    template <class Jet>
+    void write_jacobian(const Node& node, int side, const LinkEquation& equation, const Jet& jet);
+    /// W = J M⁻¹ of every side; with Metric::geometry an M that knows no masses: a turn counts as the way of
+    /// a point one extent away.
+    enum class Metric { mass, geometry };
+    void weigh(Metric metric);
+    void form_matrix();
+    double smallest_pivot() const;
+    double violation_of_rows() const;
+    double violation_of_kept_rows() const;
+    /// λ = numbers of the kept rows, 0 for the others.
+    void set_lambda(const std::vector<double>& numbers);
+    void project_velocities(double* y);
+    /// M⁻¹ Q of every body.
+    void evaluate_forces(double t, const double* y);
+    /// b_node -= J x for six numbers per moving body.
+    void subtract_products(const double* x, double* b) const;
+    /// x_body += Wᵀ λ
+    void add_reactions(const double* lambda, double* x) const;
+
+    const Centroidal* scene_;
+    std::vector<MovingBody> moving_;
+    std::vector<int> order_of_body_;
+    std::vector<Node> nodes_;
+    std::vector<Product> products_;
+    BlockStructure structure_;
+    BlockMatrix<B> matrix_;
+    std::vector<Kinematics6> bodies_;  ///< of all bodies, fixed ones included
+    std::vector<double> j_;            ///< Jᵀ of every side, 6 x B row-major
+    std::vector<double> w_;            ///< J M⁻¹ of every side, B x 6 row-major
+    std::vector<double> phi_;
+    std::vector<double> nu_;
+    std::vector<double> gamma_;
+    std::vector<double> lambda_;
+    std::vector<double> inverse_unit_;  ///< 1 / size of every equation
+    std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
+    std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
+    double extent_ = 1.0;
+    double exact_ = 1e-14;  ///< residual of position equations that is rounding only, by their sizes
+};
+
+}  // namespace jw

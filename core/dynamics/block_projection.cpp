@@ -1,0 +1,204 @@
+#include "core/dynamics/block_equations.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
+/// What the block equations do besides accelerations: back onto the constraints, choice of rows, tangents.
+namespace jw {
+
+namespace {
+
+/// Rows whose pivot is below this share of their size repeat earlier ones: far above rounding (1e-15 times a
+/// condition of 1e3), far below the pivots of sound joints (1e-3).
+constexpr double kRepeats = 1e-9;
+/// Displacements up to this size leave a factorisation good enough to correct velocities with.
+constexpr double kSmallDisplacement = 1e-6;
+
+/// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, do not repeat others: diagonal pivoting.
+template <int B>
+unsigned independent_rows_of(const double* block, const double* row_size, unsigned candidates) {
+    double a[B * B];
+    std::copy(block, block + B * B, a);
+    unsigned chosen = 0;
+    for (;;) {
+        int best = -1;
+        double best_ratio = kRepeats;
+        for (int row = 0; row < B; ++row) {
+            const bool open = (((candidates & ~chosen) >> row) & 1U) != 0;
+            const double ratio = a[row * B + row] / row_size[row];
+            if (open && ratio > best_ratio) {
+                best = row;
+                best_ratio = ratio;
+            }
+        }
+        if (best < 0) { return chosen; }
+        chosen |= 1U << best;
+        for (int row = 0; row < B; ++row) {
+            if (row == best) { continue; }
+            const double factor = a[row * B + best] / a[best * B + best];
+            for (int k = 0; k < B; ++k) { a[row * B + k] -= factor * a[best * B + k]; }
+        }
+    }
+}
+
+}  // namespace
+
+template <int B>
+double BlockEquations<B>::project(double t, double* y) {
+    // quadratic convergence: from the error of a step two rounds reach rounding
+    constexpr int most_rounds = 12;
+    for (std::size_t m = 0; m < moving_.size(); ++m) { vec4(body_numbers(y, m) + 3).normalize(); }
+    double before = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+    bool factored = false;
+    for (int round = 0; round < most_rounds; ++round) {
+        set_bodies<false>(y);
+        evaluate_links<false>(t);
+        const double worst = violation_of_kept_rows();
+        if (round == 0) { before = worst; }
+        // rounding has been reached where it does not get better any more
+        if (worst <= exact_ || (worst < kSmallDisplacement && worst > 0.5 * last)) { break; }
+        last = worst;
+        if (!factored || worst > kSmallDisplacement) {
+            weigh(Metric::mass);
+            form_matrix();
+            matrix_.factor();
+            factored = true;
+        }
+        set_lambda(phi_);
+        for (double& l : lambda_) { l = -l; }
+        matrix_.solve(lambda_.data());
+        std::fill(six_.begin(), six_.end(), 0.0);
+        add_reactions(lambda_.data(), six_.data());
+        displace(y, six_.data(), moving_.size());
+    }
+    if (!factored) {
+        weigh(Metric::mass);
+        form_matrix();
+        matrix_.factor();
+    }
+    project_velocities(y);
+    return before;
+}
+
+template <int B>
+double BlockEquations<B>::violation_of_kept_rows() const {
+    double worst = 0.0;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < nodes_[n].link.rows; ++row) {
+            const std::size_t k = n * B + at(row);
+            if (has(nodes_[n].kept, row)) { worst = std::max(worst, std::abs(phi_[k]) * inverse_unit_[k]); }
+        }
+    }
+    return worst;
+}
+
+/// With Φq of now and a factorisation from nearby: the second round corrects what the first one left.
+template <int B>
+void BlockEquations<B>::project_velocities(double* y) {
+    for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(body_numbers(y, m) + 7, 6, &six_[6 * m]); }
+    for (int round = 0; round < 2; ++round) {
+        set_lambda(nu_);
+        subtract_products(six_.data(), lambda_.data());
+        matrix_.solve(lambda_.data());
+        add_reactions(lambda_.data(), six_.data());
+    }
+    for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(&six_[6 * m], 6, body_numbers(y, m) + 7); }
+}
+
+template <int B>
+bool BlockEquations<B>::choose_rows(double t, const double* y) {
+    std::vector<unsigned> before;
+    for (Node& node : nodes_) {
+        before.push_back(node.kept);
+        node.kept = (1U << node.link.rows) - 1U;
+    }
+    set_bodies<false>(y);
+    evaluate_links<false>(t);
+    weigh(Metric::geometry);
+    form_matrix();
+    matrix_.factor([&](int n, double* diagonal) {
+        Node& node = nodes_[at(n)];
+        node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept);
+        for (int row = 0; row < B; ++row) {
+            if (has(node.kept, row)) { continue; }
+            for (int k = 0; k < B; ++k) { diagonal[row * B + k] = diagonal[k * B + row] = 0.0; }
+            diagonal[row * B + row] = 1.0;
+            for (const auto& upper : structure_.pivots()[at(structure_.position(n))].uppers) {
+                double* x = matrix_.block(upper.block) + row * B;
+                std::fill(x, x + B, 0.0);
+            }
+        }
+    });
+    bool changed = false;
+    std::fill(j_.begin(), j_.end(), 0.0);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) { changed = changed || nodes_[n].kept != before[n]; }
+    return changed;
+}
+
+template <int B>
+std::pair<double, double> BlockEquations<B>::violation(double t, const double* y) {
+    set_bodies<true>(y);
+    double position = 0.0;
+    double velocity = 0.0;
+    for (const Node& node : nodes_) {
+        const Kinematics6& i = bodies_[at(node.link.body_i)];
+        const Kinematics6& j = bodies_[at(node.link.body_j)];
+        for (const LinkEquation& equation : node.link.equations) {
+            visit_rows<Content::motion>(
+                equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double) {
+                    for (int k = 0; k < jet.kDim; ++k) {
+                        if (has(equation.left_out, k)) { continue; }
+                        position = std::max(position, std::abs(jet.value(k)) / equation.unit);
+                        velocity = std::max(velocity, std::abs(jet.rate(k) - f_dot) / equation.unit);
+                    }
+                });
+        }
+    }
+    return {position, velocity};
+}
+
+template <int B>
+TangentSpace BlockEquations<B>::tangent_space(double t, const double* y) {
+    set_bodies<false>(y);
+    evaluate_links<false>(t);
+    const auto columns = static_cast<Eigen::Index>(6 * moving_.size());
+    MatrixX jacobian = MatrixX::Zero(static_cast<Eigen::Index>(nodes_.size()) * B, columns);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int s = 0; s < 2; ++s) {
+            const int moving = moving_of(nodes_[n], s);
+            if (moving < 0) { continue; }
+            const Eigen::Map<const Eigen::Matrix<double, 6, B, Eigen::RowMajor>> j(
+                &j_[side_at(2 * static_cast<int>(n) + s)]);
+            jacobian.template block<B, 6>(static_cast<Eigen::Index>(n) * B, 6 * moving) = j.transpose();
+        }
+    }
+    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ
+    MatrixX root = MatrixX::Zero(columns, columns);
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const auto first = static_cast<Eigen::Index>(6 * m);
+        root.template block<3, 3>(first, first) = std::sqrt(moving_[m].mass) * Mat3::Identity();
+        root.template block<3, 3>(first + 3, first + 3) = moving_[m].J.llt().matrixL();
+    }
+    const MatrixX scaled =
+        root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();
+    const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
+    const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
+    Eigen::Index rank = 0;
+    while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kRepeats * largest) { ++rank; }
+    const MatrixX free = svd.matrixV().rightCols(columns - rank);
+    return {root.transpose().template triangularView<Eigen::Upper>().solve(free), root * free};
+}
+
+template double BlockEquations<3>::project(double, double*);
+template double BlockEquations<6>::project(double, double*);
+template bool BlockEquations<3>::choose_rows(double, const double*);
+template bool BlockEquations<6>::choose_rows(double, const double*);
+template std::pair<double, double> BlockEquations<3>::violation(double, const double*);
+template std::pair<double, double> BlockEquations<6>::violation(double, const double*);
+template TangentSpace BlockEquations<3>::tangent_space(double, const double*);
+template TangentSpace BlockEquations<6>::tangent_space(double, const double*);
+
+}  // namespace jw

@@ -1,0 +1,39 @@
+#include "core/dynamics/flat_state.hpp"
+
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y) {
+    for (const int body : moving) {
+        vec3(y) = state.r[at(body)];
+        vec4(y + 3) = state.p[at(body)];
+        vec3(y + 7) = motion.r_dot[at(body)];
+        vec3(y + 10) = motion.omega_local[at(body)];
+        y += kNumbersPerBody;
+    }
+}
+
+void unpack(const double* y, std::span<const int> moving, State& state, Motion& motion) {
+    for (const int body : moving) {
+        state.r[at(body)] = vec3(y);
+        state.p[at(body)] = vec4(y + 3);
+        motion.r_dot[at(body)] = vec3(y + 7);
+        motion.omega_local[at(body)] = vec3(y + 10);
+        y += kNumbersPerBody;
+    }
+}
+
+void displace(double* y, const double* six, std::size_t bodies) {
+    for (std::size_t n = 0; n < bodies; ++n) {
+        double* numbers = body_numbers(y, n);
+        vec3(numbers) += vec3(six + 6 * n);
+        vec4(numbers + 3) = turned_local(vec4(numbers + 3), vec3(six + 6 * n + 3));
+    }
+}
+
+}  // namespace jw
