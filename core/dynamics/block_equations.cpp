@@ -73,15 +73,6 @@ BlockEquations<B>::BlockEquations(const Centroidal& scene, std::vector<Link> lin
         v->assign(nodes_.size() * B, 0.0);
     }
     inverse_unit_.assign(nodes_.size() * B, 1.0);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (const LinkEquation& equation : nodes_[n].link.equations) {
-            for (int row = 0; row < equation.rows; ++row) {
-                inverse_unit_[n * B + at(equation.first_row + row)] = 1.0 / equation.unit;
-            }
-        }
-    }
-    // coordinates of the size of the scene are known to their last digit only
-    exact_ = 1e-14 * std::max(1.0, extent_ / unit_of_length(scene.mechanism));
 }
 
 template <int B>

@@ -102,11 +102,10 @@ private:
     std::vector<double> nu_;
     std::vector<double> gamma_;
     std::vector<double> lambda_;
-    std::vector<double> inverse_unit_;  ///< 1 / size of every equation
+    std::vector<double> inverse_unit_;  ///< 1 / change of every equation when bodies move by one extent
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
     double extent_ = 1.0;
-    double exact_ = 1e-14;  ///< residual of position equations that is rounding only, by their sizes
 };
 
 }  // namespace jw

@@ -13,8 +13,10 @@ namespace {
 /// Rows whose pivot is below this share of their size repeat earlier ones: far above rounding (1e-15 times a
 /// condition of 1e3), far below the pivots of sound joints (1e-3).
 constexpr double kRepeats = 1e-9;
-/// Displacements up to this size leave a factorisation good enough to correct velocities with.
-constexpr double kSmallDisplacement = 1e-6;
+/// Residuals of position equations, by their sizes, that are rounding only.
+constexpr double kExact = 1e-15;
+/// From here on a factorisation of the round before is as good as a new one.
+constexpr double kNearlyExact = 1e-12;
 
 /// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, do not repeat others: diagonal pivoting.
 template <int B>
@@ -59,9 +61,9 @@ double BlockEquations<B>::project(double t, double* y) {
         const double worst = violation_of_kept_rows();
         if (round == 0) { before = worst; }
         // rounding has been reached where it does not get better any more
-        if (worst <= exact_ || (worst < kSmallDisplacement && worst > 0.5 * last)) { break; }
+        if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
         last = worst;
-        if (!factored || worst > kSmallDisplacement) {
+        if (!factored || worst > kNearlyExact) {
             weigh(Metric::mass);
             form_matrix();
             matrix_.factor();
@@ -119,6 +121,10 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     evaluate_links<false>(t);
     weigh(Metric::geometry);
     form_matrix();
+    for (std::size_t k = 0; k < row_size_.size(); ++k) {
+        const double size = extent_ * std::sqrt(row_size_[k]);
+        inverse_unit_[k] = size > 0.0 ? 1.0 / size : 1.0;
+    }
     matrix_.factor([&](int n, double* diagonal) {
         Node& node = nodes_[at(n)];
         node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept);
@@ -143,16 +149,19 @@ std::pair<double, double> BlockEquations<B>::violation(double t, const double* y
     set_bodies<true>(y);
     double position = 0.0;
     double velocity = 0.0;
-    for (const Node& node : nodes_) {
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const Node& node = nodes_[n];
         const Kinematics6& i = bodies_[at(node.link.body_i)];
         const Kinematics6& j = bodies_[at(node.link.body_j)];
         for (const LinkEquation& equation : node.link.equations) {
             visit_rows<Content::motion>(
                 equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double) {
+                    std::size_t row = n * B + at(equation.first_row);
                     for (int k = 0; k < jet.kDim; ++k) {
                         if (has(equation.left_out, k)) { continue; }
-                        position = std::max(position, std::abs(jet.value(k)) / equation.unit);
-                        velocity = std::max(velocity, std::abs(jet.rate(k) - f_dot) / equation.unit);
+                        position = std::max(position, std::abs(jet.value(k)) * inverse_unit_[row]);
+                        velocity = std::max(velocity, std::abs(jet.rate(k) - f_dot) * inverse_unit_[row]);
+                        ++row;
                     }
                 });
         }

@@ -132,7 +132,7 @@ void Integrator::take_step(double h) {
 RowsVerdict Integrator::evaluate_end(double t) {
     ++counts_.evaluations;
     RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
-    const double drift = kDriftShare * options_.tolerance * options_.length_scale;
+    const double drift = kDriftShare * options_.tolerance;
     if (options_.project && (on_manifold_ || verdict.violation > drift)) {
         equations_->project(t, y_new_.data());
         ++counts_.projections;

@@ -68,14 +68,12 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
         std::optional<LinkPrimitive> primitive = link_primitive(c, joint);
         if (!primitive) { continue; }
         const Link owner{c.joint, -1, c.body_i, c.body_j, {}, 0};
-        append(links, owner, {std::move(*primitive), c.left_out(), c.unit, 0, 0});
+        append(links, owner, {std::move(*primitive), c.left_out(), 0, 0});
     }
     for (std::size_t d = 0; d < paired.drivers.size(); ++d) {
         const Driver& driver = paired.drivers[d];
         const Link owner{-1, static_cast<int>(d), driver.body_i, driver.body_j, {}, 0};
-        append(
-            links, owner,
-            {Driven{without_theta(driver, paired), driver.function}, 0U, system.drivers()[d].unit, 0, 0});
+        append(links, owner, {Driven{without_theta(driver, paired), driver.function}, 0U, 0, 0});
     }
     return links;
 }

@@ -35,7 +35,6 @@ using LinkPrimitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, 
 struct LinkEquation {
     LinkPrimitive primitive;
     unsigned left_out = 0;  ///< bit k: component k has no row
-    double unit = 1.0;      ///< size of one equation in the scene's units; see System::row_unit
     int first_row = 0;
     int rows = 0;
 };
