@@ -299,6 +299,16 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
 }
 
 template <int B>
+void BlockEquations<B>::set_driver(int driver, double f0, double f1) {
+    for (Node& node : nodes_) {
+        for (LinkEquation& equation : node.link.equations) {
+            if (equation.driver != driver) { continue; }
+            std::get<Driven>(equation.primitive).function.polynomial.assign({f0, f1});
+        }
+    }
+}
+
+template <int B>
 int BlockEquations<B>::rows() const {
     int rows = 0;
     for (const Node& node : nodes_) { rows += node.link.rows; }

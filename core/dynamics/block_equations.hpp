@@ -46,11 +46,14 @@ public:
     int size() const override { return kNumbersPerBody * static_cast<int>(moving_.size()); }
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
     double project(double t, double* y) override;
+    double smallest_pivot() const override;
     bool choose_rows(double t, const double* y) override;
+    void take_back_rows() override;
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
     TangentSpace tangent_space(double t, const double* y) override;
+    void set_driver(int driver, double f0, double f1) override;
     int rows() const override;
     int rows_left_out() const override;
 
@@ -75,7 +78,6 @@ private:
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void form_matrix();
-    double smallest_pivot() const;
     double violation_of_rows() const;
     double violation_of_kept_rows() const;
     /// λ = numbers of the kept rows, 0 for the others.
@@ -92,6 +94,7 @@ private:
     std::vector<MovingBody> moving_;
     std::vector<int> order_of_body_;
     std::vector<Node> nodes_;
+    std::vector<unsigned> kept_before_;  ///< rows of every node before the last choice
     std::vector<Product> products_;
     BlockStructure structure_;
     BlockMatrix<B> matrix_;

@@ -17,6 +17,8 @@ constexpr double kRepeats = 1e-9;
 constexpr double kExact = 1e-15;
 /// From here on a factorisation of the round before is as good as a new one.
 constexpr double kNearlyExact = 1e-12;
+/// As long as a round leaves less than this share, the factorisation of an earlier one is good enough.
+constexpr double kFastConvergence = 1e-2;
 
 /// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, do not repeat others: diagonal pivoting.
 template <int B>
@@ -62,8 +64,9 @@ double BlockEquations<B>::project(double t, double* y) {
         if (round == 0) { before = worst; }
         // rounding has been reached where it does not get better any more
         if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
+        const bool slow = worst > kFastConvergence * last;
         last = worst;
-        if (!factored || worst > kNearlyExact) {
+        if (!factored || (slow && worst > kNearlyExact)) {
             weigh(Metric::mass);
             form_matrix();
             matrix_.factor();
@@ -112,9 +115,9 @@ void BlockEquations<B>::project_velocities(double* y) {
 
 template <int B>
 bool BlockEquations<B>::choose_rows(double t, const double* y) {
-    std::vector<unsigned> before;
+    kept_before_.clear();
     for (Node& node : nodes_) {
-        before.push_back(node.kept);
+        kept_before_.push_back(node.kept);
         node.kept = (1U << node.link.rows) - 1U;
     }
     set_bodies<false>(y);
@@ -140,8 +143,14 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     });
     bool changed = false;
     std::fill(j_.begin(), j_.end(), 0.0);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) { changed = changed || nodes_[n].kept != before[n]; }
+    for (std::size_t n = 0; n < nodes_.size(); ++n) { changed = changed || nodes_[n].kept != kept_before_[n]; }
     return changed;
+}
+
+template <int B>
+void BlockEquations<B>::take_back_rows() {
+    for (std::size_t n = 0; n < nodes_.size(); ++n) { nodes_[n].kept = kept_before_[n]; }
+    std::fill(j_.begin(), j_.end(), 0.0);
 }
 
 template <int B>
@@ -205,6 +214,8 @@ template double BlockEquations<3>::project(double, double*);
 template double BlockEquations<6>::project(double, double*);
 template bool BlockEquations<3>::choose_rows(double, const double*);
 template bool BlockEquations<6>::choose_rows(double, const double*);
+template void BlockEquations<3>::take_back_rows();
+template void BlockEquations<6>::take_back_rows();
 template std::pair<double, double> BlockEquations<3>::violation(double, const double*);
 template std::pair<double, double> BlockEquations<6>::violation(double, const double*);
 template TangentSpace BlockEquations<3>::tangent_space(double, const double*);

@@ -1,5 +1,6 @@
 #include "core/dynamics/link_equations.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 
@@ -37,16 +38,29 @@ std::optional<LinkPrimitive> link_primitive(const Constraint& c, const Joint& jo
         c.primitive);
 }
 
-/// Appends to the last link if it is of the same joint and has room, else to a new one.
-void append(std::vector<Link>& links, const Link& owner, LinkEquation equation) {
+void append(Link& link, LinkEquation equation) {
     equation.rows = equations_of(equation.primitive) - std::popcount(equation.left_out);
-    const bool fits = !links.empty() && links.back().joint == owner.joint &&
-                      links.back().driver == owner.driver && links.back().rows + equation.rows <= kMostRows;
-    if (!fits) { links.push_back(owner); }
-    Link& link = links.back();
     equation.first_row = link.rows;
     link.rows += equation.rows;
     link.equations.push_back(std::move(equation));
+}
+
+/// The link for another equation of a joint: the last one if it is of the same joint and has room.
+Link& link_of_joint(std::vector<Link>& links, const Constraint& c, int rows) {
+    if (links.empty() || links.back().joint != c.joint || links.back().rows + rows > kMostRows) {
+        links.push_back({c.joint, c.body_i, c.body_j, {}, 0});
+    }
+    return links.back();
+}
+
+/// The link for a driver: one between the same bodies that has room, so that no block is added.
+Link& link_of_driver(std::vector<Link>& links, const Driver& driver) {
+    const auto found = std::ranges::find_if(links, [&](const Link& link) {
+        return link.body_i == driver.body_i && link.body_j == driver.body_j && link.rows < kMostRows;
+    });
+    if (found != links.end()) { return *found; }
+    links.push_back({-1, driver.body_i, driver.body_j, {}, 0});
+    return links.back();
 }
 
 Measure without_theta(const Driver& driver, const Mechanism& mechanism) {
@@ -67,13 +81,14 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
         const Joint& joint = paired.joints[static_cast<std::size_t>(c.joint)];
         std::optional<LinkPrimitive> primitive = link_primitive(c, joint);
         if (!primitive) { continue; }
-        const Link owner{c.joint, -1, c.body_i, c.body_j, {}, 0};
-        append(links, owner, {std::move(*primitive), c.left_out(), 0, 0});
+        const int rows = equations_of(*primitive) - std::popcount(c.left_out());
+        append(link_of_joint(links, c, rows), {std::move(*primitive), -1, c.left_out(), 0, 0});
     }
     for (std::size_t d = 0; d < paired.drivers.size(); ++d) {
         const Driver& driver = paired.drivers[d];
-        const Link owner{-1, static_cast<int>(d), driver.body_i, driver.body_j, {}, 0};
-        append(links, owner, {Driven{without_theta(driver, paired), driver.function}, 0U, 0, 0});
+        append(
+            link_of_driver(links, driver),
+            {Driven{without_theta(driver, paired), driver.function}, static_cast<int>(d), 0U, 0, 0});
     }
     return links;
 }

@@ -34,15 +34,15 @@ using LinkPrimitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, 
 /// Equations of one primitive between two bodies; rows of its link that it fills from `first_row` on.
 struct LinkEquation {
     LinkPrimitive primitive;
+    int driver = -1;        ///< index in the mechanism, -1 for an equation of a joint
     unsigned left_out = 0;  ///< bit k: component k has no row
     int first_row = 0;
     int rows = 0;
 };
 
-/// Rows that are factored together: those of a joint (or a driver) between two bodies.
+/// Rows that are factored together: those of a joint and of drivers between the same two bodies.
 struct Link {
-    int joint = -1;   ///< index in the mechanism, -1 for a driver
-    int driver = -1;  ///< index in the mechanism, -1 for a joint
+    int joint = -1;  ///< index in the mechanism, -1 for drivers alone
     int body_i = 0;
     int body_j = 0;
     std::vector<LinkEquation> equations;

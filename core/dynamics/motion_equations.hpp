@@ -44,6 +44,10 @@ public:
     virtual double project(double t, double* y) = 0;
     /// Chooses anew which rows are kept, of those that repeat each other, at y. @return true if they changed
     virtual bool choose_rows(double t, const double* y) = 0;
+    /// Of the last factorisation, by `evaluate` or `project`; see RowsVerdict.
+    virtual double smallest_pivot() const = 0;
+    /// The rows before the last choice.
+    virtual void take_back_rows() = 0;
     /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included, by the size of their equations.
     virtual std::pair<double, double> violation(double t, const double* y) = 0;
     /// Kinetic and potential energy (gravity and springs) [J].
@@ -53,6 +57,9 @@ public:
     /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
     /// metric of M; and M times them. Dense, for small mechanisms.
     virtual TangentSpace tangent_space(double t, const double* y) = 0;
+
+    /// The function of a driver becomes f0 + f1 t.
+    virtual void set_driver(int driver, double f0, double f1) = 0;
 
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;

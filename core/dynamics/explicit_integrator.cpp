@@ -1,4 +1,4 @@
-#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/explicit_integrator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@ namespace jw {
 namespace {
 
 constexpr int kMostAttempts = 60;
+/// Rows are chosen again when the pivot has fallen this much.
+constexpr double kRowsTurnBad = 1e-2;
 /// Near a singular position: the pivot has fallen this much, its square root to a sixth.
 constexpr double kNearSingular = 3e-2;
 /// Too near for a stage: an acceleration there is wrong by 1e-16 / pivot.
@@ -22,15 +24,18 @@ constexpr double kDriftShare = 0.1;
 
 }  // namespace
 
-Integrator::Integrator(
-    MotionEquations& equations, const IntegrationOptions& options, double t, std::vector<double> y)
+ExplicitIntegrator::ExplicitIntegrator(
+    MotionEquations& equations, const RungeKuttaTable& table, const IntegrationOptions& options, double t,
+    std::vector<double> y)
     : equations_(&equations),
+      table_(&table),
       options_(options),
+      scales_(options.length_scale),
       t_(t),
       y_(std::move(y)),
       y_new_(y_.size()),
       y_dot_new_(y_.size()),
-      stages_(static_cast<std::size_t>(options.table->stages), std::vector<double>(y_.size())) {
+      stages_(static_cast<std::size_t>(table.stages), std::vector<double>(y_.size())) {
     equations_->choose_rows(t_, y_.data());
     if (options_.project) {
         equations_->project(t_, y_.data());
@@ -39,12 +44,14 @@ Integrator::Integrator(
     ++counts_.evaluations;
     verdict_ = equations_->evaluate(t_, y_.data(), stages_.front().data());
     pivot_at_choice_ = verdict_.smallest_pivot;
-    update_scales();
-    h_ = options_.fixed_step > 0.0 ? options_.fixed_step : first_step();
+    scales_.include(y_, stages_.front(), 0.0);
+    h_ = options_.fixed_step > 0.0 ? options_.fixed_step
+                                   : scales_.first_step(stages_.front(), options_.tolerance, table_->order);
+    scales_.include(y_, stages_.front(), h_);
 }
 
 /// A stage; `y` may be moved onto the constraints.
-RowsVerdict Integrator::evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot) {
+RowsVerdict ExplicitIntegrator::evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot) {
     ++counts_.evaluations;
     if (on_manifold_) {
         equations_->project(t, y.data());
@@ -53,51 +60,17 @@ RowsVerdict Integrator::evaluate(double t, std::vector<double>& y, std::vector<d
     return equations_->evaluate(t, y.data(), y_dot.data());
 }
 
-void Integrator::update_scales() {
-    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
-        for (std::size_t c = 7; c < 10; ++c) {
-            velocity_scale_ = std::max(velocity_scale_, std::abs(y_[k + c]));
-        }
-        for (std::size_t c = 10; c < 13; ++c) { omega_scale_ = std::max(omega_scale_, std::abs(y_[k + c])); }
-    }
-}
-
-/// A share of the time in which something moves by its scale.
-double Integrator::first_step() const {
-    double rate = 1e-3;  // [1/s] of a scene at rest without forces
-    double acceleration = 0.0;
-    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
-        for (std::size_t c = 7; c < 10; ++c) {
-            acceleration = std::max(acceleration, std::abs(stages_.front()[k + c]) / options_.length_scale);
-        }
-        for (std::size_t c = 10; c < 13; ++c) {
-            acceleration = std::max(acceleration, std::abs(stages_.front()[k + c]));
-        }
-    }
-    rate = std::max({rate, velocity_scale_ / options_.length_scale, omega_scale_, std::sqrt(acceleration)});
-    return 0.5 * std::pow(options_.tolerance, 1.0 / options_.table->order) / rate;
-}
-
-double Integrator::error_of(double h) const {
-    const RungeKuttaTable& table = *options_.table;
-    double rate = 0.0;
-    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
-        for (std::size_t c = 7; c < 10; ++c) { rate = std::max(rate, std::abs(h * stages_.front()[k + c])); }
-    }
-    const double scales[3] = {options_.length_scale, 1.0, 0.0};
-    const double velocity = std::max(velocity_scale_, 0.5 * rate);
-    const double omega = std::max(omega_scale_, velocity / options_.length_scale);
+double ExplicitIntegrator::error_of(double h) const {
     double sum = 0.0;
     double sum_third = 0.0;
     for (std::size_t k = 0; k < y_.size(); ++k) {
-        const std::size_t c = k % kNumbersPerBody;
-        const double scale = c < 3 ? scales[0] : c < 7 ? scales[1] : c < 10 ? velocity : omega;
         double error = 0.0;
         double third = 0.0;
-        for (std::size_t s = 0; s < static_cast<std::size_t>(table.stages); ++s) {
-            error += table.e[s] * stages_[s][k];
-            third += table.e_third[s] * stages_[s][k];
+        for (std::size_t s = 0; s < stages_.size(); ++s) {
+            error += table_->e[s] * stages_[s][k];
+            third += table_->e_third[s] * stages_[s][k];
         }
+        const double scale = scales_.of(k);
         sum += (error / scale) * (error / scale);
         sum_third += (third / scale) * (third / scale);
     }
@@ -106,8 +79,8 @@ double Integrator::error_of(double h) const {
     return std::abs(h) * sum / std::sqrt((sum + 0.01 * sum_third) * count) / options_.tolerance;
 }
 
-void Integrator::take_step(double h) {
-    const RungeKuttaTable& table = *options_.table;
+void ExplicitIntegrator::take_step(double h) {
+    const RungeKuttaTable& table = *table_;
     lowest_pivot_ = verdict_.smallest_pivot;
     const auto add = [&](std::vector<double>& y, double factor, std::size_t stage) {
         if (factor == 0.0) { return; }
@@ -129,7 +102,7 @@ void Integrator::take_step(double h) {
 }
 
 /// ẏ at the end of a step, which is moved back onto the constraints if it has drifted.
-RowsVerdict Integrator::evaluate_end(double t) {
+RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     ++counts_.evaluations;
     RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
     const double drift = kDriftShare * options_.tolerance;
@@ -143,21 +116,38 @@ RowsVerdict Integrator::evaluate_end(double t) {
 }
 
 /// The end of the step becomes the start of the next.
-void Integrator::accept(double t) {
+void ExplicitIntegrator::accept(double t) {
     t_ = t;
     std::swap(y_, y_new_);
     std::swap(stages_.front(), y_dot_new_);
     verdict_ = verdict_new_;
     ++counts_.steps;
-    update_scales();
+    scales_.include(y_, stages_.front(), 0.0);
+    if (verdict_.smallest_pivot < kRowsTurnBad * pivot_at_choice_) { choose_rows_again(); }
 }
 
-bool Integrator::is_near_singular() const {
+/// Other rows may say the same better. Where all are equally bad the position itself is singular.
+void ExplicitIntegrator::choose_rows_again() {
+    const int left_out = equations_->rows_left_out();
+    if (!equations_->choose_rows(t_, y_.data())) { return; }
+    const RowsVerdict other = equations_->evaluate(t_, y_.data(), y_dot_new_.data());
+    ++counts_.evaluations;
+    if (equations_->rows_left_out() == left_out && other.smallest_pivot > 10.0 * verdict_.smallest_pivot) {
+        ++counts_.row_choices;
+        std::swap(stages_.front(), y_dot_new_);
+        verdict_ = other;
+        pivot_at_choice_ = other.smallest_pivot;
+        return;
+    }
+    equations_->take_back_rows();
+}
+
+bool ExplicitIntegrator::is_near_singular() const {
     // not a number fails every comparison
     return options_.project && !(lowest_pivot_ >= kNearSingular * pivot_at_choice_);
 }
 
-bool Integrator::step(double t_end) {
+bool ExplicitIntegrator::step(double t_end) {
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const double left = t_end - t_;
         const bool last = h_ >= left * (1.0 - 1e-12);
@@ -183,8 +173,7 @@ bool Integrator::step(double t_end) {
             if (options_.fixed_step > 0.0) { return true; }
             const double most = rejected_before_ ? 1.0 : 6.0;
             const double factor =
-                error > 0.0 ? std::clamp(0.9 * std::pow(error, -1.0 / options_.table->order), 0.333, most)
-                            : most;
+                error > 0.0 ? std::clamp(0.9 * std::pow(error, -1.0 / table_->order), 0.333, most) : most;
             rejected_before_ = false;
             h_ = h * factor;
             if (!singular && !last) { regular_step_ = h; }
@@ -193,8 +182,7 @@ bool Integrator::step(double t_end) {
         }
         ++counts_.rejected;
         rejected_before_ = true;
-        const double factor =
-            std::isfinite(error) ? 0.9 * std::pow(error, -1.0 / options_.table->order) : 0.1;
+        const double factor = std::isfinite(error) ? 0.9 * std::pow(error, -1.0 / table_->order) : 0.1;
         h_ = h * std::clamp(factor, 0.1, 0.9);
     }
     return false;

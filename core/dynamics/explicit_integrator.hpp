@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/runge_kutta.hpp"
+#include "core/dynamics/time_stepper.hpp"
+
+/// Explicit Runge-Kutta methods with steps that follow the error, made for constraints.
+namespace jw {
+
+/// Keeps one set of rows over a step and chooses anew when it turns bad. A step near a singular position is
+/// repeated with every stage moved onto the constraints first, where small residuals do no harm.
+class ExplicitIntegrator final : public TimeStepper {
+public:
+    /// `equations` must outlive this; `y` is projected first.
+    ExplicitIntegrator(
+        MotionEquations& equations, const RungeKuttaTable& table, const IntegrationOptions& options, double t,
+        std::vector<double> y);
+
+    bool step(double t_end) override;
+    double t() const override { return t_; }
+    const std::vector<double>& y() const override { return y_; }
+    const std::vector<double>& y_dot() const override { return stages_.front(); }
+    const IntegrationCounts& counts() const override { return counts_; }
+    double smallest_pivot() const { return verdict_.smallest_pivot; }
+
+private:
+    void take_step(double h);
+    void accept(double t);
+    bool is_near_singular() const;
+    double error_of(double h) const;
+    void choose_rows_again();
+    RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
+    RowsVerdict evaluate_end(double t);
+
+    MotionEquations* equations_;
+    const RungeKuttaTable* table_;
+    IntegrationOptions options_;
+    IntegrationCounts counts_;
+    StateScales scales_;
+    double t_;
+    double h_ = 0.0;             ///< to try next [s]
+    double regular_step_ = 0.0;  ///< last one away from singular positions [s]
+    bool rejected_before_ = false;
+    std::vector<double> y_;
+    std::vector<double> y_new_;
+    std::vector<double> y_dot_new_;
+    std::vector<std::vector<double>> stages_;
+    RowsVerdict verdict_;      ///< at the start of the step
+    RowsVerdict verdict_new_;  ///< at its end
+    double pivot_at_choice_ = 1.0;
+    double lowest_pivot_ = 1.0;  ///< over the stages of the last step
+    bool on_manifold_ = false;   ///< stages are projected before they are evaluated
+};
+
+}  // namespace jw

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/dynamics/motion_equations.hpp"
+
+/// The motion in as many coordinates as there are freedoms: angles and displacements of joints, or
+/// coordinates of bodies where joints do not say enough. All others follow from the constraints, so nothing
+/// can drift.
+namespace jw {
+
+/// One of them: a measure between two bodies.
+struct IndependentCoordinate {
+    Measure measure;
+    int body_i = 0;
+    int body_j = 0;
+};
+
+/// x = (z, ż) with z the independent coordinates; places a mechanism at given x and tells ẋ there.
+/// @source coordinate partitioning, book ch. 13
+class IndependentCoordinates {
+public:
+    /// `centroidal` and `equations` must outlive this.
+    IndependentCoordinates(const Centroidal& centroidal, MotionEquations& equations);
+
+    /// Chooses coordinates for the freedoms at y, joints first. @return x there
+    VectorX choose(double t, const double* y);
+    int freedoms() const { return static_cast<int>(chosen_.size()); }
+    /// Whether the choice still tells the freedoms apart where it was evaluated last.
+    bool is_sound() const;
+
+    /// Moves y, an estimate, to where the coordinates are x, and tells ẋ.
+    void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot);
+    /// Lengths are compared with `length`, everything else with 1.
+    double scale_of(int coordinate, double length) const;
+
+private:
+    MatrixX gradients(const std::vector<IndependentCoordinate>& of, const double* y) const;
+
+    const Centroidal* scene_;
+    MotionEquations* equations_;
+    std::vector<int> order_of_body_;
+    std::vector<IndependentCoordinate> of_joints_;
+    std::vector<IndependentCoordinate> of_bodies_;
+    std::vector<IndependentCoordinate> chosen_;
+    double pivot_at_choice_ = 1.0;  ///< of the driven equations
+    Centroidal driven_scene_;       ///< with a driver for every chosen coordinate
+    std::unique_ptr<MotionEquations> driven_;
+};
+
+}  // namespace jw

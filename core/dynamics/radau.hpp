@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "core/dynamics/independent_coordinates.hpp"
+#include "core/dynamics/time_stepper.hpp"
+
+/// Radau IIA: implicit Runge-Kutta methods of order 2 s - 1 for stiff scenes.
+namespace jw {
+
+/// A method of s stages; sizes s and s x s.
+struct RadauTable {
+    VectorX c;             ///< nodes, the last one 1
+    MatrixX a;             ///< collocation
+    double gamma_0 = 0.0;  ///< real eigenvalue of a
+    VectorX e;             ///< local error gamma_0 h f(y0) + Σ e_i z_i, of order s + 1
+};
+/// @param stages odd: 3 for order 5, 5 for order 9
+RadauTable radau_table(int stages);
+
+/// Collocation in independent coordinates x = (z, ż): 2 s d unknowns for d freedoms, whatever the number of
+/// bodies.
+class RadauIntegrator final : public TimeStepper {
+public:
+    /// `scene` and `equations` must outlive this; `y` is projected first.
+    RadauIntegrator(
+        const Centroidal& scene, MotionEquations& equations, int stages, const IntegrationOptions& options,
+        double t, std::vector<double> y);
+
+    bool step(double t_end) override;
+    double t() const override { return t_; }
+    const std::vector<double>& y() const override { return y_; }
+    const std::vector<double>& y_dot() const override { return y_dot_; }
+    const IntegrationCounts& counts() const override { return counts_; }
+    bool interpolate(double t, double* y) const override;
+
+private:
+    /// How Newton's iteration for the stages ended.
+    struct NewtonEnd {
+        bool converged = false;
+        int iterations = 0;
+        double contraction = 1.0;
+    };
+
+    void choose_coordinates();
+    bool jacobian_is_stale() const;
+    void renew_jacobian();
+    void factor(double h);
+    void predict(double h);
+    NewtonEnd solve_stages(double h);
+    double error_of(double h, bool doubtful);
+    void accept(double h, double t);
+    /// Size of a change of x, by the tolerance.
+    double norm(const VectorX& change) const;
+    /// Of the start and the stages of the last step in a point `tau` of it, by their polynomial.
+    VectorX weights(double tau) const;
+
+    MotionEquations* equations_;
+    RadauTable table_;
+    IntegrationOptions options_;
+    IntegrationCounts counts_;
+    StateScales scales_;
+    double t_;
+    double h_ = 0.0;  ///< to try next [s]
+    std::vector<double> y_;
+    std::vector<double> y_dot_;
+    IndependentCoordinates coordinates_;
+    VectorX x_;
+    VectorX x_dot_;
+    VectorX x_scale_;
+    VectorX base_;     ///< x of the Jacobian
+    MatrixX reduced_;  ///< ∂ẋ/∂x, 2 d x 2 d
+    Eigen::PartialPivLU<MatrixX> stages_lu_;
+    Eigen::PartialPivLU<MatrixX> error_lu_;
+    double factored_step_ = 0.0;  ///< h of the two [s]
+    double most_growth_ = 6.0;    ///< of the next step
+    double contraction_ = 0.0;    ///< of Newton's iteration in the last step
+    MatrixX x_stages_;            ///< of the stages, one column each
+    MatrixX x_rates_;
+    MatrixX y_stages_;          ///< the whole mechanism there
+    VectorX y_rate_;            ///< of the stage evaluated last
+    MatrixX x_before_;          ///< x at the start and at the stages of the last accepted step
+    MatrixX y_before_;          ///< y there
+    double step_before_ = 0.0;  ///< its h [s]; 0: there was none
+};
+
+}  // namespace jw

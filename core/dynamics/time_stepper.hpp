@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/motion_equations.hpp"
+
+/// What all integrators have in common: one trajectory, a step at a time.
+namespace jw {
+
+struct IntegrationOptions {
+    double tolerance = 1e-6;    ///< local error of a step, relative to the scales of the motion
+    double fixed_step = 0.0;    ///< [s]; 0: steps follow the tolerance
+    bool project = true;        ///< back onto the constraints whenever the drift nears the tolerance
+    double length_scale = 1.0;  ///< [m]
+};
+
+struct IntegrationCounts {
+    long steps = 0;
+    long rejected = 0;
+    long evaluations = 0;        ///< of accelerations
+    long projections = 0;        ///< onto the constraints
+    long jacobians = 0;          ///< of implicit methods
+    long row_choices = 0;        ///< how often other rows were kept from then on
+    long singular_passages = 0;  ///< steps near a singular position
+};
+
+/// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
+class StateScales {
+public:
+    explicit StateScales(double length) : length_(length) {}
+    void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
+    /// Of the k-th number of the flat state.
+    double of(std::size_t k) const {
+        const std::size_t c = k % kNumbersPerBody;
+        return c < 3 ? length_ : (c < 7 ? 1.0 : (c < 10 ? velocity_ : omega_));
+    }
+    /// A share of the time in which something moves by its size [s].
+    double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
+
+private:
+    double length_;
+    double velocity_ = 0.0;
+    double omega_ = 0.0;
+};
+
+/// After every step t, y and ẏ are those of a state on the constraints.
+class TimeStepper {
+public:
+    TimeStepper() = default;
+    virtual ~TimeStepper() = default;
+    TimeStepper(const TimeStepper&) = delete;
+    TimeStepper& operator=(const TimeStepper&) = delete;
+
+    /// One step, not beyond `t_end`. @return false if the step became too small to go on
+    virtual bool step(double t_end) = 0;
+
+    virtual double t() const = 0;
+    virtual const std::vector<double>& y() const = 0;
+    virtual const std::vector<double>& y_dot() const = 0;
+    virtual const IntegrationCounts& counts() const = 0;
+    /// y within the last step by the method's own polynomial. @return false if it has none
+    virtual bool interpolate(double /*t*/, double* /*y*/) const { return false; }
+};
+
+}  // namespace jw
