@@ -9,6 +9,12 @@ namespace jw {
 
 namespace {
 
+bool is_control(char c) {
+    return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t' && c != '\r') || c == '\x7f';
+}
+
+}  // namespace
+
 std::string kind_of(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table: return "a table";
@@ -20,21 +26,6 @@ std::string kind_of(const toml::node& node) {
         default: return "a date";
     }
 }
-
-std::string in_words(std::size_t count) {
-    switch (count) {
-        case 2: return "two";
-        case 3: return "three";
-        case 4: return "four";
-        default: return std::to_string(count);
-    }
-}
-
-bool is_control(char c) {
-    return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t' && c != '\r') || c == '\x7f';
-}
-
-}  // namespace
 
 const toml::node* Fields::find(std::string_view key) {
     known_.emplace(key);
@@ -118,6 +109,17 @@ std::optional<Located<double>> Fields::positive(std::string_view key) {
     return value;
 }
 
+std::optional<Located<double>> Fields::not_negative(std::string_view key) {
+    auto value = number(key);
+    if (value && value->value < 0.0) {
+        problems_->add(
+            value->span, in_quotes(key) + " is " + short_number(value->value) +
+                             "; expected a number that is not negative");
+        return std::nullopt;
+    }
+    return value;
+}
+
 std::optional<Located<int>> Fields::integer(std::string_view key, int least, int most) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
@@ -149,82 +151,6 @@ std::optional<Located<bool>> Fields::flag(std::string_view key) {
         return std::nullopt;
     }
     return Located<bool>{node->as_boolean()->get(), span_of(node->source())};
-}
-
-std::optional<Located<std::vector<double>>> Fields::numbers(
-    std::string_view key, std::size_t count, std::size_t most) {
-    const toml::node* node = find(key);
-    if (node == nullptr) { return std::nullopt; }
-    const std::string expected =
-        count != 0 ? in_words(count) + " numbers" : "a list of 1 to " + std::to_string(most) + " numbers";
-    const toml::array* list = node->as_array();
-    if (list == nullptr) {
-        wrong_type(key, *node, expected);
-        return std::nullopt;
-    }
-    const bool wrong_count = count != 0 ? list->size() != count : list->empty() || list->size() > most;
-    if (wrong_count) {
-        problems_->add(
-            span_of(node->source()), in_quotes(key) + " has " + std::to_string(list->size()) +
-                                         (list->size() == 1 ? " entry" : " entries") + "; expected " +
-                                         expected);
-        return std::nullopt;
-    }
-    Located<std::vector<double>> out{{}, span_of(node->source())};
-    for (const toml::node& entry : *list) {
-        const std::string what = "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key);
-        if (!entry.is_number()) {
-            problems_->add(span_of(entry.source()), what + " is " + kind_of(entry) + "; expected a number");
-            return std::nullopt;
-        }
-        const auto value = number_in(entry, what);
-        if (!value) { return std::nullopt; }
-        out.value.push_back(*value);
-    }
-    return out;
-}
-
-std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
-    const auto list = numbers(key, 3);
-    if (!list) { return std::nullopt; }
-    return Located<Vec3>{Vec3(list->value[0], list->value[1], list->value[2]), list->span};
-}
-
-std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
-    const auto v = vector(key);
-    // squares of very small numbers are 0: measured without them
-    if (v && v->value.stableNorm() < kShortestDirection) {
-        const bool zero = v->value.isZero(0.0);
-        problems_->add(
-            v->span, in_quotes(key) +
-                         (zero ? " has length 0; expected a direction, three numbers not all zero"
-                               : " is too short to be a direction, " + short_number(v->value.stableNorm()) +
-                                     "; expected a length of at least " + short_number(kShortestDirection)));
-        return std::nullopt;
-    }
-    return v;
-}
-
-std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) { return std::nullopt; }
-    const toml::array* list = node->as_array();
-    if (list == nullptr) {
-        wrong_type(key, *node, "a list of names");
-        return std::nullopt;
-    }
-    Located<std::vector<Located<std::string>>> out{{}, span_of(node->source())};
-    for (const toml::node& entry : *list) {
-        if (!entry.is_string()) {
-            problems_->add(
-                span_of(entry.source()), "entry " + std::to_string(out.value.size() + 1) + " of " +
-                                             in_quotes(key) + " is " + kind_of(entry) +
-                                             "; expected a name in quotes");
-            return std::nullopt;
-        }
-        out.value.push_back({entry.as_string()->get(), span_of(entry.source())});
-    }
-    return out;
 }
 
 std::optional<Fields> Fields::table(std::string_view key) {

@@ -23,6 +23,9 @@ inline constexpr double kLargestNumber = 1e9;
 /// Shorter than this a vector is no direction: normalising it would enlarge rounding.
 inline constexpr double kShortestDirection = 1e-9;
 
+/// "a table", "a number", ...: for messages.
+std::string kind_of(const toml::node& node);
+
 /// One table. Keys that are read are remembered; `finish` reports the others as unknown.
 class Fields {
 public:
@@ -42,6 +45,7 @@ public:
     std::optional<Located<std::string>> text(std::string_view key);
     std::optional<Located<double>> number(std::string_view key);
     std::optional<Located<double>> positive(std::string_view key);
+    std::optional<Located<double>> not_negative(std::string_view key);
     std::optional<Located<int>> integer(std::string_view key, int least, int most);
     std::optional<Located<bool>> flag(std::string_view key);
     std::optional<Located<Vec3>> vector(std::string_view key);
@@ -50,6 +54,10 @@ public:
     /// `count` numbers, or any number of them up to `most`.
     std::optional<Located<std::vector<double>>> numbers(
         std::string_view key, std::size_t count = 0, std::size_t most = kLongestList);
+    /// Three rows of three numbers.
+    std::optional<Located<Mat3>> matrix(std::string_view key);
+    /// Whether the entries of a list are lists themselves.
+    bool is_nested(std::string_view key);
     std::optional<Located<std::vector<Located<std::string>>>> texts(std::string_view key);
     std::optional<Fields> table(std::string_view key);
     /// A list of tables, or one table as a list of one.
@@ -75,6 +83,8 @@ private:
     const toml::key* meant_as(std::string_view key) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
+    std::optional<Located<std::vector<double>>> list_in(
+        const toml::node& node, const std::string& what, std::size_t count, std::size_t most);
 
     const toml::table* table_;
     std::string what_;

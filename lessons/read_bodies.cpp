@@ -62,7 +62,7 @@ void read_velocities(Fields& fields, Body& body) {
     }
 }
 
-void read_ground(Fields& fields, const Body& body, const Look& look, Reading& reading) {
+void read_ground(Fields& fields, const Body& body, const Look& look, const ReadMass& mass, Reading& reading) {
     Body& ground = reading.lesson.mechanism.bodies[0];
     if (fields.has("fixed") && !body.fixed) {
         reading.problems->add(fields.span("fixed"), "the ground does not move; expected fixed = true");
@@ -70,6 +70,7 @@ void read_ground(Fields& fields, const Body& body, const Look& look, Reading& re
     ground = body;
     ground.fixed = true;
     reading.lesson.looks[0] = look;
+    reading.masses[0] = mass;
 }
 
 void read_body(Fields& fields, Reading& reading) {
@@ -86,14 +87,16 @@ void read_body(Fields& fields, Reading& reading) {
     }
     read_velocities(fields, body);
     const Look look{read_shapes(fields), read_colour(fields)};
+    const ReadMass mass = read_mass(fields);
     fields.finish();
     if (reading.problems->errors_count() > errors) { reading.distrust(body.name); }
     if (body.name == "ground") {
-        read_ground(fields, body, look, reading);
+        read_ground(fields, body, look, mass, reading);
         return;
     }
     bodies.push_back(body);
     reading.lesson.looks.push_back(look);
+    reading.masses.push_back(mass);
 }
 
 }  // namespace
@@ -106,6 +109,7 @@ void read_bodies(Fields& root, Reading& reading) {
     ground.fixed = true;
     reading.lesson.mechanism.bodies.push_back(ground);
     reading.lesson.looks.emplace_back();
+    reading.masses.emplace_back();
     std::vector<Fields> tables = root.tables("body", kMostBodies);
     for (Fields& fields : tables) { read_body(fields, reading); }
     // declared or not, the ground is body 0

@@ -31,6 +31,13 @@ std::string* text_of(const Located<std::string>& at, Reading& reading) {
     return &list[static_cast<std::size_t>(named->index)];
 }
 
+bool moves_at(const Lesson& lesson, double t) {
+    const auto& motion = lesson.motion;
+    const auto& dynamics = lesson.dynamics;
+    return (motion && t >= motion->from && t <= motion->to) ||
+           (dynamics && t >= 0.0 && t <= dynamics->duration);
+}
+
 void read_step(Fields& fields, Reading& reading) {
     const auto at = fields.text("at");
     const auto at_s = fields.number("at_s");
@@ -45,11 +52,11 @@ void read_step(Fields& fields, Reading& reading) {
     std::string words = text ? text->value : "";
     while (words.ends_with('\n')) { words.pop_back(); }
     if (at_s) {
-        const auto& motion = reading.lesson.motion;
-        if (!motion || at_s->value < motion->from || at_s->value > motion->to) {
+        if (!moves_at(reading.lesson, at_s->value)) {
             reading.problems->add(
                 at_s->span, "there is no motion at " + short_number(at_s->value) +
-                                " s; expected a time between 'from_s' and 'to_s' of [motion]");
+                                " s; expected a time between 'from_s' and 'to_s' of [motion]" +
+                                (reading.lesson.dynamics ? " or within 'duration' of [dynamics]" : ""));
         }
         reading.lesson.step_texts.times.push_back({at_s->value, words});
     } else if (at) {

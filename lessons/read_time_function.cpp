@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/reading.hpp"
 
@@ -11,6 +12,8 @@ constexpr std::size_t kMostCoefficients = 50;
 constexpr std::size_t kMostParts = 100;
 // a shorter step has accelerations beyond all reason [s]
 constexpr double kShortestStep = 1e-6;
+// values are looked at in so many moments
+constexpr int kMomentsLookedAt = 200;
 
 /// Keys of a function's values: plain for a length, "_deg" or "_rad" for an angle.
 struct ValueKeys {
@@ -86,14 +89,37 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
         read_harmonic(harmonic, keys, function);
     }
     for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
-    const bool any = fields.has(keys.name("polynomial")) || (angle && fields.has("polynomial_rad")) ||
-                     fields.has("harmonics") || fields.has("step");
-    if (!any) {
+    if (!has_time_function(fields, angle)) {
         fields.missing(
             keys.name("polynomial"),
             "a function of time: " + keys.name("polynomial") + ", harmonics or step");
     }
     return function;
+}
+
+bool has_time_function(Fields& fields, bool angle) {
+    const bool polynomial =
+        angle ? fields.has("polynomial_deg") || fields.has("polynomial_rad") : fields.has("polynomial");
+    return polynomial || fields.has("harmonics") || fields.has("step");
+}
+
+void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative) {
+    for (int k = 0; k <= kMomentsLookedAt; ++k) {
+        const double t = from + (to - from) * k / kMomentsLookedAt;
+        const TimeFunction::Value value = function.at(t);
+        const bool finite =
+            std::isfinite(value.f) && std::isfinite(value.f_dot) && std::isfinite(value.f_ddot);
+        const std::string place = fields.what() + " reaches " + short_number(value.f) +
+                                  " at t = " + short_number(t) + " s; expected ";
+        if (!finite || std::abs(value.f) > kLargestNumber) {
+            fields.problems().add(fields.span(), place + "at most 1e9 in size");
+            return;
+        }
+        if (never_negative && value.f < 0.0) {
+            fields.problems().add(fields.span(), place + "a distance, which is never negative");
+            return;
+        }
+    }
 }
 
 }  // namespace jw::reading

@@ -35,8 +35,9 @@ bool read_format(Fields& root, const toml::table& table) {
     return true;
 }
 
-/// A moving body that nothing holds or drives is rarely meant.
+/// A moving body that nothing holds or drives is rarely meant, unless masses and forces move it.
 void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
+    if (read.lesson.dynamics) { return; }
     const Mechanism& mechanism = read.lesson.mechanism;
     std::vector<bool> held(mechanism.bodies.size(), false);
     for (const Joint& joint : mechanism.joints) {
@@ -64,8 +65,10 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_motion(root, read.lesson);
     reading::read_camera(root, read.lesson);
     reading::read_bodies(root, read);
+    reading::read_dynamics(root, read);
     reading::read_joints(root, read);
     reading::read_drivers(root, read);
+    reading::read_loads(root, read);
     reading::read_order(root, read);
     reading::read_steps(root, read);
     reading::read_claims(root, read);

@@ -24,8 +24,16 @@ struct Named {
     bool sound = true;  ///< false: its own table is wrong, so nothing is concluded from it
 };
 
+/// Mass of a body, as far as it was given.
+struct ReadMass {
+    std::optional<MassProperties> properties;
+    SourceSpan span;     ///< of the first of its keys
+    bool given = false;  ///< right or wrong
+};
+
 struct Reading {
     Lesson lesson;
+    std::vector<ReadMass> masses;  ///< one per body
     Problems* problems = nullptr;
     std::map<std::string, Named, std::less<>> names;
 
@@ -54,8 +62,12 @@ void read_head(Fields& root, Lesson& lesson);
 void read_motion(Fields& root, Lesson& lesson);
 void read_camera(Fields& root, Lesson& lesson);
 void read_bodies(Fields& root, Reading& reading);
+/// [dynamics], with what the bodies need for it; after the bodies.
+void read_dynamics(Fields& root, Reading& reading);
 void read_joints(Fields& root, Reading& reading);
 void read_drivers(Fields& root, Reading& reading);
+/// Forces, torques, springs; after joints and drivers.
+void read_loads(Fields& root, Reading& reading);
 /// Order of additions and texts of steps; after joints and drivers.
 void read_order(Fields& root, Reading& reading);
 void read_steps(Fields& root, Reading& reading);
@@ -64,12 +76,25 @@ void read_claims(Fields& root, Reading& reading);
 
 /// Key `shape`, one or several.
 std::vector<Shape> read_shapes(Fields& fields);
+/// Keys `mass`, `inertia`, `centre`.
+ReadMass read_mass(Fields& fields);
 /// Colour by palette name or "#rrggbb".
 std::optional<Colour> read_colour(Fields& fields);
 /// Key `axes`: columns are the axes of a frame, orthonormal and right-handed.
 std::optional<Mat3> read_frame(Fields& fields);
 /// The function of time of a driver; an angle has its unit in the keys.
 TimeFunction read_time_function(Fields& fields, bool angle);
+/// Whether one of its keys is there.
+bool has_time_function(Fields& fields, bool angle);
+/// Reports values that nothing has, between two times: overflow, or below zero where that cannot be.
+void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative);
+
+/// A point of a body that moves, by the keys `body` and `at` (global, at the start pose) or `point` (local).
+struct ReadPoint {
+    int body = 0;
+    std::optional<Vec3> point_local;  ///< absent if neither key is there
+};
+std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& reading);
 
 /// R as the columns of the body's axes in the global frame (p normalised).
 Mat3 rotation_of(const Body& body);

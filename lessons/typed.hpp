@@ -40,6 +40,7 @@ inline constexpr std::array<std::string_view, 6> kParallelForms{"rule",   "drop 
                                                                 "drop z", "all three", "pair"};
 inline constexpr std::array<std::string_view, 3> kAngleRows{"rotation", "cosine", "sine"};
 inline constexpr std::array<std::string_view, 7> kCoordinates{"x", "y", "z", "e0", "e1", "e2", "e3"};
+inline constexpr std::array<std::string_view, 2> kFrames{"global", "local"};
 
 /// Colours by name, sRGB.
 struct NamedColour {

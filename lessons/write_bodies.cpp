@@ -66,7 +66,9 @@ void write_orientation(const Vec4& p, Lines& lines) {
     lines.key("p", list_text({p.data(), 4}), about_rotation(p));
 }
 
-void write_body(const Body& body, const Look& look, bool is_ground, Lines& lines) {
+using Mass = std::optional<MassProperties>;
+
+void write_body(const Body& body, const Look& look, const Mass& mass, bool is_ground, Lines& lines) {
     lines.table("[[body]]");
     lines.key("name", string_text(body.name));
     if (body.fixed && !is_ground) { lines.key("fixed", "true"); }
@@ -76,6 +78,7 @@ void write_body(const Body& body, const Look& look, bool is_ground, Lines& lines
     if (!body.omega_local.isZero(0.0)) {
         lines.angles("omega_local", {body.omega_local.data(), 3}, "_per_s");
     }
+    if (mass) { write_mass(*mass, lines); }
     if (look.colour) { lines.key("colour", string_text(colour_text(*look.colour))); }
     write_shapes(look.shapes, lines);
 }
@@ -115,8 +118,9 @@ void write_bodies(const Lesson& lesson, Lines& lines) {
     const std::vector<Body>& bodies = lesson.mechanism.bodies;
     lines.section("bodies: where their frames are at the start; shapes in these frames [m]");
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (b == 0 && is_plain(bodies[b], lesson.looks[b])) { continue; }
-        write_body(bodies[b], lesson.looks[b], b == 0, lines);
+        const Mass mass = lesson.dynamics ? lesson.dynamics->loads.masses[b] : Mass();
+        if (b == 0 && !mass && is_plain(bodies[b], lesson.looks[b])) { continue; }
+        write_body(bodies[b], lesson.looks[b], mass, b == 0, lines);
     }
 }
 

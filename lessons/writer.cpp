@@ -48,7 +48,11 @@ void Lines::angle(const std::string& name, double radians_of, const std::string&
 
 void Lines::angles(const std::string& name, std::span<const double> radians_of, const std::string& per) {
     const AngleTexts typed = typed_angles(radians_of);
-    key(name + '_' + typed.unit + per, list_text(typed.values));
+    const std::string in_radians = list_text(radians_of);
+    const std::string text = list_text(typed.values);
+    // whichever of the two somebody typed: the shorter one
+    const bool shorter = in_radians.size() < text.size();
+    key(name + '_' + (shorter ? "rad" : typed.unit) + per, shorter ? in_radians : text);
 }
 
 Written::Written(const Lesson& whole) : lesson(&whole) {
@@ -90,6 +94,7 @@ std::string lesson_text(const Lesson& lesson) {
     writing::write_bodies(lesson, lines);
     writing::write_joints(written, lines);
     writing::write_drivers(written, lines);
+    writing::write_dynamics(written, lines);
     writing::write_motion(lesson, lines);
     writing::write_camera(lesson, lines);
     writing::write_steps(lesson, lines);

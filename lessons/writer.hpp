@@ -14,7 +14,8 @@ namespace jw {
 ///
 /// What the format asks of a lesson must hold (bodies[0] is the ground, |p| = 1 up to 0.001, sides
 /// perpendicular to axes, names without dots): otherwise the reader refuses the text, and says why.
-/// @throws std::invalid_argument for a driver that no lesson can describe, and for numbers not finite
+/// @throws std::invalid_argument for a driver or a rotational spring that no lesson can describe, and for
+///         numbers not finite
 std::string lesson_text(const Lesson& lesson);
 
 /// Writes `text` whole or not at all: under another name in the same folder, then renamed. A link is

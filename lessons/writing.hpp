@@ -53,10 +53,13 @@ void write_steps(const Lesson& lesson, Lines& lines);
 void write_bodies(const Lesson& lesson, Lines& lines);
 void write_joints(const Written& written, Lines& lines);
 void write_drivers(const Written& written, Lines& lines);
+void write_dynamics(const Written& written, Lines& lines);
 void write_claims(const Written& written, Lines& lines);
 
 /// Keys of a function of time; of an angle with their unit.
 void write_time_function(const TimeFunction& function, bool angle, Lines& lines);
+/// Keys `mass`, `centre`, `inertia`.
+void write_mass(const MassProperties& mass, Lines& lines);
 /// Key `shape`.
 void write_shapes(const std::vector<Shape>& shapes, Lines& lines);
 /// "blue" or "#2f78b7".

@@ -18,6 +18,14 @@ struct Case {
     std::string says;
 };
 
+/// Puts the keys of a mass behind the name of each body, the bodies standing first.
+void give_masses(std::string& lesson) {
+    const std::string header = "[[body]]\n";
+    for (std::size_t at = lesson.find(header); at != std::string::npos; at = lesson.find(header, at + 1)) {
+        lesson.insert(lesson.find('\n', at + header.size()) + 1, "mass = 1\ninertia = [1, 1, 1]\n");
+    }
+}
+
 /// Cases of wrong_lessons.txt, in its order.
 std::vector<Case> wrong_lessons() {
     std::istringstream lines(test::text_of_file("tests/lessons/wrong_lessons.txt"));
@@ -26,9 +34,10 @@ std::vector<Case> wrong_lessons() {
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("=== ")) {
             cases.push_back({line.substr(4), "", ""});
-        } else if (line == "--- whole" || line == "--- after the base") {
+        } else if (line == "--- whole" || line == "--- after the base" || line == "--- with masses") {
             into = &cases.back().lesson;
             if (line != "--- whole") { *into = cases.front().lesson; }
+            if (line == "--- with masses") { give_masses(*into); }
         } else if (line == "--- says") {
             into = &cases.back().says;
         } else if (into != nullptr) {

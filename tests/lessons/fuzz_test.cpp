@@ -52,6 +52,10 @@ const std::vector<std::string> kWords{
     "to = ",
     "length = ",
     "p = ",
+    "mass = ",
+    "inertia = ",
+    "[dynamics]\n",
+    "[[force]]\n",
     "rotation = ",
     "polynomial = ",
     "\n",
@@ -109,6 +113,7 @@ public:
         for (const Look& look : lesson.looks) { add_look(look); }
         for (const Claim& claim : lesson.claims) { add_claim(claim); }
         if (lesson.motion) { add(lesson.motion->from, lesson.motion->to, lesson.motion->duration); }
+        if (lesson.dynamics) { add_dynamics(*lesson.dynamics); }
         add_camera(lesson.camera);
         for (const auto& text : lesson.step_texts.times) { add(text.from); }
     }
@@ -142,9 +147,36 @@ private:
     }
     void add_driver(const Driver& driver) {
         add_measure(driver.measure);
-        for (const double c : driver.function.polynomial) { add(c); }
-        for (const auto& h : driver.function.harmonics) { add(h.amplitude, h.omega, h.phase); }
-        for (const auto& s : driver.function.steps) { add(s.from, s.to, s.start, s.end); }
+        add_function(driver.function);
+    }
+    void add_function(const TimeFunction& function) {
+        for (const double c : function.polynomial) { add(c); }
+        for (const auto& h : function.harmonics) { add(h.amplitude, h.omega, h.phase); }
+        for (const auto& s : function.steps) { add(s.from, s.to, s.start, s.end); }
+    }
+    void add_dynamics(const DynamicsPlan& plan) {
+        const Loads& loads = plan.loads;
+        add(loads.gravity, plan.duration, plan.tolerance, plan.step);
+        if (plan.point) { add(plan.point->point_local); }
+        if (plan.point_at_end) { add(*plan.point_at_end); }
+        for (const auto& mass : loads.masses) {
+            if (mass) { add(mass->mass, mass->centre_local, mass->J_local); }
+        }
+        for (const AppliedForce& force : loads.forces) {
+            add(force.point_local, force.direction);
+            add_function(force.magnitude);
+        }
+        for (const AppliedTorque& torque : loads.torques) {
+            add(torque.direction);
+            add_function(torque.magnitude);
+        }
+        for (const Spring& s : loads.springs) {
+            add(s.P_i_local, s.P_j_local, s.stiffness, s.damping, s.free_length);
+        }
+        for (const RotationalSpring& s : loads.rotational_springs) {
+            add_measure(s.angle);
+            add(s.stiffness, s.damping, s.free_angle);
+        }
     }
     void add_look(const Look& look) {
         for (const Shape& shape : look.shapes) {
@@ -174,6 +206,20 @@ private:
     bool all_finite_ = true;
 };
 
+/// What the equations of motion take for granted.
+bool loads_are_sound(const Mechanism& m, const Loads& loads) {
+    const auto moves = [&](int index) {
+        return index >= 0 && index < static_cast<int>(m.bodies.size()) &&
+               !m.bodies[static_cast<std::size_t>(index)].fixed;
+    };
+    // throws if a mass is missing or not positive
+    CHECK_NOTHROW(centroidal(m, loads));
+    return std::ranges::all_of(loads.forces, [&](const auto& force) { return moves(force.body); }) &&
+           std::ranges::all_of(loads.torques, [&](const auto& torque) { return moves(torque.body); }) &&
+           std::ranges::all_of(
+               loads.springs, [&](const auto& s) { return moves(s.body_i) || moves(s.body_j); });
+}
+
 bool is_sound(const Lesson& lesson) {
     const Mechanism& m = lesson.mechanism;
     const auto body = [&](int index) { return index >= 0 && index < static_cast<int>(m.bodies.size()); };
@@ -189,6 +235,7 @@ bool is_sound(const Lesson& lesson) {
     for (const Driver& d : m.drivers) {
         good = good && body(d.body_i) && body(d.body_j) && std::isfinite(d.function.at(0.0).f);
     }
+    if (lesson.dynamics) { good = good && loads_are_sound(m, lesson.dynamics->loads); }
     for (const Claim& claim : lesson.claims) {
         const auto* quantity = std::get_if<QuantityClaim>(&claim.fact);
         good = good && claim.span.line > 0 && (quantity == nullptr || quantity->tolerance > 0.0);
@@ -198,10 +245,17 @@ bool is_sound(const Lesson& lesson) {
 
 /// A lesson with every kind of table, so that mutants reach all of the reader.
 std::string many_sided_lesson() {
-    return test::documented_lesson() + R"(
+    std::string documented = test::documented_lesson();
+    for (const char* body : {"name = \"crank\"", "name = \"rod\"", "name = \"slider\""}) {
+        documented.insert(documented.find(body), "mass = 1\ninertia = [1, 2, 2.5]\n");
+    }
+    return documented + R"(
 [[body]]
 name = "nut"
 position = [0, 0, 1]
+mass = 2
+inertia = [[1, 0.1, 0], [0.1, 1, 0], [0, 0, 1]]
+centre = [0, 0.1, 0]
 axes = { x = [0, 1, 0], y = [-1, 0, 0] }
 omega_global_rad_per_s = [0, 0, 1]
 [[joint]]
@@ -228,6 +282,33 @@ at = [0, 0, 0]
 quantity = "distance"
 step = { from = 1, to = 2, end_s = 1 }
 from_start = true
+[dynamics]
+duration = 10
+gravity = [0, 0, -9.81]
+method = "rk4"
+treatment = "baumgarte"
+step = 1e-3
+point = { body = "nut", at = [0, 0, 1] }
+point_at_end = [0, 0, 2]
+[[force]]
+body = "nut"
+at = [0, 0, 1]
+direction = [0, 0, 1]
+harmonics = { amplitude = 3, frequency_hz = 2 }
+[[torque]]
+body = "crank"
+torque = [0, 0, 1]
+frame = "local"
+[[spring]]
+bodies = ["ground", "nut"]
+at = [0, 0, 0]
+point_j = [0, 0, 0]
+stiffness = 8e5
+damping = 4e4
+[[rotational_spring]]
+joint = "pivot"
+stiffness = 3
+free_angle_deg = 30
 [[expect]]
 as_given = true
 quantity = "nut.point.x"

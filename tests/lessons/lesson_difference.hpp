@@ -22,8 +22,9 @@ public:
     void compare(const std::string& name, const Lesson& a, const Lesson& b) {
         all(name, a, b, &Lesson::title, "title", &Lesson::chapter, "chapter", &Lesson::source, "source",
             &Lesson::text, "text", &Lesson::mechanism, "mechanism", &Lesson::looks, "looks", &Lesson::order,
-            "order", &Lesson::coordinates, "coordinates", &Lesson::motion, "motion", &Lesson::camera,
-            "camera", &Lesson::step_texts, "step_texts", &Lesson::claims, "claims");
+            "order", &Lesson::coordinates, "coordinates", &Lesson::motion, "motion", &Lesson::dynamics,
+            "dynamics", &Lesson::camera, "camera", &Lesson::step_texts, "step_texts", &Lesson::claims,
+            "claims");
     }
     void compare(const std::string& name, const Mechanism& a, const Mechanism& b) {
         all(name, a, b, &Mechanism::bodies, "bodies", &Mechanism::joints, "joints", &Mechanism::drivers,
@@ -103,6 +104,44 @@ public:
     void compare(const std::string& name, const MotionPlan& a, const MotionPlan& b) {
         all(name, a, b, &MotionPlan::from, "from", &MotionPlan::to, "to", &MotionPlan::duration, "duration",
             &MotionPlan::steps, "steps");
+    }
+    void compare(const std::string& name, const DynamicsPlan& a, const DynamicsPlan& b) {
+        using P = DynamicsPlan;
+        all(name, a, b, &P::loads, "loads", &P::duration, "duration", &P::method, "method", &P::treatment,
+            "treatment", &P::tolerance, "tolerance", &P::step, "step", &P::point, "point", &P::point_at_end,
+            "point_at_end");
+    }
+    void compare(const std::string& name, const BodyPoint& a, const BodyPoint& b) {
+        all(name, a, b, &BodyPoint::body, "body", &BodyPoint::point_local, "point_local");
+    }
+    void compare(const std::string& name, const Loads& a, const Loads& b) {
+        all(name, a, b, &Loads::masses, "masses", &Loads::gravity, "gravity", &Loads::forces, "forces",
+            &Loads::torques, "torques", &Loads::springs, "springs", &Loads::rotational_springs,
+            "rotational_springs");
+    }
+    void compare(const std::string& name, const MassProperties& a, const MassProperties& b) {
+        using M = MassProperties;
+        all(name, a, b, &M::mass, "mass", &M::centre_local, "centre_local", &M::J_local, "J_local");
+    }
+    void compare(const std::string& name, const AppliedForce& a, const AppliedForce& b) {
+        using F = AppliedForce;
+        all(name, a, b, &F::body, "body", &F::point_local, "point_local", &F::direction, "direction",
+            &F::frame, "frame", &F::magnitude, "magnitude");
+    }
+    void compare(const std::string& name, const AppliedTorque& a, const AppliedTorque& b) {
+        using T = AppliedTorque;
+        all(name, a, b, &T::body, "body", &T::direction, "direction", &T::frame, "frame", &T::magnitude,
+            "magnitude");
+    }
+    void compare(const std::string& name, const Spring& a, const Spring& b) {
+        all(name, a, b, &Spring::body_i, "body_i", &Spring::body_j, "body_j", &Spring::P_i_local, "P_i",
+            &Spring::P_j_local, "P_j", &Spring::stiffness, "stiffness", &Spring::free_length, "free_length",
+            &Spring::damping, "damping");
+    }
+    void compare(const std::string& name, const RotationalSpring& a, const RotationalSpring& b) {
+        using S = RotationalSpring;
+        all(name, a, b, &S::body_i, "body_i", &S::body_j, "body_j", &S::angle, "angle", &S::stiffness,
+            "stiffness", &S::free_angle, "free_angle", &S::damping, "damping");
     }
     void compare(const std::string& name, const CameraWish& a, const CameraWish& b) {
         all(name, a, b, &CameraWish::from, "from", &CameraWish::target, "target", &CameraWish::distance,

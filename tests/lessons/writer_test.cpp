@@ -1,20 +1,19 @@
 #include <catch2/catch.hpp>
 
 #include "lessons/catalogue.hpp"
-#include "lessons/equation_labels.hpp"
 #include "lessons/exact_text.hpp"
-#include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
+#include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
-#include "tests/support/random_mechanisms.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace jw;
 using test::first_difference;
 using test::lesson_of;
 using test::Random;
+using test::random_lesson;
 
 namespace {
 
@@ -27,117 +26,6 @@ void check_there_and_back(const Lesson& lesson) {
     REQUIRE(read.lesson.has_value());
     CHECK(first_difference(lesson, *read.lesson) == "");
     CHECK(lesson_text(*read.lesson) == text);
-}
-
-/// What the format says of a joint of this type; everything else as a lesson has it.
-JointGeometry as_in_lessons(const JointType& type, const JointGeometry& any) {
-    const JointNeeds needs(type);
-    JointGeometry g;
-    if (needs.points) {
-        g.P_i_local = any.P_i_local;
-        g.P_j_local = any.P_j_local;
-    }
-    if (needs.axis) { g.s_i_local = any.s_i_local; }
-    if (needs.axis_j) { g.s_j_local = any.s_j_local; }
-    if (needs.sides && has_angle(type)) {
-        g.h_i_local = g.u_i_local = perpendicular_to(any.s_i_local);
-        g.h_j_local = g.u_j_local = any.s_j_local.cross(any.h_j_local).normalized();
-    } else if (needs.sides) {
-        g.h_i_local = any.h_i_local;
-        g.h_j_local = any.h_j_local;
-        g.u_i_local = unit_of(any.h_i_local);
-        g.u_j_local = unit_of(any.h_j_local);
-    }
-    if (type.uses(Role::length)) { g.length = any.length; }
-    if (type.uses(Role::screw_advance)) {
-        g.alpha = any.alpha;
-        g.d_0 = any.d_0;
-        g.theta_0 = any.theta_0;
-        g.screw_angle_form = any.screw_angle_form;
-        g.theta_start = any.theta_start;
-        g.theta_dot_start = any.theta_dot_start;
-    }
-    return g;
-}
-
-TimeFunction far_from_zero(Random& random) {
-    TimeFunction f = test::random_function(random);
-    // a distance is never negative
-    f.polynomial = {random.number(5.0, 9.0)};
-    return f;
-}
-
-/// Joints of every type, drivers of every kind, words and looks: all numbers random.
-Lesson random_lesson(unsigned seed) {
-    Random random(seed);
-    Lesson lesson;
-    lesson.file_name = "random.toml";
-    lesson.title = "Random " + std::to_string(seed);
-    Mechanism& m = lesson.mechanism;
-    m.bodies = {
-        test::random_body(random, "ground"), test::random_body(random, "i \\ \u03c6"),
-        test::random_body(random, "j")};
-    m.bodies[0].fixed = true;
-    for (const JointType& type : kJointTypes) {
-        Mechanism one = test::random_joint(
-            random, type, static_cast<ParallelForm>(seed % 6), static_cast<ScrewAngleForm>(seed % 3));
-        Joint joint = one.joints[0];
-        joint.name = "the " + std::string(type.name);
-        joint.body_i = static_cast<int>(seed % 2);
-        joint.body_j = 2;
-        if (seed % 2 == 0) { joint.geometry.theta_start = random.number(-20.0, 20.0); }
-        if (seed % 3 == 0) { joint.geometry.theta_dot_start = random.number(); }
-        joint.geometry = as_in_lessons(type, joint.geometry);
-        if (!std::ranges::any_of(type.roles, is_parallel)) { joint.parallel_form = ParallelForm::rule; }
-        // every third equation is out, the last one first
-        const auto equations = equations_of(type, joint.parallel_form);
-        for (std::size_t k = equations.size(); k-- > 0;) {
-            if (k % 3 == seed % 3) { joint.without.push_back(equations[k].equation); }
-        }
-        m.joints.push_back(joint);
-    }
-    const auto add = [&](const Measure& measure, int joint, int i, int j) {
-        const std::string name = "driver " + std::to_string(m.drivers.size());
-        m.drivers.push_back({name, joint, i, j, measure, far_from_zero(random)});
-    };
-    for (int k = 0; k < static_cast<int>(m.joints.size()); ++k) {
-        const Joint& joint = m.joints[static_cast<std::size_t>(k)];
-        if (has_angle(*joint.type)) {
-            const bool screw = joint.type->artificial > 0;
-            add(screw ? Measure(ThetaMeasure{}) : Measure(angle_of(joint)), k, joint.body_i, joint.body_j);
-        }
-        if (has_displacement(*joint.type)) { add(displacement_of(joint), k, joint.body_i, joint.body_j); }
-    }
-    add(SquaredDistanceMeasure{random.vector(), random.vector()}, -1, 1, 2);
-    for (int k = 0; k < 7; ++k) { add(CoordinateMeasure{k}, -1, 0, 2); }
-
-    Mat3 axes;
-    axes.col(0) = random.direction();
-    axes.col(1) = perpendicular_to(axes.col(0));
-    axes.col(2) = axes.col(0).cross(axes.col(1));
-    lesson.looks = {
-        {{Box{random.vector().cwiseAbs(), random.vector(), axes}}, Colour{1.0, 0.2, 16.0 / 255.0}},
-        {{Rod{random.vector(), random.vector(), 0.1}, Cylinder{random.vector(), random.vector(), 0.2}}, {}},
-        {{Sphere{random.vector(), random.number(0.1, 1.0)}, Sphere{}}, {}}};
-    lesson.step_texts.joints.assign(m.joints.size(), "");
-    lesson.step_texts.drivers.assign(m.drivers.size(), "");
-    lesson.step_texts.joints[1] = "ends with a line feed\n";
-    lesson.step_texts.joints[2] = "two lines,\n\nno line feed at the end";
-    for (int k = static_cast<int>(m.joints.size()) - 1; k >= 0; --k) {
-        lesson.order.push_back({Addition::Kind::joint, k});
-    }
-    for (int k = 0; k < static_cast<int>(m.drivers.size()); ++k) {
-        lesson.order.push_back({Addition::Kind::driver, k});
-    }
-    lesson.coordinates = static_cast<CoordinateChoice>(seed % 4);
-    lesson.motion = MotionPlan{random.number(), random.number(2.0, 3.0), random.number(1.0, 9.0), 7};
-    lesson.step_texts.times = {{1.0, "from 1 s"}, {1.5, "then\n\nthis"}};
-    lesson.camera.from = random.direction();
-    lesson.camera.target = random.vector();
-    lesson.camera.distance = random.number(1.0, 2.0);
-    lesson.camera.up = random.direction();
-    lesson.camera.orthographic = true;
-    return lesson;
 }
 
 }  // namespace
@@ -153,8 +41,9 @@ TEST_CASE("Every lesson of the catalogue is written as it was read", "[lessons][
     }
 }
 
-TEST_CASE("The lesson of the documentation is written as it was read", "[lessons][writing]") {
+TEST_CASE("The lessons of the documentation are written as they were read", "[lessons][writing]") {
     check_there_and_back(lesson_of(test::documented_lesson()));
+    check_there_and_back(lesson_of(test::documented_toml()[3]));
 }
 
 TEST_CASE("Random mechanisms are written and read digit for digit", "[lessons][writing]") {
@@ -176,6 +65,9 @@ shape = { box = { size = [1, 2, 3], at = [0, 0, 1], axes = { x = [1, 2, 2], y = 
 [[body]]
 name = "nut"
 p = [0.5001, 0.5, -0.5, 0.4998]
+mass = 2.5
+inertia = [[1, 0.1, 0.3], [0.1, 2, 0.2], [0.3, 0.2, 2.3]]
+centre = [0.01, 0, 0]
 velocity = [0, 0, -0.3]
 omega_global_deg_per_s = [10, 20, -30]
 [[joint]]
@@ -235,6 +127,37 @@ to_s = 2
 [camera]
 from = [0.7, -1, 0.35]
 up = [0, 1, 0]
+[dynamics]
+duration = 2.5
+gravity = [0, 0, -9.81]
+method = "implicit-5"
+treatment = "tangent"
+tolerance = 1e-8
+step = 0.01
+point = { body = "nut", at = [0.1, 0.2, 0.3] }
+point_at_end = [1, 2, 3]
+[[force]]
+body = "nut"
+at = [0.1, 0.2, 0.3]
+force = [0, 0, 5]
+frame = "local"
+[[force]]
+body = "nut"
+direction = [1, 2, 2]
+harmonics = { amplitude = 7, frequency_hz = 0.3, phase_deg = 45 }
+[[torque]]
+body = "arm"
+torque = [0, 3, 0]
+step = { to = 1, end_s = 1 }
+[[spring]]
+bodies = ["post", "arm"]
+at = [0, 0, 0]
+to = [1, 0, 0]
+damping = 3
+[[rotational_spring]]
+joint = "thread"
+stiffness = 7
+free_angle_deg = 15
 [[expect]]
 after = "thread"
 rank = 6
@@ -280,13 +203,19 @@ tolerance = 0.1
 residual_below = 1e-12
 change_point = true
 )";
-    const std::string text = test::with_two_bodies(rest);
+    std::string text = test::with_two_bodies(rest);
+    for (const std::string name : {"base", "arm"}) {
+        text.insert(text.find("name = \"" + name), "mass = 1\ninertia = [1, 2, 3]\n");
+    }
     check_there_and_back(lesson_of(text));
     // what was typed comes back as typed
     const std::string written = lesson_text(lesson_of(text));
     for (const char* line :
          {"\nrotation = { axis = [0, 0, 1], angle_deg = 90 }\n", "\nside_i = [3, 4, 0]\n", "\npitch = -0.08 ",
-          "\ntheta_deg = 750\n", "\ntheta_dot_deg_per_s = 33.3\n", "\nfrom = [0.7, -1, 0.35]\n",
+          "\ntheta_deg = 750\n", "\ninertia = [1, 2, 2.3, 0.1, 0.3, 0.2] ",
+          "\ndirection = [1, 2, 2]\nharmonics = { amplitude = 7, frequency_hz = 0.3, phase_deg = 45 }\n",
+          "\nforce = [0, 0, 5] ", "\nfree_angle_deg = 15\n", "\nmethod = \"implicit-5\"\n",
+          "\ntheta_dot_deg_per_s = 33.3\n", "\nfrom = [0.7, -1, 0.35]\n",
           "{ amplitude_deg = 20, frequency_hz = 0.3, phase_deg = 45 }", "omega_rad_per_s = 3 }",
           "\nvalue_deg_per_s2 = 123.4\ntolerance_deg_per_s2 = 0.7\n",
           "\n[[expect]]\nafter = \"thread\"\nrows = 9\ncolumns = 19\nrank = 6\ncondition_above = 3\n"}) {
@@ -305,6 +234,19 @@ TEST_CASE("A joint that has been taken out is not written, nor what hangs on it"
     CHECK(read.order.size() == 3);
     CHECK(read.step_texts.joints[2] == lesson.step_texts.joints[3]);
     CHECK(read.mechanism.bodies.size() == lesson.mechanism.bodies.size());
+}
+
+TEST_CASE("A spring about a joint goes with the joint, and about no joint is refused", "[lessons][writing]") {
+    Random random(5);
+    Lesson lesson = random_lesson(2);
+    auto& springs = lesson.dynamics->loads.rotational_springs;
+    const std::size_t count = springs.size();
+    const auto hinge = std::ranges::find(lesson.mechanism.joints, "the revolute", &Joint::name);
+    const int index = static_cast<int>(hinge - lesson.mechanism.joints.begin());
+    std::erase(lesson.order, Addition{Addition::Kind::joint, index});
+    CHECK(lesson_of(lesson_text(lesson)).dynamics->loads.rotational_springs.size() == count - 1);
+    springs[0].angle.s_i_local = random.direction();
+    CHECK_THROWS_AS(lesson_text(lesson), std::invalid_argument);
 }
 
 TEST_CASE("Any text survives in quotes", "[lessons][writing]") {

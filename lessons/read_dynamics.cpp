@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// more is no longer waited for
+constexpr double kMostFixedSteps = 1e7;
+
+template <class Names>
+std::vector<std::string> words_of(const Names& names) {
+    std::vector<std::string> words;
+    for (const auto& entry : names) { words.emplace_back(entry.name); }
+    return words;
+}
+
+void read_method(Fields& fields, DynamicsPlan& plan) {
+    if (const auto method = fields.word("method", words_of(kMethods))) {
+        plan.method = kMethods[*method].method;
+    }
+    if (const auto treatment = fields.word("treatment", words_of(kTreatments))) {
+        plan.treatment = kTreatments[*treatment].treatment;
+    }
+    if (const auto tolerance = fields.positive("tolerance")) { plan.tolerance = tolerance->value; }
+    const auto step = fields.positive("step");
+    if (!step) { return; }
+    plan.step = step->value;
+    if (plan.duration / plan.step > kMostFixedSteps) {
+        fields.problems().add(
+            step->span, "steps of " + short_number(plan.step) + " s are " +
+                            short_number(plan.duration / plan.step, 3) +
+                            " in 'duration'; expected at most ten million");
+    }
+}
+
+void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
+    if (auto table = fields.table("point")) {
+        const auto point = read_point_of_body(*table, reading);
+        if (!table->has("point")) { table->require("at", "the point, global at the start pose, in m"); }
+        table->finish();
+        if (point && point->point_local) { plan.point = BodyPoint{point->body, *point->point_local}; }
+    }
+    const auto at_end = fields.vector("point_at_end");
+    if (at_end && !fields.has("point")) {
+        fields.problems().add(
+            at_end->span, "'point_at_end' without 'point'; expected the point that it is the end of");
+    } else if (at_end) {
+        plan.point_at_end = at_end->value;
+    }
+}
+
+/// Masses that nothing needs are odd, no more.
+void warn_of_masses(const Reading& reading) {
+    const auto given = std::ranges::find_if(reading.masses, &ReadMass::given);
+    if (given == reading.masses.end()) { return; }
+    reading.problems->warn(
+        given->span, "masses change nothing in a lesson without [dynamics]",
+        "[dynamics] needs a 'duration' in s");
+}
+
+void take_masses(Reading& reading, DynamicsPlan& plan) {
+    const std::vector<Body>& bodies = reading.lesson.mechanism.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        plan.loads.masses.push_back(reading.masses[b].properties);
+        const auto named = reading.names.find(bodies[b].name);
+        if (bodies[b].fixed || reading.masses[b].given || named == reading.names.end()) { continue; }
+        reading.problems->add(
+            named->second.span,
+            "body " + in_quotes(bodies[b].name) +
+                " has no mass; expected 'mass' and 'inertia' of every body that moves in a lesson of "
+                "dynamics",
+            "a box of edges a, b, c has inertia = m/12 [b² + c², a² + c², a² + b²]");
+    }
+}
+
+}  // namespace
+
+std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& reading) {
+    const auto name = fields.text("body");
+    fields.require("body", "the name of a body that moves");
+    const auto at = fields.vector("at");
+    const auto point = fields.vector("point");
+    fields.at_most_one({"at", "point"});
+    const Named* named = name ? reading.body(*name) : nullptr;
+    if (named == nullptr) { return std::nullopt; }
+    const Body& body = reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)];
+    if (body.fixed) {
+        fields.problems().add(
+            name->span, "body " + in_quotes(name->value) + " is fixed; expected one that moves");
+        return std::nullopt;
+    }
+    ReadPoint out{named->index, std::nullopt};
+    if (at) { out.point_local = rotation_of(body).transpose() * (at->value - body.r); }
+    if (point) { out.point_local = point->value; }
+    return out;
+}
+
+void read_dynamics(Fields& root, Reading& reading) {
+    auto fields = root.table("dynamics");
+    if (!fields) {
+        if (!root.has("dynamics")) { warn_of_masses(reading); }
+        return;
+    }
+    DynamicsPlan plan;
+    if (const auto gravity = fields->vector("gravity")) { plan.loads.gravity = gravity->value; }
+    fields->require("duration", "how long it moves, in s");
+    if (const auto duration = fields->positive("duration")) { plan.duration = duration->value; }
+    read_method(*fields, plan);
+    read_point(*fields, reading, plan);
+    fields->finish();
+    take_masses(reading, plan);
+    reading.lesson.dynamics = std::move(plan);
+}
+
+}  // namespace jw::reading
