@@ -166,7 +166,8 @@ std::optional<TypedRotation> typed_rotation(const Vec4& p) {
 std::string about_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
     const double angle = 2.0 * std::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
-    const Vec3 axis = e.norm() > 0.0 ? Vec3(e.normalized()) : Vec3::UnitZ();
+    // + 0: no minus zero
+    const Vec3 axis = e.norm() > 0.0 ? Vec3(e.normalized() + Vec3::Zero()) : Vec3::UnitZ();
     std::string text = "turned by " + short_number(angle, 4) + " deg about (";
     for (const double x : axis) { text += (text.back() == '(' ? "" : ", ") + short_number(x, 3); }
     return text + ')';
