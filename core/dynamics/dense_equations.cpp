@@ -1,0 +1,334 @@
+#include "core/dynamics/dense_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+#include "core/rank.hpp"
+
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// ω' of the angular numbers of a choice, and the numbers of ω'.
+template <class C>
+Vec3 omega_local_of_numbers(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
+    if constexpr (C::kNormalised) {
+        return omega_local_of(p, angular);
+    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
+        return homogeneous_rotation_matrix(p).transpose() * angular;
+    } else {
+        return angular;
+    }
+}
+template <class C>
+Eigen::Matrix<double, C::kAngular, 1> numbers_of_omega_local(const Vec4& p, const Vec3& omega_local) {
+    if constexpr (C::kNormalised) {
+        return p_dot_of_omega_local(p, omega_local);
+    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
+        return homogeneous_rotation_matrix(p) * omega_local;
+    } else {
+        return omega_local;
+    }
+}
+
+template <class C>
+Vec4 p_dot_of_numbers(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
+    if constexpr (C::kNormalised) {
+        return angular;
+    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
+        return p_dot_of_omega_global(p, angular);
+    } else {
+        return p_dot_of_omega_local(p, angular);
+    }
+}
+
+/// H with ω' = H times the angular numbers: M and Q of a choice are Hᵀ J' H and Hᵀ n'.
+template <class C>
+Eigen::Matrix<double, 3, C::kAngular> turning_of(const BodyKinematics<OmegaLocal>& body) {
+    if constexpr (C::kNormalised) {
+        return 2.0 * L_of(body.p);
+    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
+        return body.A.transpose();
+    } else {
+        return Mat3::Identity();
+    }
+}
+
+}  // namespace
+
+template <class C>
+DenseEquations<C>::DenseEquations(const Centroidal& scene, const Baumgarte& baumgarte)
+    : scene_(&scene),
+      baumgarte_(baumgarte),
+      system_(scene.mechanism, everything(scene.mechanism)),
+      assembler_(system_),
+      saddle_point_(scaling_of<C>(system_)),
+      state_(start_state(scene.mechanism)),
+      motion_(zero_motion(scene.mechanism)),
+      velocity_(VectorX::Zero(assembler_.layout().columns())),
+      bodies_(scene.mechanism.bodies.size()),
+      forces_(scene.mechanism.bodies.size()),
+      mass_(MatrixX::Zero(velocity_.size(), velocity_.size())),
+      force_(VectorX::Zero(velocity_.size())) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        bodies_[b].r = state_.r[b];
+        bodies_[b].p = state_.p[b];
+        bodies_[b].A = homogeneous_rotation_matrix(state_.p[b]);
+    }
+    std::vector<double> y(at(size()));
+    pack(state_, motion_, y.data());
+    choose_rows(0.0, y.data());
+}
+
+template <class C>
+void DenseEquations<C>::pack(const State& state, const Motion& motion, double* y) const {
+    for (const int b : system_.moving_bodies()) {
+        const Vec4& p = state.p[at(b)];
+        Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y) << state.r[at(b)], p, motion.r_dot[at(b)],
+            numbers_of_omega_local<C>(p, motion.omega_local[at(b)]);
+        y += kNumbers;
+    }
+}
+
+template <class C>
+void DenseEquations<C>::unpack(const double* y, State& state, Motion& motion) const {
+    for (const int b : system_.moving_bodies()) {
+        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> numbers(y);
+        state.r[at(b)] = numbers.template head<3>();
+        state.p[at(b)] = numbers.template segment<4>(3);
+        motion.r_dot[at(b)] = numbers.template segment<3>(7);
+        motion.omega_local[at(b)] =
+            omega_local_of_numbers<C>(state.p[at(b)], numbers.template tail<C::kAngular>());
+        y += kNumbers;
+    }
+}
+
+/// θ and θ̇ of every screw: the angle between its bodies nearest to the one before.
+template <class C>
+void DenseEquations<C>::find_thetas() {
+    std::size_t theta = 0;
+    for (const Joint& joint : scene_->mechanism.joints) {
+        if (joint.type->artificial == 0) { continue; }
+        const auto& i = bodies_[at(joint.body_i)];
+        const auto& j = bodies_[at(joint.body_j)];
+        double& value = state_.theta[theta];
+        value += std::remainder(relative_angle(joint, state_) - value, 2.0 * std::numbers::pi);
+        const Vec3 omega_i = i.A * motion_.omega_local[at(joint.body_i)];
+        const Vec3 omega_j = j.A * motion_.omega_local[at(joint.body_j)];
+        motion_.theta_dot[theta] = (i.A * joint.geometry.s_i_local.normalized()).dot(omega_j - omega_i);
+        ++theta;
+    }
+}
+
+template <class C>
+void DenseEquations<C>::read(const double* y) {
+    unpack(y, state_, motion_);
+    for (const int b : system_.moving_bodies()) {
+        BodyKinematics<OmegaLocal>& body = bodies_[at(b)];
+        body.r = state_.r[at(b)];
+        body.p = state_.p[at(b)];
+        body.A = homogeneous_rotation_matrix(body.p);
+        body.r_dot = motion_.r_dot[at(b)];
+        OmegaLocal::set_motion(body, motion_.omega_local[at(b)]);
+    }
+    find_thetas();
+    velocity_ = assembler_.layout().columns_of(state_, motion_);
+}
+
+template <class C>
+void DenseEquations<C>::set_mass() {
+    for (const int b : system_.moving_bodies()) {
+        const MassProperties& m = *scene_->loads.masses[at(b)];
+        const int column = system_.body_column(b, C::kAngular);
+        const auto H = turning_of<C>(bodies_[at(b)]);
+        mass_.block<3, 3>(column, column) = m.mass * Mat3::Identity();
+        mass_.block<C::kAngular, C::kAngular>(column + 3, column + 3) = H.transpose() * m.J_local * H;
+    }
+}
+
+template <class C>
+void DenseEquations<C>::set_force(double t) {
+    std::ranges::fill(forces_, BodyForce{});
+    add_forces(scene_->loads, bodies_, t, forces_);
+    for (const int b : system_.moving_bodies()) {
+        const int column = system_.body_column(b, C::kAngular);
+        const Mat3& J = scene_->loads.masses[at(b)]->J_local;
+        const Vec3 n_local = forces_[at(b)].n_local + gyroscopic_torque(J, motion_.omega_local[at(b)]);
+        force_.segment<3>(column) = forces_[at(b)].f;
+        force_.segment<C::kAngular>(column + 3) = turning_of<C>(bodies_[at(b)]).transpose() * n_local;
+    }
+}
+
+template <class C>
+RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot) {
+    read(y);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    assembler_.assemble_nu(t);
+    assembler_.assemble_gamma(state_, motion_, t);
+    set_mass();
+    set_force(t);
+
+    const VectorX phi_dot = jacobian() * velocity_ - assembler_.nu();
+    right_ = assembler_.gamma() - 2.0 * baumgarte_.alpha * phi_dot -
+             baumgarte_.beta * baumgarte_.beta * assembler_.phi();
+    saddle_point_.factor(mass_, jacobian());
+    saddle_point_.solve(force_, right_, acceleration_, lambda_);
+
+    for (const int b : system_.moving_bodies()) {
+        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> numbers(y);
+        const Angular angular = numbers.template tail<C::kAngular>();
+        Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y_dot) << numbers.template segment<3>(7),
+            p_dot_of_numbers<C>(state_.p[at(b)], angular),
+            acceleration_.segment<3 + C::kAngular>(system_.body_column(b, C::kAngular));
+        y += kNumbers;
+        y_dot += kNumbers;
+    }
+    return {saddle_point_.smallest_pivot(), worst_residual()};
+}
+
+/// Largest |Φ|, each by the size of its equation.
+template <class C>
+double DenseEquations<C>::worst_residual() const {
+    double worst = 0.0;
+    for (int row = 0; row < rows(); ++row) {
+        worst = std::max(worst, std::abs(assembler_.phi()(row)) / system_.row_unit(row));
+    }
+    return worst;
+}
+
+template <class C>
+bool DenseEquations<C>::choose_rows(double t, const double* y) {
+    read(y);
+    const bool other_equations = system_.choose_rows(state_);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    const double threshold = std::max(kRankThreshold, kErrorFactor * worst_residual());
+    return saddle_point_.choose_rows(jacobian(), threshold) || other_equations;
+}
+
+/// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.
+template <class C>
+void DenseEquations<C>::correct_positions(double t, double& before) {
+    // from the error of a step three rounds reach rounding; a fall by less than half is the end
+    constexpr int most_rounds = 10;
+    const VectorX none = VectorX::Zero(velocity_.size());
+    double last = 0.0;
+    for (int round = 0; round < most_rounds; ++round) {
+        assembler_.assemble_phi_and_jacobian(state_, t);
+        const double worst = worst_residual();
+        if (round == 0) { before = worst; }
+        set_mass();
+        saddle_point_.factor(mass_, jacobian());
+        if (worst < 1e-14 || (round > 0 && worst > 0.5 * last)) { return; }
+        last = worst;
+        VectorX delta;
+        saddle_point_.solve(none, -assembler_.phi(), delta, lambda_);
+        assembler_.layout().advance(state_, delta);
+        for (const int b : system_.moving_bodies()) {
+            state_.p[at(b)].normalize();
+            bodies_[at(b)].p = state_.p[at(b)];
+            bodies_[at(b)].A = homogeneous_rotation_matrix(state_.p[at(b)]);
+        }
+    }
+}
+
+template <class C>
+double DenseEquations<C>::project(double t, double* y) {
+    read(y);
+    for (const int b : system_.moving_bodies()) { state_.p[at(b)].normalize(); }
+    double before = 0.0;
+    correct_positions(t, before);
+    // velocities nearest to those that were: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
+    assembler_.assemble_nu(t);
+    velocity_ = assembler_.layout().columns_of(state_, motion_);
+    VectorX corrected;
+    saddle_point_.solve(mass_ * velocity_, assembler_.nu(), corrected, lambda_);
+    motion_ = assembler_.layout().motion_of(state_, corrected);
+    pack(state_, motion_, y);
+    return before;
+}
+
+template <class C>
+std::pair<double, double> DenseEquations<C>::violation(double t, const double* y) {
+    read(y);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    assembler_.assemble_nu(t);
+    const VectorX phi_dot = jacobian() * velocity_ - assembler_.nu();
+    double velocity = 0.0;
+    for (int row = 0; row < rows(); ++row) {
+        velocity = std::max(velocity, std::abs(phi_dot(row)) / system_.row_unit(row));
+    }
+    return {worst_residual(), velocity};
+}
+
+template <class C>
+TangentSpace DenseEquations<C>::tangent_space(double t, const double* y) {
+    read(y);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    set_mass();
+    saddle_point_.factor(mass_, jacobian());
+    const MatrixX free = saddle_point_.free_motions();
+    const auto six = 6 * static_cast<Eigen::Index>(system_.moving_bodies().size());
+    TangentSpace out{MatrixX(six, free.cols()), MatrixX(six, free.cols())};
+    for (Eigen::Index k = 0; k < free.cols(); ++k) {
+        const Motion motion = assembler_.layout().motion_of(state_, free.col(k));
+        Eigen::Index first = 0;
+        for (const int b : system_.moving_bodies()) {
+            const MassProperties& m = *scene_->loads.masses[at(b)];
+            out.basis.col(k).segment<6>(first) << motion.r_dot[at(b)], motion.omega_local[at(b)];
+            out.weighted.col(k).segment<6>(first) << m.mass * motion.r_dot[at(b)],
+                m.J_local * motion.omega_local[at(b)];
+            first += 6;
+        }
+    }
+    const Eigen::LLT<MatrixX> energy(out.basis.transpose() * out.weighted);
+    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.basis);
+    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.weighted);
+    return out;
+}
+
+template <class C>
+double DenseEquations<C>::kinetic_energy(const double* y) const {
+    State state = state_;
+    Motion motion = motion_;
+    unpack(y, state, motion);
+    double energy = 0.0;
+    for (const int b : system_.moving_bodies()) {
+        const MassProperties& m = *scene_->loads.masses[at(b)];
+        const Vec3& omega_local = motion.omega_local[at(b)];
+        energy +=
+            0.5 * (m.mass * motion.r_dot[at(b)].squaredNorm() + omega_local.dot(m.J_local * omega_local));
+    }
+    return energy;
+}
+
+template <class C>
+double DenseEquations<C>::potential_energy(const double* y) const {
+    std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
+    State state = state_;
+    Motion motion = motion_;
+    unpack(y, state, motion);
+    for (const int b : system_.moving_bodies()) {
+        bodies[at(b)].r = state.r[at(b)];
+        bodies[at(b)].A = homogeneous_rotation_matrix(state.p[at(b)].normalized());
+    }
+    return jw::potential_energy(scene_->loads, bodies);
+}
+
+template class DenseEquations<TrueEulerParameters>;
+template class DenseEquations<ModifiedEulerParameters>;
+template class DenseEquations<OmegaLocal>;
+template class DenseEquations<OmegaGlobal>;
+
+std::unique_ptr<MotionEquations> dense_equations(
+    const Centroidal& scene, CoordinateChoice choice, const Baumgarte& baumgarte) {
+    return with_choice(choice, [&](auto c) -> std::unique_ptr<MotionEquations> {
+        return std::make_unique<DenseEquations<decltype(c)>>(scene, baumgarte);
+    });
+}
+
+}  // namespace jw

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <vector>
+
+#include "core/assembler.hpp"
+#include "core/dynamics/forces.hpp"
+#include "core/dynamics/motion_equations.hpp"
+#include "core/dynamics/saddle_point.hpp"
+
+/// The equations of motion as the slides write them: one dense system in any of the four coordinate choices.
+namespace jw {
+
+/// Baumgarte's stabilisation: γ - 2 α Φ̇ - β² Φ instead of γ. α = β is critical damping.
+struct Baumgarte {
+    double alpha = 0.0;  ///< [1/s]
+    double beta = 0.0;   ///< [1/s]
+};
+
+/// | choice   | y of a body  | ṗ is       | M            | Q                      |
+/// | -------- | ------------ | ---------- | ------------ | ---------------------- |
+/// | (r, ω')  | r, p, ṙ, ω'  | ½ Lᵀ ω'    | m I, J'      | f, n' - ω̃'J'ω'         |
+/// | (r, ω)   | r, p, ṙ, ω   | ½ Gᵀ ω     | m I, A J' Aᵀ | f, A (n' - ω̃'J'ω')     |
+/// | (r, p)   | r, p, ṙ, ṗ   | integrated | m I, 4 LᵀJ'L | f, 2 Lᵀ (n' - ω̃'J'ω')  |
+///
+/// n - ω̃Jω is A (n' - ω̃'J'ω'); the part of Q along p that 2 Lᵀ leaves out is taken up by the λ of pᵀp = 1.
+///
+/// Rows are those of the mechanism as given, in the order of System. θ of a screw is no part of y: its value
+/// follows from the bodies, turns being counted on from the last evaluation.
+///
+/// The teaching and reference path: clear, O(n³), and it allocates.
+/// @source slides 24 and 25; signs in docs/notation.md
+template <class C>
+class DenseEquations final : public MotionEquations {
+public:
+    /// 13, or 14 where y holds ṗ.
+    static constexpr int kNumbers = 10 + C::kAngular;
+
+    /// `scene` must outlive this. Rows are chosen at its start pose.
+    explicit DenseEquations(const Centroidal& scene, const Baumgarte& baumgarte = {});
+
+    int size() const override { return kNumbers * static_cast<int>(system_.moving_bodies().size()); }
+    RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
+    double project(double t, double* y) override;
+    bool choose_rows(double t, const double* y) override;
+    std::pair<double, double> violation(double t, const double* y) override;
+    double kinetic_energy(const double* y) const override;
+    double potential_energy(const double* y) const override;
+    TangentSpace tangent_space(double t, const double* y) override;
+    int rows() const override { return system_.rows(C::kNormalised); }
+    int rows_left_out() const override { return rows() - static_cast<int>(saddle_point_.kept().size()); }
+
+    /// y of a state and a motion of the centroidal frames, and back.
+    void pack(const State& state, const Motion& motion, double* y) const;
+    void unpack(const double* y, State& state, Motion& motion) const;
+
+    /// The system as it was last evaluated, and its solution.
+    const System& system() const { return system_; }
+    const MatrixX& mass_matrix() const { return mass_; }
+    const MatrixX& jacobian() const { return assembler_.jacobian(); }
+    const VectorX& force() const { return force_; }
+    /// γ, with Baumgarte's terms.
+    const VectorX& right_side() const { return right_; }
+    const VectorX& acceleration() const { return acceleration_; }
+    /// One of many where rows are left out: theirs is 0.
+    const VectorX& lambda() const { return lambda_; }
+
+private:
+    using Angular = Eigen::Matrix<double, C::kAngular, 1>;
+
+    void read(const double* y);
+    void find_thetas();
+    void set_mass();
+    void set_force(double t);
+    double worst_residual() const;
+    void correct_positions(double t, double& before);
+
+    const Centroidal* scene_;
+    Baumgarte baumgarte_;
+    System system_;
+    Assembler<C> assembler_;
+    SaddlePoint saddle_point_;
+    State state_;
+    Motion motion_;
+    VectorX velocity_;  ///< motion_ as columns
+    std::vector<BodyKinematics<OmegaLocal>> bodies_;
+    std::vector<BodyForce> forces_;
+    MatrixX mass_;
+    VectorX force_;
+    VectorX right_;
+    VectorX acceleration_;
+    VectorX lambda_;
+};
+
+/// The same for a choice known at run time only.
+std::unique_ptr<MotionEquations> dense_equations(
+    const Centroidal& scene, CoordinateChoice choice, const Baumgarte& baumgarte = {});
+
+}  // namespace jw

@@ -1,0 +1,111 @@
+#include "core/dynamics/forces.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/drivers.hpp"
+
+namespace jw {
+
+namespace {
+
+using Bodies = std::span<const BodyKinematics<OmegaLocal>>;
+using Forces = std::span<BodyForce>;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Force `f` at a point of a body.
+void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const Vec3& f) {
+    forces[at(body)].f += f;
+    forces[at(body)].n_local += point_local.cross(bodies[at(body)].A.transpose() * f);
+}
+
+/// Distance of a spring's ends, and how fast it grows.
+struct Stretch {
+    double length = 0.0;        ///< [m]
+    Vec3 along = Vec3::Zero();  ///< unit, from i to j; zero where the ends meet
+    double rate = 0.0;          ///< [m/s]
+};
+Stretch stretch_of(const Spring& spring, Bodies bodies) {
+    const auto& i = bodies[at(spring.body_i)];
+    const auto& j = bodies[at(spring.body_j)];
+    const Vec3 d = j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local;
+    const Vec3 d_dot = j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local;
+    Stretch out;
+    out.length = d.norm();
+    if (out.length > 0.0) { out.along = d / out.length; }
+    out.rate = out.along.dot(d_dot);
+    return out;
+}
+
+/// θ - θ0 and θ̇.
+struct Twist {
+    double angle = 0.0;
+    double rate = 0.0;
+};
+Twist twist_of(const RotationalSpring& spring, Bodies bodies) {
+    const auto angle = measured<Content::motion>(
+        spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{});
+    return {std::remainder(angle.value(0) - spring.free_angle, 2.0 * std::numbers::pi), angle.rate(0)};
+}
+
+void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
+    for (const AppliedForce& force : loads.forces) {
+        const Vec3 f = force.magnitude.at(t).f * force.direction;
+        const bool turns = force.frame == Frame::local;
+        push(
+            bodies, forces, force.body, force.point_local, turns ? (bodies[at(force.body)].A * f).eval() : f);
+    }
+    for (const AppliedTorque& torque : loads.torques) {
+        const Vec3 n = torque.magnitude.at(t).f * torque.direction;
+        const bool turns = torque.frame == Frame::local;
+        forces[at(torque.body)].n_local += turns ? n : (bodies[at(torque.body)].A.transpose() * n).eval();
+    }
+}
+
+void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
+    for (const Spring& spring : loads.springs) {
+        const Stretch s = stretch_of(spring, bodies);
+        const Vec3 f =
+            (spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate) * s.along;
+        push(bodies, forces, spring.body_i, spring.P_i_local, f);
+        push(bodies, forces, spring.body_j, spring.P_j_local, -f);
+    }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        const Twist twist = twist_of(spring, bodies);
+        const double torque = -spring.stiffness * twist.angle - spring.damping * twist.rate;
+        const Vec3 n_local = torque * spring.angle.s_i_local;
+        const auto& i = bodies[at(spring.body_i)];
+        const auto& j = bodies[at(spring.body_j)];
+        forces[at(spring.body_i)].n_local -= n_local;
+        forces[at(spring.body_j)].n_local += j.A.transpose() * (i.A * n_local);
+    }
+}
+
+}  // namespace
+
+void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (loads.masses[b]) { forces[b].f += loads.masses[b]->mass * loads.gravity; }
+    }
+    add_applied(loads, bodies, t, forces);
+    add_springs(loads, bodies, forces);
+}
+
+double potential_energy(const Loads& loads, Bodies bodies) {
+    double energy = 0.0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (loads.masses[b]) { energy -= loads.masses[b]->mass * loads.gravity.dot(bodies[b].r); }
+    }
+    for (const Spring& spring : loads.springs) {
+        const double stretch = stretch_of(spring, bodies).length - spring.free_length;
+        energy += 0.5 * spring.stiffness * stretch * stretch;
+    }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        const double angle = twist_of(spring, bodies).angle;
+        energy += 0.5 * spring.stiffness * angle * angle;
+    }
+    return energy;
+}
+
+}  // namespace jw

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "core/coordinates.hpp"
+#include "core/dynamics/loads.hpp"
+
+/// What the loads do to every body, in one place for all forms of the equations of motion.
+namespace jw {
+
+/// Force and torque on a body.
+struct BodyForce {
+    Vec3 f = Vec3::Zero();        ///< [N], global, through the centre of mass
+    Vec3 n_local = Vec3::Zero();  ///< about the centre of mass [N m], body frame
+};
+
+/// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
+/// @param loads centroidal, see Centroidal
+/// @param bodies one per body of the mechanism, fixed ones included, with their motion set
+/// @param forces one per body; what acts on a fixed one is added too
+void add_forces(
+    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t,
+    std::span<BodyForce> forces);
+
+/// -ω̃'J'ω', what the turning of J adds to n' in Q.
+/// @source slide 24
+inline Vec3 gyroscopic_torque(const Mat3& J_local, const Vec3& omega_local) {
+    return -omega_local.cross(J_local * omega_local);
+}
+
+/// Of gravity and of all springs [J]; forces and torques that are applied have none.
+double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
+}  // namespace jw

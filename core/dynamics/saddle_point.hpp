@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/QR>
+
+#include "core/least_squares.hpp"
+
+/// The linear system of slides 24 and 25, dense.
+namespace jw {
+
+/// Solves
+///
+///   | M   Φqᵀ | |  x |   | f |
+///   | Φq   0  | | -λ | = | b |
+///
+/// for accelerations, velocities and displacements alike, over rows that do not repeat each other.
+///
+/// With Φqᵀ = Q1 R and Q2 the motions that Φq leaves free: x = Q1 R⁻ᵀ b + Q2 z, where z follows from the part
+/// of M x = f that no constraint force enters, Q2ᵀ M Q2 z = Q2ᵀ (f - M Q1 R⁻ᵀ b), and λ from the rest. M may
+/// be singular (a screw's θ has no mass, nor has the length of p) as long as no motion that is left free is
+/// without kinetic energy. The condition of Φq enters once, not squared as in Φq M⁻¹ Φqᵀ.
+class SaddlePoint {
+public:
+    explicit SaddlePoint(Scaling scaling);
+
+    /// Chooses rows by pivots: one counts if its part that is independent of those before is above
+    /// `relative_threshold` of the largest (scaled rows). @return true if the choice changed
+    bool choose_rows(const MatrixX& jacobian, double relative_threshold);
+    /// Rows that count, the most independent first.
+    const std::vector<int>& kept() const { return kept_; }
+
+    /// @param mass [columns x columns], symmetric, positive semidefinite
+    void factor(const MatrixX& mass, const MatrixX& jacobian);
+    /// @param lambda one per row; 0 for those left out
+    void solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX& lambda) const;
+
+    /// Columns that span the motions x with Φq x = 0.
+    MatrixX free_motions() const;
+
+    /// Square of the sine between a row and those before it, the smallest one.
+    double smallest_pivot() const { return smallest_pivot_; }
+
+private:
+    Scaling scaling_;
+    std::vector<int> kept_;
+    MatrixX mass_;        ///< in scaled unknowns
+    MatrixX transposed_;  ///< Φqᵀ of the kept rows, scaled
+    Eigen::HouseholderQR<MatrixX> qr_;
+    MatrixX Q_;                                                  ///< [Q1, Q2]
+    Eigen::CompleteOrthogonalDecomposition<MatrixX> free_mass_;  ///< Q2ᵀ M Q2
+    double smallest_pivot_ = 1.0;
+};
+
+}  // namespace jw

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "core/dynamics/dense_equations.hpp"
+#include "tests/support/scenes.hpp"
+
+/// Mechanisms with masses and loads, and states that they can be in.
+namespace jw::test {
+
+/// Sizes apart by up to ten; J' is turned against the body frame, the centre of mass lies beside its origin.
+inline MassProperties random_mass(Random& random) {
+    MassProperties m;
+    m.mass = random.number(0.3, 3.0);
+    m.centre_local = random.vector(0.3);
+    const Mat3 axes = rotation_matrix(random.unit_p());
+    const Vec3 moments(random.number(0.05, 0.5), random.number(0.05, 0.5), random.number(0.05, 0.5));
+    m.J_local = axes * moments.asDiagonal() * axes.transpose();
+    return m;
+}
+
+inline std::vector<std::optional<MassProperties>> random_masses(Random& random, const Mechanism& mechanism) {
+    std::vector<std::optional<MassProperties>> masses;
+    for (const Body& body : mechanism.bodies) {
+        masses.push_back(body.fixed ? std::nullopt : std::optional(random_mass(random)));
+    }
+    return masses;
+}
+
+/// Springs without damping between neighbours in the list of bodies and about the first joint.
+inline Loads random_conservative_loads(Random& random, const Mechanism& mechanism) {
+    Loads loads;
+    loads.masses = random_masses(random, mechanism);
+    loads.gravity = random.vector(9.81);
+    for (int b = 1; b < static_cast<int>(mechanism.bodies.size()); ++b) {
+        loads.springs.push_back(
+            {b - 1, b, random.vector(), random.vector(), random.number(1.0, 20.0), random.number(0.2, 1.0),
+             0.0});
+    }
+    if (!mechanism.joints.empty()) {
+        const Joint& joint = mechanism.joints.front();
+        loads.rotational_springs.push_back(
+            {joint.body_i, joint.body_j, angle_of(joint), random.number(1.0, 5.0), random.number(-0.5, 0.5),
+             0.0});
+    }
+    return loads;
+}
+
+/// All kinds: dampers, forces and torques in both frames, growing and swinging in time.
+inline Loads random_loads(Random& random, const Mechanism& mechanism) {
+    Loads loads = random_conservative_loads(random, mechanism);
+    for (Spring& spring : loads.springs) { spring.damping = random.number(0.0, 2.0); }
+    for (RotationalSpring& spring : loads.rotational_springs) { spring.damping = random.number(0.0, 2.0); }
+    for (int b = 0; b < static_cast<int>(mechanism.bodies.size()); ++b) {
+        for (const Frame frame : {Frame::global, Frame::local}) {
+            loads.forces.push_back({b, random.vector(), random.direction(), frame, random_function(random)});
+            loads.torques.push_back({b, random.direction(), frame, random_function(random)});
+        }
+    }
+    return loads;
+}
+
+/// A joint of every type, each with a body of its own on one of the bodies before; ground is body 0.
+inline Mechanism random_tree(Random& random) {
+    SceneBuilder scene;
+    for (const JointType& type : kJointTypes) {
+        const double bodies = static_cast<double>(scene.mechanism.bodies.size());
+        const int before = static_cast<int>(random.number(0.0, 0.999 * bodies));
+        const int body = scene.add_body(std::string(type.name), random.vector(2.0));
+        const Vec3 axis = random.direction();
+        if (type.name == "distance") {
+            scene.add_distance(before, body, random.vector(), random.vector() + Vec3(3.0, 0.0, 0.0));
+            continue;
+        }
+        Joint& joint = scene.add_joint(type.name, before, body, random.vector(2.0), axis);
+        if (type.uses(Role::axes_perpendicular)) {
+            joint.geometry.s_j_local = scene.local(body, perpendicular_to(axis));
+        }
+        joint.geometry.alpha = random.number(0.1, 0.5);
+    }
+    return scene.mechanism;
+}
+
+/// State and motion of the centroidal frames.
+struct Moment {
+    State state;
+    Motion motion;
+};
+
+inline std::vector<int> moving_bodies_of(const Mechanism& mechanism) {
+    return System(mechanism, everything(mechanism)).moving_bodies();
+}
+
+/// Near the start pose, on the constraints and moving along them, at time `t`.
+inline Moment random_moment(Random& random, const Centroidal& scene, double t, double distance = 0.1) {
+    const Mechanism& mechanism = scene.mechanism;
+    Moment out{
+        disturbed(mechanism, start_state(mechanism), random, distance, distance), zero_motion(mechanism)};
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        if (mechanism.bodies[b].fixed) { continue; }
+        out.motion.r_dot[b] = random.vector();
+        out.motion.omega_local[b] = random.vector(2.0);
+    }
+    DenseEquations<OmegaLocal> equations(scene);
+    std::vector<double> y(static_cast<std::size_t>(equations.size()));
+    equations.pack(out.state, out.motion, y.data());
+    equations.project(t, y.data());
+    equations.unpack(y.data(), out.state, out.motion);
+    return out;
+}
+
+/// r̈ and ω̇' from ẏ: they stand where ṙ and ω' stand in y.
+template <class C>
+Motion accelerations_of(
+    const DenseEquations<C>& equations, std::vector<double> y, const std::vector<double>& y_dot,
+    Moment moment) {
+    constexpr std::size_t numbers = DenseEquations<C>::kNumbers;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        if (k % numbers >= 7) { y[k] = y_dot[k]; }
+    }
+    equations.unpack(y.data(), moment.state, moment.motion);
+    return moment.motion;
+}
+
+/// Of the equations of motion in a coordinate choice.
+template <class C>
+Motion dense_accelerations(const Centroidal& scene, const Moment& moment, double t) {
+    DenseEquations<C> equations(scene);
+    std::vector<double> y(static_cast<std::size_t>(equations.size()));
+    std::vector<double> y_dot(y.size());
+    equations.pack(moment.state, moment.motion, y.data());
+    equations.choose_rows(t, y.data());
+    equations.evaluate(t, y.data(), y_dot.data());
+    return accelerations_of(equations, y, y_dot, moment);
+}
+
+}  // namespace jw::test
