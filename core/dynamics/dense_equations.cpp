@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
-
-#include "core/rank.hpp"
 
 namespace jw {
 
@@ -206,24 +205,24 @@ bool DenseEquations<C>::choose_rows(double t, const double* y) {
     read(y);
     const bool other_equations = system_.choose_rows(state_);
     assembler_.assemble_phi_and_jacobian(state_, t);
-    const double threshold = std::max(kRankThreshold, kErrorFactor * worst_residual());
-    return saddle_point_.choose_rows(jacobian(), threshold) || other_equations;
+    return saddle_point_.choose_rows(jacobian(), rank_threshold(worst_residual())) || other_equations;
 }
 
 /// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.
 template <class C>
 void DenseEquations<C>::correct_positions(double t, double& before) {
-    // from the error of a step three rounds reach rounding; a fall by less than half is the end
-    constexpr int most_rounds = 10;
+    // from the error of a step three rounds reach rounding; close to it, a fall by less than half is the end
+    constexpr int most_rounds = 12;
+    constexpr double close = 1e-6;
     const VectorX none = VectorX::Zero(velocity_.size());
-    double last = 0.0;
+    double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most_rounds; ++round) {
         assembler_.assemble_phi_and_jacobian(state_, t);
         const double worst = worst_residual();
         if (round == 0) { before = worst; }
         set_mass();
         saddle_point_.factor(mass_, jacobian());
-        if (worst < 1e-14 || (round > 0 && worst > 0.5 * last)) { return; }
+        if (worst < 1e-14 || (worst < close && worst > 0.5 * last)) { return; }
         last = worst;
         VectorX delta;
         saddle_point_.solve(none, -assembler_.phi(), delta, lambda_);

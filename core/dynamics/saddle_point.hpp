@@ -1,13 +1,22 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/QR>
 
 #include "core/least_squares.hpp"
+#include "core/rank.hpp"
 
 /// The linear system of slides 24 and 25, dense.
 namespace jw {
+
+/// What rows at a state with this residual (scaled) may be told apart by: see rank.hpp. A state that is not
+/// assembled says nothing about redundancy.
+inline double rank_threshold(double residual) {
+    return residual <= kAssembledResidual ? std::max(kRankThreshold, kErrorFactor * residual)
+                                          : kRankThreshold;
+}
 
 /// Solves
 ///

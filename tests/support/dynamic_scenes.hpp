@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "core/dynamics/dense_equations.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -102,7 +104,12 @@ inline Moment random_moment(Random& random, const Centroidal& scene, double t, d
     DenseEquations<OmegaLocal> equations(scene);
     std::vector<double> y(static_cast<std::size_t>(equations.size()));
     equations.pack(out.state, out.motion, y.data());
+    // by rows chosen at the start pose: off the constraints none repeats another
     equations.project(t, y.data());
+    const auto [position, velocity] = equations.violation(t, y.data());
+    if (!(position + velocity < 1e-11)) {
+        throw std::runtime_error("no such moment: Newton does not converge");
+    }
     equations.unpack(y.data(), out.state, out.motion);
     return out;
 }
