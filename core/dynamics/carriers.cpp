@@ -58,6 +58,7 @@ Pulls pulls_of(const Link& link, const Vec3& point, const Situation& s) {
     const auto& i = s.bodies[at(link.body_i)];
     const auto& j = s.bodies[at(link.body_j)];
     Pulls out{MatrixX::Zero(6, link.rows), MatrixX::Zero(s.size, link.rows)};
+    VectorX phi = VectorX::Zero(link.rows);
     const auto add = [&](int body, int row, const Vec6& pull) {
         const int first = s.first_of_body[at(body)];
         if (first >= 0) { out.equilibrium.col(row).segment<6>(first) += pull; }
@@ -68,7 +69,7 @@ Pulls pulls_of(const Link& link, const Vec3& point, const Situation& s) {
             int row = equation.first_row;
             for (int k = 0; k < J::kDim; ++k) {
                 if (((equation.left_out >> k) & 1U) != 0) { continue; }
-                out.violation = std::max(out.violation, std::abs(jet.value(k)) / equation.unit);
+                phi(row) = jet.value(k);
                 if constexpr ((J::kSides & kBodyI) != 0) {
                     add(link.body_i, row, pull_of(jet.block_i.row(k), s.length));
                 }
@@ -81,6 +82,10 @@ Pulls pulls_of(const Link& link, const Vec3& point, const Situation& s) {
                 ++row;
             }
         });
+    }
+    for (Eigen::Index row = 0; row < phi.size(); ++row) {
+        const double change = s.length * out.equilibrium.col(row).norm();
+        if (change > 0.0) { out.violation = std::max(out.violation, std::abs(phi(row)) / change); }
     }
     return out;
 }

@@ -32,7 +32,7 @@ struct Carrier {
     MatrixX wrench;          ///< on body j at the link's point, global [6 x k]
     MatrixX equilibrium;     ///< the same on all bodies, about their centres of mass [equations x k]
     MatrixX lambda;          ///< the same as λ of the link's rows [rows x k]
-    double violation = 0.0;  ///< largest |Φ| of its rows, by the size of its equation
+    double violation = 0.0;  ///< largest |Φ| of its rows, by its change when bodies move by ℓ
 };
 Carrier carrier_of(const Link& link, const Vec3& point, const Situation& situation);
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-
-#include <Eigen/Cholesky>
 
 namespace jw {
 
@@ -187,107 +184,7 @@ RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot
         y += kNumbers;
         y_dot += kNumbers;
     }
-    return {saddle_point_.smallest_pivot(), worst_residual()};
-}
-
-/// Largest |Φ|, each by the size of its equation.
-template <class C>
-double DenseEquations<C>::worst_residual() const {
-    double worst = 0.0;
-    for (int row = 0; row < rows(); ++row) {
-        worst = std::max(worst, std::abs(assembler_.phi()(row)) / system_.row_unit(row));
-    }
-    return worst;
-}
-
-template <class C>
-bool DenseEquations<C>::choose_rows(double t, const double* y) {
-    read(y);
-    const bool other_equations = system_.choose_rows(state_);
-    assembler_.assemble_phi_and_jacobian(state_, t);
-    return saddle_point_.choose_rows(jacobian(), rank_threshold(worst_residual())) || other_equations;
-}
-
-/// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.
-template <class C>
-void DenseEquations<C>::correct_positions(double t, double& before) {
-    // from the error of a step three rounds reach rounding; close to it, a fall by less than half is the end
-    constexpr int most_rounds = 12;
-    constexpr double close = 1e-6;
-    const VectorX none = VectorX::Zero(velocity_.size());
-    double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
-        assembler_.assemble_phi_and_jacobian(state_, t);
-        const double worst = worst_residual();
-        if (round == 0) { before = worst; }
-        set_mass();
-        saddle_point_.factor(mass_, jacobian());
-        if (worst < 1e-14 || (worst < close && worst > 0.5 * last)) { return; }
-        last = worst;
-        VectorX delta;
-        saddle_point_.solve(none, -assembler_.phi(), delta, lambda_);
-        assembler_.layout().advance(state_, delta);
-        for (const int b : system_.moving_bodies()) {
-            state_.p[at(b)].normalize();
-            bodies_[at(b)].p = state_.p[at(b)];
-            bodies_[at(b)].A = homogeneous_rotation_matrix(state_.p[at(b)]);
-        }
-    }
-}
-
-template <class C>
-double DenseEquations<C>::project(double t, double* y) {
-    read(y);
-    for (const int b : system_.moving_bodies()) { state_.p[at(b)].normalize(); }
-    double before = 0.0;
-    correct_positions(t, before);
-    // velocities nearest to those that were: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
-    assembler_.assemble_nu(t);
-    velocity_ = assembler_.layout().columns_of(state_, motion_);
-    VectorX corrected;
-    saddle_point_.solve(mass_ * velocity_, assembler_.nu(), corrected, lambda_);
-    motion_ = assembler_.layout().motion_of(state_, corrected);
-    pack(state_, motion_, y);
-    return before;
-}
-
-template <class C>
-std::pair<double, double> DenseEquations<C>::violation(double t, const double* y) {
-    read(y);
-    assembler_.assemble_phi_and_jacobian(state_, t);
-    assembler_.assemble_nu(t);
-    const VectorX phi_dot = jacobian() * velocity_ - assembler_.nu();
-    double velocity = 0.0;
-    for (int row = 0; row < rows(); ++row) {
-        velocity = std::max(velocity, std::abs(phi_dot(row)) / system_.row_unit(row));
-    }
-    return {worst_residual(), velocity};
-}
-
-template <class C>
-TangentSpace DenseEquations<C>::tangent_space(double t, const double* y) {
-    read(y);
-    assembler_.assemble_phi_and_jacobian(state_, t);
-    set_mass();
-    saddle_point_.factor(mass_, jacobian());
-    const MatrixX free = saddle_point_.free_motions();
-    const auto six = 6 * static_cast<Eigen::Index>(system_.moving_bodies().size());
-    TangentSpace out{MatrixX(six, free.cols()), MatrixX(six, free.cols())};
-    for (Eigen::Index k = 0; k < free.cols(); ++k) {
-        const Motion motion = assembler_.layout().motion_of(state_, free.col(k));
-        Eigen::Index first = 0;
-        for (const int b : system_.moving_bodies()) {
-            const MassProperties& m = *scene_->loads.masses[at(b)];
-            out.basis.col(k).segment<6>(first) << motion.r_dot[at(b)], motion.omega_local[at(b)];
-            out.weighted.col(k).segment<6>(first) << m.mass * motion.r_dot[at(b)],
-                m.J_local * motion.omega_local[at(b)];
-            first += 6;
-        }
-    }
-    const Eigen::LLT<MatrixX> energy(out.basis.transpose() * out.weighted);
-    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.basis);
-    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.weighted);
-    return out;
+    return {saddle_point_.smallest_pivot(), largest(assembler_.phi())};
 }
 
 template <class C>

@@ -71,7 +71,8 @@ private:
     void find_thetas();
     void set_mass();
     void set_force(double t);
-    double worst_residual() const;
+    void measure_rows();
+    double largest(const VectorX& values) const;
     void correct_positions(double t, double& before);
 
     const Centroidal* scene_;
@@ -89,6 +90,7 @@ private:
     VectorX right_;
     VectorX acceleration_;
     VectorX lambda_;
+    VectorX inverse_size_;  ///< of every equation
 };
 
 /// The same for a choice known at run time only.

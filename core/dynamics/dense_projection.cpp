@@ -1,0 +1,131 @@
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "core/dynamics/dense_equations.hpp"
+
+/// What the dense equations do besides accelerations: back onto the constraints, choice of rows, tangents.
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+/// Largest of Φ or Φ̇, each by the change of its equation when bodies move by one extent of the mechanism.
+template <class C>
+double DenseEquations<C>::largest(const VectorX& values) const {
+    return values.size() > 0 ? values.cwiseProduct(inverse_size_).cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// For pᵀp = 1 that is its size itself.
+template <class C>
+void DenseEquations<C>::measure_rows() {
+    const double length = extent(scene_->mechanism);
+    VectorX moved = VectorX::Zero(velocity_.size());
+    for (const int b : system_.moving_bodies()) {
+        const int column = system_.body_column(b, C::kAngular);
+        moved.segment<3>(column).setConstant(length);
+        // a turn by 1 changes p by 1/2
+        moved.segment<C::kAngular>(column + 3).setConstant(C::kNormalised ? 0.5 : 1.0);
+    }
+    const VectorX size = (jacobian() * moved.asDiagonal()).rowwise().norm();
+    inverse_size_ = (size.array() > 0.0).select(size.cwiseInverse(), 1.0);
+}
+
+template <class C>
+bool DenseEquations<C>::choose_rows(double t, const double* y) {
+    read(y);
+    const bool other_equations = system_.choose_rows(state_);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    measure_rows();
+    const double threshold = rank_threshold(largest(assembler_.phi()));
+    return saddle_point_.choose_rows(jacobian(), threshold) || other_equations;
+}
+
+/// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.
+template <class C>
+void DenseEquations<C>::correct_positions(double t, double& before) {
+    // from the error of a step three rounds reach rounding; close to it, a fall by less than half is the end
+    constexpr int most_rounds = 12;
+    constexpr double close = 1e-6;
+    const VectorX none = VectorX::Zero(velocity_.size());
+    double last = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round) {
+        assembler_.assemble_phi_and_jacobian(state_, t);
+        const double worst = largest(assembler_.phi());
+        if (round == 0) { before = worst; }
+        set_mass();
+        saddle_point_.factor(mass_, jacobian());
+        if (worst < 1e-14 || (worst < close && worst > 0.5 * last)) { return; }
+        last = worst;
+        VectorX delta;
+        saddle_point_.solve(none, -assembler_.phi(), delta, lambda_);
+        assembler_.layout().advance(state_, delta);
+        for (const int b : system_.moving_bodies()) {
+            state_.p[at(b)].normalize();
+            bodies_[at(b)].p = state_.p[at(b)];
+            bodies_[at(b)].A = homogeneous_rotation_matrix(state_.p[at(b)]);
+        }
+    }
+}
+
+template <class C>
+double DenseEquations<C>::project(double t, double* y) {
+    read(y);
+    for (const int b : system_.moving_bodies()) { state_.p[at(b)].normalize(); }
+    double before = 0.0;
+    correct_positions(t, before);
+    // velocities nearest to those that were: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
+    assembler_.assemble_nu(t);
+    velocity_ = assembler_.layout().columns_of(state_, motion_);
+    VectorX corrected;
+    saddle_point_.solve(mass_ * velocity_, assembler_.nu(), corrected, lambda_);
+    motion_ = assembler_.layout().motion_of(state_, corrected);
+    pack(state_, motion_, y);
+    return before;
+}
+
+template <class C>
+std::pair<double, double> DenseEquations<C>::violation(double t, const double* y) {
+    read(y);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    assembler_.assemble_nu(t);
+    const VectorX phi_dot = jacobian() * velocity_ - assembler_.nu();
+    return {largest(assembler_.phi()), largest(phi_dot)};
+}
+
+template <class C>
+TangentSpace DenseEquations<C>::tangent_space(double t, const double* y) {
+    read(y);
+    assembler_.assemble_phi_and_jacobian(state_, t);
+    set_mass();
+    saddle_point_.factor(mass_, jacobian());
+    const MatrixX free = saddle_point_.free_motions();
+    const auto six = 6 * static_cast<Eigen::Index>(system_.moving_bodies().size());
+    TangentSpace out{MatrixX(six, free.cols()), MatrixX(six, free.cols())};
+    for (Eigen::Index k = 0; k < free.cols(); ++k) {
+        const Motion motion = assembler_.layout().motion_of(state_, free.col(k));
+        Eigen::Index first = 0;
+        for (const int b : system_.moving_bodies()) {
+            const MassProperties& m = *scene_->loads.masses[at(b)];
+            out.basis.col(k).segment<6>(first) << motion.r_dot[at(b)], motion.omega_local[at(b)];
+            out.weighted.col(k).segment<6>(first) << m.mass * motion.r_dot[at(b)],
+                m.J_local * motion.omega_local[at(b)];
+            first += 6;
+        }
+    }
+    const Eigen::LLT<MatrixX> energy(out.basis.transpose() * out.weighted);
+    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.basis);
+    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.weighted);
+    return out;
+}
+
+// the members above; those of dense_equations.cpp are instantiated there
+template class DenseEquations<TrueEulerParameters>;
+template class DenseEquations<ModifiedEulerParameters>;
+template class DenseEquations<OmegaLocal>;
+template class DenseEquations<OmegaGlobal>;
+
+}  // namespace jw
