@@ -82,8 +82,8 @@ void add_point(const Step& step, const BodyPoint& point, Columns& columns) {
     const auto b = static_cast<std::size_t>(point.body);
     const std::string name = step.system->mechanism().bodies[b].name + ".point";
     const Mat3 A = rotation_matrix(step.state.p[b]);
-    const Vec3 place = step.state.r[b] + A * point.local;
-    const Vec3 speed = step.velocity.r_dot[b] + A * step.velocity.omega_local[b].cross(point.local);
+    const Vec3 place = step.state.r[b] + A * point.point_local;
+    const Vec3 speed = step.velocity.r_dot[b] + A * step.velocity.omega_local[b].cross(point.point_local);
     for (int k = 0; k < 3; ++k) { columns.add(name + "." + axis_name(k), "m", place(k)); }
     columns.add(name + " speed", "m/s", speed.norm());
 }

@@ -34,15 +34,10 @@ struct SeriesSet {
     std::string why_empty;  ///< one sentence if there are no points
 };
 
-/// A point fixed in a body.
-struct BodyPoint {
-    int body = -1;  ///< -1: none
-    Vec3 local = Vec3::Zero();
-};
-
 /// Measures of drivers and joints with rate and acceleration; of every moving body r, ṙ, r̈, ω, ω̇ (global
-/// components and sizes); place and speed of the point that is `traced`. Angles are continuous over turns.
-SeriesSet motion_series(const Story& story, const BodyPoint& traced = {});
+/// components and sizes); place and speed of the point that is `traced` (body -1: none). Angles are
+/// continuous over turns.
+SeriesSet motion_series(const Story& story, const BodyPoint& traced = {.body = -1});
 
 /// ‖Φ‖ over the Newton iterations of the whole story, one after the other; one series per joint or driver.
 SeriesSet newton_series(const Story& story);
