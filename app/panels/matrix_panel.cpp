@@ -178,6 +178,7 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
         canvas.text(
             {columns.centre().x, y}, small, colour, shortened_name(*small, name, room), Align::centre);
     };
+    const float least = canvas.text_width(small, "nn…n");
     for (const Span& span : column_owners(matrix)) {
         const Box columns = layout.column(span.first, span.count);
         const bool last = span.first + span.count == static_cast<int>(matrix.columns.size());
@@ -188,7 +189,8 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
             canvas.text(
                 {columns.x + canvas.px(3.0F), layout.bodies.y}, small, theme::kInk,
                 shortened_name(*small, span.name, more));
-        } else {
+        } else if (room >= std::min(least, canvas.text_width(small, span.name))) {
+            // a name of one letter and dots would say nothing
             centred(columns, layout.bodies.y, room, theme::kInk, span.name);
         }
     }
