@@ -106,7 +106,10 @@ NewtonComparisonLayout newton_comparison_panel(
     if (rest.height < kLeastPlot * line) { return layout; }
     canvas.text({rest.x, rest.y}, small, theme::kSoft, "‖Φ‖ after each step");
     cut_top(rest, line);
-    layout.plot = plot(canvas, rest, comparison.residuals, state);
+    layout.plot = layout_plot(canvas, rest, comparison.residuals, state);
+    // curves that end on top of each other have their names in the table above
+    for (PlotPane& drawn : layout.plot.panes) { drawn.unnamed = 0; }
+    draw_plot(canvas, layout.plot, comparison.residuals, state);
     return layout;
 }
 

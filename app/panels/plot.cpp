@@ -122,12 +122,12 @@ void draw_marks_along(
     }
 }
 
-/// The mark of a curve and a text, on paper where curves run below.
+/// The mark of a curve and a text, on paper where curves run below. Names keep their colour while another
+/// curve stands out: pale letters are hard to read.
 void draw_label(
-    const Canvas& canvas, const PlotPane& pane, const PlotLabel& label, const SeriesSet& set,
-    const PlotState& state, bool on_paper) {
+    const Canvas& canvas, const PlotPane& pane, const PlotLabel& label, const SeriesSet& set, bool on_paper) {
     const auto place = std::ranges::find(pane.series, label.series) - pane.series.begin();
-    const CurveStyle style = style_of(pane, static_cast<std::size_t>(place), set, state);
+    const CurveStyle style = style_of(pane, static_cast<std::size_t>(place), set, {});
     if (on_paper) {
         const Box paper = shrunk(label.box, -canvas.px(2.0F), 0.0F);
         canvas.fill(paper, render::with_alpha(theme::kPaper, 0.88F), canvas.px(2.0F));
@@ -138,7 +138,7 @@ void draw_label(
     canvas.text({x, label.box.y}, canvas.fonts().small, style.colour, label.text);
 }
 
-void draw_labels(const Canvas& canvas, const PlotPane& pane, const SeriesSet& set, const PlotState& state) {
+void draw_labels(const Canvas& canvas, const PlotPane& pane, const SeriesSet& set) {
     for (const PlotLabel& label : pane.labels) {
         const float middle = label.box.y + 0.5F * label.box.height;
         const bool near = std::abs(label.anchor.y - middle) < kLongestLeader * label.box.height;
@@ -146,19 +146,18 @@ void draw_labels(const Canvas& canvas, const PlotPane& pane, const SeriesSet& se
             const Point to{label.box.x - canvas.px(2.0F), middle};
             canvas.line({pane.plot.right() + canvas.px(1.0F), label.anchor.y}, to, theme::kFaint, 1.0F);
         }
-        draw_label(canvas, pane, label, set, state, false);
+        draw_label(canvas, pane, label, set, false);
     }
 }
 
-void draw_cursor(
-    const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state) {
+void draw_cursor(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set) {
     if (!layout.cursor) { return; }
     for (const PlotPane& pane : layout.panes) {
         const float length = pane.plot.height + canvas.px(4.0F);
         canvas.fill({*layout.cursor, pane.plot.y, hairline(canvas), length}, theme::kInk);
         for (const PlotLabel& value : pane.values) {
             canvas.disc(value.anchor, canvas.px(3.0F), theme::kInk);
-            draw_label(canvas, pane, value, set, state, true);
+            draw_label(canvas, pane, value, set, true);
         }
     }
     canvas.fill(layout.cursor_box, theme::kInk, canvas.px(3.0F));
@@ -206,10 +205,10 @@ void draw_plot(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& 
             }
         }
         draw_frame_lines(canvas, pane);
-        draw_labels(canvas, pane, set, state);
+        draw_labels(canvas, pane, set);
     }
     draw_left_out(canvas, layout);
-    draw_cursor(canvas, layout, set, state);
+    draw_cursor(canvas, layout, set);
 }
 
 PlotLayout plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state) {
