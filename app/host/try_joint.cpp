@@ -96,7 +96,7 @@ int components_of(Role role, ParallelForm form) {
 
 /// A tick for every single equation.
 void equations(const LessonUi& ui, int index, const Joint& joint) {
-    note(ui, "Single equations:");
+    note(ui, "Single equations; without its tick one is taken out of the joint:");
     for (const Role role : joint.type->roles) {
         ImGui::PushID(static_cast<int>(role));
         ImGui::AlignTextToFramePadding();
@@ -147,18 +147,18 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
         Vec3 s_i = g.s_i_local.normalized();
         Vec3 s_j = g.s_j_local.normalized();
         // a direction of no length cannot be meant: the last one stays
-        if (sliders(ui, "s′_i", s_i, 1.0) && s_i.norm() > 0.05) {
+        if (sliders(ui, "s′ᵢ", s_i, 1.0) && s_i.norm() > 0.05) {
             g = with_axis(g, false, s_i);
             moved = true;
         }
-        if (sliders(ui, "s′_j", s_j, 1.0) && s_j.norm() > 0.05) {
+        if (sliders(ui, "s′ⱼ", s_j, 1.0) && s_j.norm() > 0.05) {
             g = with_axis(g, true, s_j);
             moved = true;
         }
     }
     note(ui, "Points in their bodies [m]:");
-    moved = sliders(ui, "P′_i", g.P_i_local, reach) || moved;
-    moved = sliders(ui, "P′_j", g.P_j_local, reach) || moved;
+    moved = sliders(ui, "P′ᵢ", g.P_i_local, reach) || moved;
+    moved = sliders(ui, "P′ⱼ", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {
         auto length = static_cast<float>(g.length);
         ImGui::SetNextItemWidth(ui.px(200.0F));
