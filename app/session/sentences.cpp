@@ -211,7 +211,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
         text += "a change point, or very near one. Of " + count_text(rank.columns, "column") + " " +
                 std::to_string(rank.rank) +
                 " are independent here, the last of them with a singular value of " +
-                small_text(rank.rank > 0 ? rank.singular_values(rank.rank - 1) : 0.0) +
+                number_text(rank.rank > 0 ? rank.singular_values(rank.rank - 1) : 0.0, 2) +
                 ". The motion goes on along the tangent on which it came.";
         return text;
     }

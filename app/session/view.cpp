@@ -144,8 +144,8 @@ std::string velocity_note_of(const Step& step) {
         return contradiction(step.acceleration_verdict, "acceleration");
     }
     if (!step.velocity_verdict.unique) {
-        return "Velocities are not unique: of all that satisfy the equations, the ones nearest to those "
-               "before.";
+        return "Velocities are not unique: of all that satisfy the equations, those nearest to the ones "
+               "before are shown.";
     }
     return {};
 }
