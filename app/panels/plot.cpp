@@ -96,6 +96,11 @@ void draw_marks(const Canvas& canvas, const PlotLayout& layout) {
             const float top = free ? mark.box.bottom() : pane.plot.y;
             canvas.dashed_line({x, top}, {x, pane.plot.bottom()}, theme::kSubjectMark, width);
         }
+    }
+    // after all lines: one from the upper row may pass through a text of the lower one
+    for (const PlotMark& mark : layout.marks) {
+        if (mark.text.empty()) { continue; }
+        canvas.fill(mark.box, theme::kPaper);
         canvas.text({mark.box.x, mark.box.y}, canvas.fonts().small, theme::kWarning, mark.text);
     }
 }

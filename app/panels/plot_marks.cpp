@@ -14,12 +14,6 @@ constexpr float kHighBox = 18.0F;  // in lines: has room for a second row
 constexpr float kCrowded = 0.6F;   // of the width, taken by names
 constexpr float kGap = 8.0F;       // between names
 
-/// "sleeve p1: drop x" without what it is about.
-std::string shorter(const std::string& text) {
-    const std::size_t colon = text.find(": ");
-    return colon == std::string::npos ? text : text.substr(colon + 2);
-}
-
 /// The lowest row in which `mark` has room between those that are placed.
 bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Box>& placed, PlotMark& mark) {
     const ImFont* const small = canvas.fonts().small;
@@ -53,12 +47,13 @@ int rows_of_marks(const Canvas& canvas, const Box& box, const SeriesSet& set) {
 void place_marks(const Canvas& canvas, const SeriesSet& set, int rows, PlotLayout& layout) {
     const Box& plot = layout.panes.front().plot;
     const Box strip{plot.x, layout.box.y, plot.width, 0.0F};
-    // all names in full, or all of them short
+    // all texts in full, or all of them brief
     for (const bool brief : {false, true}) {
         layout.marks.clear();
         for (const Mark& mark : set.marks) {
             if (!layout.x.range.contains(mark.at)) { continue; }
-            layout.marks.push_back({layout.x.pixel(mark.at), brief ? shorter(mark.text) : mark.text, {}});
+            const std::string& text = brief && !mark.brief.empty() ? mark.brief : mark.text;
+            layout.marks.push_back({layout.x.pixel(mark.at), text, {}});
         }
         std::vector<PlotMark*> order;
         for (PlotMark& mark : layout.marks) { order.push_back(&mark); }

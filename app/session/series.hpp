@@ -19,8 +19,9 @@ struct Series {
 
 /// Something that happened at one moment.
 struct Mark {
-    double at = 0.0;   ///< on the axis of the set
-    std::string text;  ///< short: "sleeve p1: drop x"
+    double at = 0.0;      ///< on the axis of the set
+    std::string text;     ///< short: "sleeve p1: drop x"
+    std::string brief{};  ///< where that has no room: "sleeve switches"; empty: there is no shorter one
 };
 
 struct SeriesSet {

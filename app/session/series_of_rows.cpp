@@ -17,18 +17,21 @@ std::string subscript_number(std::size_t number) {
     return text;
 }
 
-/// "sleeve p1, p2: drop x", one text for each joint whose choice is another one than in `before`.
-std::string switches_between(const System& before, const System& now) {
+/// "sleeve p1, p2: drop x" for each joint whose choice is another one than in `before`; no text if none is.
+Mark switches_between(const System& before, const System& now) {
     struct Switch {
         int joint = 0;
         int dropped = 0;
         std::string text;
     };
+    const auto joint_of = [&](int joint) -> const Joint& {
+        return now.mechanism().joints[static_cast<std::size_t>(joint)];
+    };
     std::vector<Switch> switches;
     for (std::size_t k = 0; k < now.constraints().size(); ++k) {
         const Constraint& c = now.constraints()[k];
         if (c.dropped == before.constraints()[k].dropped) { continue; }
-        const Joint& joint = now.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        const Joint& joint = joint_of(c.joint);
         const std::string role = name_of_role(c.role, joint.parallel_form);
         if (!switches.empty() && switches.back().joint == c.joint && switches.back().dropped == c.dropped) {
             switches.back().text += ", " + role;
@@ -36,11 +39,17 @@ std::string switches_between(const System& before, const System& now) {
             switches.push_back({c.joint, c.dropped, joint.name + " " + role});
         }
     }
-    std::string text;
-    for (const Switch& s : switches) {
-        text += (text.empty() ? "" : "; ") + s.text + ": drop " + axis_name(s.dropped);
+    Mark mark;
+    int joints = 0;
+    for (std::size_t k = 0; k < switches.size(); ++k) {
+        const Switch& s = switches[k];
+        mark.text += (k == 0 ? "" : "; ") + s.text + ": drop " + axis_name(s.dropped);
+        if (k > 0 && switches[k - 1].joint == s.joint) { continue; }
+        mark.brief += (k == 0 ? "" : ", ") + joint_of(s.joint).name;
+        ++joints;
     }
-    return text;
+    mark.brief += joints == 1 ? " switches" : " switch";
+    return mark;
 }
 
 void add_switches(const Story& story, SeriesSet& set) {
@@ -49,8 +58,10 @@ void add_switches(const Story& story, SeriesSet& set) {
             return story.steps()[static_cast<std::size_t>(set.steps[point])].system;
         };
         if (system_at(k) == system_at(k - 1)) { continue; }
-        const std::string text = switches_between(*system_at(k - 1), *system_at(k));
-        if (!text.empty()) { set.marks.push_back({set.at[k], text}); }
+        Mark mark = switches_between(*system_at(k - 1), *system_at(k));
+        if (mark.text.empty()) { continue; }
+        mark.at = set.at[k];
+        set.marks.push_back(std::move(mark));
     }
 }
 

@@ -38,7 +38,10 @@ SeriesSet waves() {
     add(set, "coupler.r_dot.x", "m/s", [](double t) { return std::sin(3.0 * t); });
     add(set, "coupler.r_dot.y", "m/s", [](double t) { return std::cos(3.0 * t); });
     add(set, "crank.angle", "deg", [](double t) { return 120.0 * t; });
-    set.marks = {{1.0, "sleeve p1: drop x"}, {1.05, "sleeve p2: drop x"}, {3.0, "change point"}};
+    set.marks = {
+        {1.0, "sleeve p1: drop x", "sleeve switches"},
+        {1.05, "wrist p1: drop x", "wrist switches"},
+        {3.0, "change point"}};
     return set;
 }
 

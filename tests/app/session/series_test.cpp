@@ -127,6 +127,7 @@ TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
         CHECK(set.marks[k].at > exact - 1e-3);  // of the three digits in 67.3
         CHECK(set.marks[k].at < exact + interval);
         CHECK(set.marks[k].text == texts[k]);
+        CHECK(set.marks[k].brief == "sleeve switches");
     }
 }
 
