@@ -80,7 +80,10 @@ void PlotBench::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
 
 void PlotBench::controls(const LessonUi& ui, const SeriesSet& shown) {
     const auto now = static_cast<int>(topic_);
-    ImGui::SetNextItemWidth(ui.px(240.0F));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttons = ImGui::CalcTextSize("CurvesAllCSV").x + 6.0F * style.FramePadding.x +
+                          3.0F * style.ItemSpacing.x + 1.0F;
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
     if (ImGui::BeginCombo("##topic", kTopicTexts[now])) {
         for (int k = 0; k < kTopics; ++k) {
             if (ImGui::Selectable(kTopicTexts[k], k == now)) { topic_ = static_cast<Topic>(k); }

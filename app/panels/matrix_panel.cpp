@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/panels/formula.hpp"
 #include "app/panels/matrix_layout.hpp"
 #include "app/panels/text.hpp"
 #include "app/panels/theme.hpp"
@@ -36,10 +37,13 @@ double largest_of(const MatrixView& matrix) {
 }
 
 /// "−1 ▮▮▯▮▮ 1" at the right end of the heading.
-void draw_legend(const Canvas& canvas, const Box& box, double largest) {
+/// @param room  beside the title, where the legend goes unless it is too little
+void draw_legend(const Canvas& canvas, const Box& box, double largest, float room) {
     const ImFont* const small = canvas.fonts().small;
     const std::string high = number_text(largest, 2);
-    const float width = canvas.px(72.0F);
+    const float around = canvas.text_width(small, high + "−" + high) + canvas.px(22.0F);
+    const float width = std::min(canvas.px(72.0F), room - around);
+    if (width < canvas.px(24.0F)) { return; }
     const float right = box.right() - canvas.text_width(small, high) - canvas.px(5.0F);
     const float top = box.y + canvas.px(5.0F);
     constexpr int steps = 24;
@@ -260,7 +264,9 @@ float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matri
     const std::string title = name_of(matrix.choice) + "   " + size_of(matrix);
     const float top = heading(canvas, box, "@Φ_q", title, {});
     const double largest = largest_of(matrix);
-    if (largest > 0.0) { draw_legend(canvas, box, largest); }
+    const float room = box.width - canvas.px(4.0F) - canvas.text_width(canvas.fonts().bold, title) -
+                       layout_formula("@Φ_q", formula_fonts(canvas.fonts())).width;
+    if (largest > 0.0) { draw_legend(canvas, box, largest, room); }
 
     const Box rest{box.x, box.y + top, box.width, box.height - top};
     const MatrixLayout layout = layout_matrix(canvas, matrix, rest);

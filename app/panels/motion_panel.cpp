@@ -48,6 +48,11 @@ void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int de
     const int count = static_cast<int>(v.size());
     // one figure more before the point, one less behind it: columns are narrow
     if (v.cwiseAbs().maxCoeff() >= 10.0) { --decimals; }
+    const auto width_with = [&](int places) {
+        return canvas.text_width(canvas.fonts().small, with_minus_signs(fixed_text(-0.5, places)));
+    };
+    const float room = column_of(cell, 0, count).width - canvas.px(2.0F);
+    while (decimals > 1 && width_with(decimals) > room) { --decimals; }
     for (int k = 0; k < count; ++k) {
         const Box column = column_of(cell, k, count);
         canvas.text(

@@ -26,6 +26,12 @@ void draw_figure(const Canvas& canvas, const Box& cell, const Figure& figure) {
     canvas.text({cell.x, cell.y + canvas.line_height(fonts.title)}, fonts.small, theme::kSoft, figure.name);
 }
 
+float width_of(const Canvas& canvas, const Figure& figure) {
+    const render::Fonts& fonts = canvas.fonts();
+    return std::max(
+        canvas.text_width(fonts.title, figure.number), canvas.text_width(fonts.small, figure.name));
+}
+
 std::array<Figure, 6> figures_of(const RankView& rank) {
     const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
     const int redundant = rank.rows - rank.rank;
@@ -92,13 +98,20 @@ float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
     const float top = heading(
         canvas, box, "Rank",
         rank.assembled ? "of joints and drivers, in (r, ω′)" : "of the matrix here, not assembled yet");
+    const float row = canvas.line_height(canvas.fonts().title) + canvas.line_height(canvas.fonts().small);
+    const std::array<Figure, 6> figures = figures_of(rank);
+    // large text in a narrow window: three below three
+    const bool narrow = std::ranges::any_of(figures, [&](const Figure& figure) {
+        return width_of(canvas, figure) + canvas.px(3.0F) > figure.share * box.width;
+    });
     float x = box.x;
-    for (const Figure& figure : figures_of(rank)) {
-        const float width = figure.share * box.width;
-        draw_figure(canvas, {x, box.y + top, width, 0.0F}, figure);
-        x += width;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        const float lower = narrow && k >= 3 ? row : 0.0F;
+        if (narrow && k % 3 == 0) { x = box.x; }
+        draw_figure(canvas, {x, box.y + top + lower, 0.0F, 0.0F}, figures[k]);
+        x += (narrow ? 1.0F / 3.0F : figures[k].share) * box.width;
     }
-    return top + canvas.line_height(canvas.fonts().title) + canvas.line_height(canvas.fonts().small);
+    return top + (narrow ? 2.0F : 1.0F) * row;
 }
 
 float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) {
