@@ -34,10 +34,17 @@ Block matrix_block(const Canvas& canvas, const View& view) {
     return block;
 }
 
+/// Curves below a heading, in all the height that is given.
 Block plot_block(
-    const Canvas& canvas, float wish, std::function<float(const Canvas&, const Box&, Density)> draw) {
+    const Canvas& canvas, float wish, const char* title, const char* aside,
+    std::function<void(const Canvas&, const Box&)> draw) {
     return {
-        std::move(draw),
+        [=](const Canvas& c, const Box& box, Density) {
+            Box rest = box;
+            cut_top(rest, heading(c, box, title, aside));
+            draw(c, rest);
+            return box.height;
+        },
         true,
         {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)},
         canvas.px(132.0F),
@@ -97,11 +104,9 @@ Block warnings_block(const View& view) {
 
 Block singular_values_block(const Canvas& canvas, const View& view) {
     if (view.rank.singular_values.empty()) { return empty_block(); }
-    return plot_block(canvas, 170.0F, [&view](const Canvas& c, const Box& box, Density) {
-        const float top = heading(c, box, "Singular values", "of Φq in (r, ω′)");
-        singular_values_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.rank);
-        return box.height;
-    });
+    return plot_block(
+        canvas, 170.0F, "Singular values", "of Φq in (r, ω′)",
+        [&view](const Canvas& c, const Box& box) { singular_values_plot(c, box, view.rank); });
 }
 
 Block newton_block(const View& view) {
@@ -112,11 +117,9 @@ Block newton_block(const View& view) {
 
 Block convergence_block(const Canvas& canvas, const View& view) {
     if (view.newton.empty()) { return empty_block(); }
-    return plot_block(canvas, 160.0F, [&view](const Canvas& c, const Box& box, Density) {
-        const float top = heading(c, box, "‖Φ‖", "from iteration to iteration");
-        convergence_plot(c, {box.x, box.y + top, box.width, box.height - top}, view.newton);
-        return box.height;
-    });
+    return plot_block(
+        canvas, 160.0F, "‖Φ‖", "from iteration to iteration",
+        [&view](const Canvas& c, const Box& box) { convergence_plot(c, box, view.newton); });
 }
 
 Block failure_block(const View& view) {
