@@ -158,13 +158,15 @@ std::vector<Stretch> stretches_of(const Story& story) {
 
 TimelineScale::TimelineScale(const std::vector<Stretch>& stretches, float left, float width)
     : stretches_(&stretches) {
-    // a dot needs some room, a moment of the motion very little
+    // a dot needs some room, a moment of the motion very little, and all of it no more than what came before,
+    // whose names would be cut
     double total = 0.0;
     std::vector<double> shares;
     for (const Stretch& s : stretches) {
         const double count = s.last - s.first + 1;
         const auto letters = static_cast<double>(s.name.size());
-        const double steps = s.kind == Step::Kind::motion ? 8.0 + 0.15 * count : 2.0 + count;
+        const bool moves = s.kind == Step::Kind::motion;
+        const double steps = moves ? std::min(8.0 + 0.15 * count, std::max(total, 8.0)) : 2.0 + count;
         shares.push_back(std::max(steps, std::min(1.1 * letters, 8.0)));
         total += shares.back();
     }
