@@ -27,7 +27,7 @@ inline std::vector<std::optional<MassProperties>> random_masses(Random& random, 
     return masses;
 }
 
-/// Springs without damping between neighbours in the list of bodies and about the first joint.
+/// Springs without damping between neighbours in the list of bodies and about the first hinge.
 inline Loads random_conservative_loads(Random& random, const Mechanism& mechanism) {
     Loads loads;
     loads.masses = random_masses(random, mechanism);
@@ -37,11 +37,12 @@ inline Loads random_conservative_loads(Random& random, const Mechanism& mechanis
             {b - 1, b, random.vector(), random.vector(), random.number(1.0, 20.0), random.number(0.2, 1.0),
              0.0});
     }
-    if (!mechanism.joints.empty()) {
-        const Joint& joint = mechanism.joints.front();
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.type->name != "revolute" && joint.type->name != "cylindrical") { continue; }
         loads.rotational_springs.push_back(
             {joint.body_i, joint.body_j, angle_of(joint), random.number(1.0, 5.0), random.number(-0.5, 0.5),
              0.0});
+        break;
     }
     return loads;
 }

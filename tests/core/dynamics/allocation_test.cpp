@@ -1,0 +1,32 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/driven.hpp"
+#include "tests/support/dynamic_scenes.hpp"
+
+using namespace jw;
+
+TEST_CASE(
+    "An evaluation of the block equations allocates nothing, nor does a projection", "[core][allocation]") {
+    test::Random random(2);
+    for (const Mechanism& mechanism :
+         {test::random_tree(random), test::driven(test::four_bar_at(0.7), 0, 1.0), test::bricard(1.2),
+          test::screw(0.7, 0.25, ScrewAngleForm::rotation)}) {
+        const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
+        const test::Moment moment = test::random_moment(random, scene, 0.0, 0.02);
+        const std::unique_ptr<MotionEquations> equations = block_equations(scene);
+        std::vector<double> y(static_cast<std::size_t>(equations->size()));
+        std::vector<double> y_dot(y.size());
+        pack(moment.state, moment.motion, test::moving_bodies_of(mechanism), y.data());
+        equations->choose_rows(0.0, y.data());
+
+        const long before = test::allocations();
+        equations->evaluate(0.0, y.data(), y_dot.data());
+        CHECK(test::allocations() == before);
+        y.front() += 1e-3;
+        CHECK(equations->project(0.0, y.data()) > 1e-5);
+        CHECK(test::allocations() == before);
+        CHECK(equations->kinetic_energy(y.data()) > 0.0);
+        CHECK(equations->violation(0.0, y.data()).first < 1e-10);
+    }
+}

@@ -1,0 +1,147 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/dynamic_scenes.hpp"
+
+using namespace jw;
+
+namespace {
+
+using Bodies = std::vector<BodyKinematics<OmegaLocal>>;
+
+Bodies bodies_of(const test::Moment& moment) {
+    Bodies out(moment.state.r.size());
+    for (std::size_t b = 0; b < out.size(); ++b) {
+        out[b].r = moment.state.r[b];
+        out[b].p = moment.state.p[b];
+        out[b].A = OmegaLocal::rotation(out[b].p);
+        out[b].r_dot = moment.motion.r_dot[b];
+        OmegaLocal::set_motion(out[b], moment.motion.omega_local[b]);
+    }
+    return out;
+}
+
+std::vector<BodyForce> forces_of(const Loads& loads, const Bodies& bodies, double t = 0.0) {
+    std::vector<BodyForce> out(bodies.size());
+    add_forces(loads, bodies, t, out);
+    return out;
+}
+
+/// Two bodies anywhere, moving anyhow.
+struct Pair {
+    Mechanism mechanism;
+    test::Moment moment;
+};
+Pair random_pair(unsigned seed) {
+    test::Random random(seed);
+    Pair out;
+    out.mechanism.bodies = {test::random_body(random, "i"), test::random_body(random, "j")};
+    out.moment = {start_state(out.mechanism), start_motion(out.mechanism)};
+    return out;
+}
+
+Loads without_loads(const Mechanism& mechanism, unsigned seed) {
+    test::Random random(seed);
+    Loads loads;
+    loads.masses = test::random_masses(random, mechanism);
+    return loads;
+}
+
+}  // namespace
+
+TEST_CASE("Forces of gravity and springs are the slope of the potential energy", "[core][dynamics][forces]") {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        test::Random random(seed);
+        const Mechanism mechanism = test::random_tree(random);
+        const Centroidal scene = centroidal(mechanism, test::random_conservative_loads(random, mechanism));
+        REQUIRE(scene.loads.rotational_springs.size() == 1);
+        const test::Moment moment = test::random_moment(random, scene, 0.0);
+        const std::vector<BodyForce> forces = forces_of(scene.loads, bodies_of(moment));
+        // central differences: h² times third derivatives of up to 1e2, and rounding of 1e2 J over h
+        const double h = 1e-5;
+        const double tolerance = 1e-7;
+        for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+            for (int k = 0; k < 6; ++k) {
+                const auto energy = [&](double step) {
+                    test::Moment moved = moment;
+                    if (k < 3) { moved.state.r[b](k) += step; }
+                    if (k >= 3) {
+                        moved.state.p[b] = turned_local(moved.state.p[b], step * Vec3::Unit(k - 3));
+                    }
+                    return potential_energy(scene.loads, bodies_of(moved));
+                };
+                const double slope = (energy(h) - energy(-h)) / (2.0 * h);
+                CAPTURE(seed, b, k);
+                CHECK(std::abs((k < 3 ? forces[b].f(k) : forces[b].n_local(k - 3)) + slope) < tolerance);
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "A damper takes c times the square of the rate, and pushes both bodies alike",
+    "[core][dynamics][forces]") {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        const Pair pair = random_pair(seed);
+        test::Random random(seed);
+        const Vec3 P_i = random.vector();
+        const Vec3 P_j = random.vector();
+        Loads loads = without_loads(pair.mechanism, seed);
+        loads.springs.push_back({0, 1, P_i, P_j, 0.0, 0.0, 1.7});
+        const Bodies bodies = bodies_of(pair.moment);
+        const std::vector<BodyForce> forces = forces_of(loads, bodies);
+        double power = 0.0;
+        Vec3 total = Vec3::Zero();
+        Vec3 torque = Vec3::Zero();
+        for (std::size_t b = 0; b < 2; ++b) {
+            power +=
+                forces[b].f.dot(bodies[b].r_dot) + forces[b].n_local.dot(pair.moment.motion.omega_local[b]);
+            total += forces[b].f;
+            torque += bodies[b].r.cross(forces[b].f) + bodies[b].A * forces[b].n_local;
+        }
+        const auto length = [&](double t) {
+            const auto end = [&](std::size_t b, const Vec3& P) -> Vec3 {
+                const Vec4 p = turned_local(bodies[b].p, t * pair.moment.motion.omega_local[b]);
+                return bodies[b].r + t * bodies[b].r_dot + rotation_matrix(p) * P;
+            };
+            return (end(1, P_j) - end(0, P_i)).norm();
+        };
+        const double h = 1e-5;  // h² and 1e-16 / h are below 1e-9
+        const double rate = (length(h) - length(-h)) / (2.0 * h);
+        CHECK(std::abs(power + 1.7 * rate * rate) < 1e-8);
+        CHECK(total.norm() < 1e-14);   // rounding
+        CHECK(torque.norm() < 1e-13);  // rounding
+    }
+}
+
+TEST_CASE(
+    "Forces and torques act at their point, in the frame and at the time they are given in",
+    "[core][dynamics][forces]") {
+    const Pair pair = random_pair(4);
+    const Bodies bodies = bodies_of(pair.moment);
+    const Mat3& A = bodies[1].A;
+    const Vec3 point(0.1, -0.4, 0.3);
+    const Vec3 direction(1.0, 2.0, -2.0);
+    TimeFunction grows;
+    grows.polynomial = {1.0, 3.0};
+    const double size = 1.0 + 3.0 * 0.5;
+    for (const Frame frame : {Frame::global, Frame::local}) {
+        Loads loads = without_loads(pair.mechanism, 4);
+        loads.forces.push_back({1, point, direction, frame, grows});
+        loads.torques.push_back({1, direction, frame, grows});
+        const std::vector<BodyForce> forces = forces_of(loads, bodies, 0.5);
+        const Vec3 f = size * (frame == Frame::local ? (A * direction).eval() : direction);
+        const Vec3 n = (A * point).cross(f) + f;  // the torque has the numbers of the force
+        CHECK((forces[1].f - f).norm() < 1e-14);
+        CHECK((A * forces[1].n_local - n).norm() < 1e-14);
+        CHECK(forces[0].f.norm() + forces[0].n_local.norm() == 0.0);
+    }
+}
+
+TEST_CASE("A spring without length between its ends does not pull", "[core][dynamics][forces]") {
+    Pair pair = random_pair(5);
+    pair.moment.state.r[1] = pair.moment.state.r[0];
+    Loads loads = without_loads(pair.mechanism, 5);
+    loads.springs.push_back({0, 1, Vec3::Zero(), Vec3::Zero(), 10.0, 0.5, 1.0});
+    const std::vector<BodyForce> forces = forces_of(loads, bodies_of(pair.moment));
+    CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
+}
