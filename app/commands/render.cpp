@@ -55,14 +55,15 @@ int intervals_of(const Lesson& lesson, double fps) {
     if (!std::isfinite(fps)) {
         throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
     }
-    if (!lesson.motion) { return 0; }
-    if (lesson.motion->duration * fps > kMostFrames) {
+    const std::optional<MotionPlan> motion = shown_motion(lesson);
+    if (!motion) { return 0; }
+    if (motion->duration * fps > kMostFrames) {
         throw CommandError(
             Exit::bad_input,
             "jointwise: error: 'duration_s' of the motion times --fps is more than 100000 "
             "pictures; shorten the one or lower the other");
     }
-    return std::max(1, static_cast<int>(std::lround(lesson.motion->duration * fps)));
+    return std::max(1, static_cast<int>(std::lround(motion->duration * fps)));
 }
 
 Exit render_command(const Options& options, const Streams& streams) {

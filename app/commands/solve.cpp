@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/table_output.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/json.hpp"
 #include "app/session/solution.hpp"
@@ -50,23 +50,8 @@ SweepPlan plan_of(const Options& options, const Lesson& lesson) {
     return plan;
 }
 
-/// The shortest text that reads back as the same number.
-std::string exact(double value) {
-    char text[32];
-    const auto result = std::to_chars(text, text + sizeof text, value);
-    return {text, result.ptr};
-}
-
-/// A name as a field of CSV (RFC 4180).
-std::string field(const std::string& name) {
-    if (name.find_first_of(",\"\n") == std::string::npos) { return name; }
-    std::string quoted = "\"";
-    for (const char c : name) { quoted += c == '"' ? std::string("\"\"") : std::string(1, c); }
-    return quoted + '"';
-}
-
 void write_csv(const Sweep& sweep, std::ostream& out) {
-    for (const std::string& column : sweep.columns) { out << field(column) << ','; }
+    for (const std::string& column : sweep.columns) { out << csv_field(column) << ','; }
     out << "unique,consistent,change_point\n";
     for (const SweepRow& row : sweep.rows) {
         for (const double value : row.values) { out << exact(value) << ','; }

@@ -226,12 +226,12 @@ void try_drivers(const LessonUi& ui) {
         if (moved) { ui.requests.add(SetDriver{static_cast<int>(k), function}); }
         ImGui::PopID();
     }
-    if (!lesson.motion) { return; }
+    const std::optional<MotionPlan> motion = shown_motion(lesson);
+    if (!motion) { return; }
     auto t = static_cast<float>(ui.session.step().t);
     ImGui::SetNextItemWidth(ui.px(230.0F));
     if (ImGui::SliderFloat(
-            "time [s]", &t, static_cast<float>(lesson.motion->from), static_cast<float>(lesson.motion->to),
-            "%.3f")) {
+            "time [s]", &t, static_cast<float>(motion->from), static_cast<float>(motion->to), "%.3f")) {
         ui.requests.add(GoTo{ui.session.index_of_time(static_cast<double>(t))});
     }
 }

@@ -23,7 +23,8 @@ double seconds_to_look(const View& view, double moment) {
 
 double seconds_of_step(const Story& story, const View& view) {
     const auto moments = std::ranges::count(story.steps(), Step::Kind::motion, &Step::kind);
-    const double duration = story.lesson().motion ? story.lesson().motion->duration : 0.0;
+    const std::optional<MotionPlan> motion = shown_motion(story.lesson());
+    const double duration = motion ? motion->duration : 0.0;
     return seconds_to_look(view, moments > 1 ? duration / static_cast<double>(moments - 1) : duration);
 }
 

@@ -1,5 +1,9 @@
 #include "app/session/story.hpp"
 
+#include <algorithm>
+
+#include "app/session/dynamics_run.hpp"
+
 namespace jw {
 
 Selection selection_of(const Lesson& lesson, int count) {
@@ -32,6 +36,16 @@ void thin_out_iterations(std::vector<Step>& steps) {
 
 }  // namespace
 
+std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
+    if (lesson.motion || !lesson.dynamics) { return lesson.motion; }
+    // what takes less than the blink of an eye is shown in slow motion, what takes long as it is
+    constexpr double shortest_show = 8.0;
+    MotionPlan plan;
+    plan.to = lesson.dynamics->duration;
+    plan.duration = std::max(plan.to, shortest_show);
+    return plan;
+}
+
 double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
 
 Story::Story(const Lesson& lesson, const StoryOptions& options)
@@ -42,7 +56,11 @@ Story::Story(const Lesson& lesson, const StoryOptions& options)
     for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {
         if (!tell_addition(count)) { return; }
     }
-    if (options.with_motion && lesson.motion) { tell_motion(options); }
+    if (options.with_motion && lesson.dynamics && !lesson.motion) {
+        tell_dynamics(options);
+    } else if (options.with_motion && lesson.motion) {
+        tell_motion(options);
+    }
     find_featured_joint();
 }
 
@@ -205,6 +223,38 @@ void Story::tell_motion(const StoryOptions& options) {
         if (!ok) { return; }
         if (options.progress) { options.progress(static_cast<double>(k) / intervals); }
     }
+}
+
+/// From the assembled pose on, by the method of the lesson.
+void Story::tell_dynamics(const StoryOptions& options) {
+    Mechanism assembled = lesson_->mechanism;
+    for (std::size_t b = 0; b < assembled.bodies.size(); ++b) {
+        assembled.bodies[b].r = state_.r[b];
+        assembled.bodies[b].p = state_.p[b];
+    }
+    const MotionPlan plan = *shown_motion(*lesson_);
+    const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
+    const DynamicsRequest request = request_of(*lesson_);
+    Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
+    const std::vector<double> times = equal_times(plan.to, intervals);
+    System system = *system_;
+    std::shared_ptr<const System> shared = system_;
+    simulation.run(times, [&](double t, const std::vector<double>& y) {
+        const Snapshot snapshot = simulation.snapshot(t, y);
+        Step step;
+        step.kind = Step::Kind::motion;
+        step.additions = static_cast<int>(lesson_->order.size());
+        step.rows_switched = system.choose_rows(snapshot.state);
+        if (step.rows_switched) { shared = std::make_shared<System>(system); }
+        step.system = shared;
+        step.t = t;
+        step.state = snapshot.state;
+        step.velocity = snapshot.velocity;
+        step.acceleration = simulation.acceleration_as_given(t, y);
+        step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
+        steps_.push_back(std::move(step));
+        if (options.progress) { options.progress(t / plan.to); }
+    });
 }
 
 }  // namespace jw

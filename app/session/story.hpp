@@ -59,6 +59,10 @@ inline StoryOptions poses_only(bool with_motion = false) {
     return options;
 }
 
+/// What is shown after everything has been put together: the lesson's motion, or what its masses and forces
+/// do.
+std::optional<MotionPlan> shown_motion(const Lesson& lesson);
+
 /// When everything is put together: the motion's first time, or 0 [s].
 double start_time(const Lesson& lesson);
 
@@ -86,6 +90,7 @@ private:
     void tell_bodies();
     bool tell_addition(int count);
     void tell_motion(const StoryOptions& options);
+    void tell_dynamics(const StoryOptions& options);
     void find_featured_joint();
     /// Of the present system and state, if ranks are asked for.
     std::shared_ptr<const RankReport> present_rank() const;

@@ -42,12 +42,15 @@ std::vector<std::vector<int>> neighbours_of(const std::vector<Node>& nodes, std:
 }  // namespace
 
 template <int B>
-BlockEquations<B>::BlockEquations(const Centroidal& scene, std::vector<Link> links)
+BlockEquations<B>::BlockEquations(
+    const Centroidal& scene, std::vector<Link> links, const Baumgarte& baumgarte)
     : scene_(&scene),
+      baumgarte_(baumgarte),
       moving_(moving_bodies(scene)),
       order_of_body_(scene.mechanism.bodies.size(), -1),
       matrix_(structure_),
       bodies_(scene.mechanism.bodies.size()),
+      forces_(scene.mechanism.bodies.size()),
       six_(6 * moving_.size(), 0.0),
       extent_(extent(scene.mechanism)) {
     for (std::size_t m = 0; m < moving_.size(); ++m) {
@@ -160,9 +163,12 @@ void BlockEquations<B>::evaluate_links(double t) {
                 });
             if constexpr (WithMotion) {
                 visit_rows<Content::motion>(
-                    equation.primitive, i, j, t, [&](const auto& jet, double, double f_ddot) {
-                        each_row(
-                            jet.kDim, [&](std::size_t row, int k) { gamma_[row] = f_ddot - jet.bias(k); });
+                    equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double f_ddot) {
+                        each_row(jet.kDim, [&](std::size_t row, int k) {
+                            gamma_[row] = f_ddot - jet.bias(k) -
+                                          2.0 * baumgarte_.alpha * (jet.rate(k) - f_dot) -
+                                          baumgarte_.beta * baumgarte_.beta * phi_[row];
+                        });
                     });
             }
         }
@@ -330,11 +336,11 @@ template void BlockEquations<6>::evaluate_links<false>(double);
 template void BlockEquations<3>::set_bodies<false>(const double*);
 template void BlockEquations<6>::set_bodies<false>(const double*);
 
-std::unique_ptr<MotionEquations> block_equations(const Centroidal& centroidal) {
-    std::vector<Link> links = links_of(centroidal.mechanism);
+std::unique_ptr<DrivableEquations> block_equations(const Centroidal& centroidal, const Baumgarte& baumgarte) {
+    std::vector<Link> links = with_drivers_joined(links_of(centroidal.mechanism));
     const bool small = std::ranges::all_of(links, [](const Link& link) { return link.rows <= 3; });
-    if (small) { return std::make_unique<BlockEquations<3>>(centroidal, std::move(links)); }
-    return std::make_unique<BlockEquations<6>>(centroidal, std::move(links));
+    if (small) { return std::make_unique<BlockEquations<3>>(centroidal, std::move(links), baumgarte); }
+    return std::make_unique<BlockEquations<6>>(centroidal, std::move(links), baumgarte);
 }
 
 }  // namespace jw

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/dynamics/block_matrix.hpp"
+#include "core/dynamics/forces.hpp"
 #include "core/dynamics/link_equations.hpp"
 #include "core/dynamics/motion_equations.hpp"
 
@@ -39,9 +40,9 @@ struct Product {
 };
 
 template <int B>
-class BlockEquations final : public MotionEquations {
+class BlockEquations final : public DrivableEquations {
 public:
-    BlockEquations(const Centroidal& scene, std::vector<Link> links);
+    BlockEquations(const Centroidal& scene, std::vector<Link> links, const Baumgarte& baumgarte);
 
     int size() const override { return kNumbersPerBody * static_cast<int>(moving_.size()); }
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
@@ -91,6 +92,7 @@ private:
     void add_reactions(const double* lambda, double* x) const;
 
     const Centroidal* scene_;
+    Baumgarte baumgarte_;
     std::vector<MovingBody> moving_;
     std::vector<int> order_of_body_;
     std::vector<Node> nodes_;
@@ -99,6 +101,7 @@ private:
     BlockStructure structure_;
     BlockMatrix<B> matrix_;
     std::vector<Kinematics6> bodies_;  ///< of all bodies, fixed ones included
+    std::vector<BodyForce> forces_;    ///< on all bodies
     std::vector<double> j_;            ///< Jᵀ of every side, 6 x B row-major
     std::vector<double> w_;            ///< J M⁻¹ of every side, B x 6 row-major
     std::vector<double> phi_;

@@ -143,7 +143,9 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     });
     bool changed = false;
     std::fill(j_.begin(), j_.end(), 0.0);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) { changed = changed || nodes_[n].kept != kept_before_[n]; }
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        changed = changed || nodes_[n].kept != kept_before_[n];
+    }
     return changed;
 }
 

@@ -104,6 +104,37 @@ void DenseEquations<C>::unpack(const double* y, State& state, Motion& motion) co
     }
 }
 
+template <class C>
+void DenseEquations<C>::to_flat(const double* y, double* flat) const {
+    for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
+        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> numbers(y + n * kNumbers);
+        Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat, n))
+            << numbers.template head<10>(),
+            omega_local_of_numbers<C>(vec4(numbers.data() + 3), numbers.template tail<C::kAngular>());
+    }
+}
+
+/// ω̇' follows from p̈ and ω̇ as ω' from ṗ and ω (slide 13).
+template <class C>
+void DenseEquations<C>::rates_to_flat(const double* y, const double* y_dot, double* flat) const {
+    for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
+        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> rates(y_dot + n * kNumbers);
+        Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat, n))
+            << rates.template head<10>(),
+            omega_local_of_numbers<C>(vec4(y + n * kNumbers + 3), rates.template tail<C::kAngular>());
+    }
+}
+
+template <class C>
+void DenseEquations<C>::from_flat(const double* flat, double* y) const {
+    for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
+        const double* numbers = body_numbers(flat, n);
+        Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y + n * kNumbers)
+            << Eigen::Map<const Eigen::Matrix<double, 10, 1>>(numbers),
+            numbers_of_omega_local<C>(vec4(numbers + 3), vec3(numbers + 10));
+    }
+}
+
 /// θ and θ̇ of every screw: the angle between its bodies nearest to the one before.
 template <class C>
 void DenseEquations<C>::find_thetas() {

@@ -10,12 +10,6 @@
 /// The equations of motion as the slides write them: one dense system in any of the four coordinate choices.
 namespace jw {
 
-/// Baumgarte's stabilisation: γ - 2 α Φ̇ - β² Φ instead of γ. α = β is critical damping.
-struct Baumgarte {
-    double alpha = 0.0;  ///< [1/s]
-    double beta = 0.0;   ///< [1/s]
-};
-
 /// | choice   | y of a body  | ṗ is       | M            | Q                      |
 /// | -------- | ------------ | ---------- | ------------ | ---------------------- |
 /// | (r, ω')  | r, p, ṙ, ω'  | ½ Lᵀ ω'    | m I, J'      | f, n' - ω̃'J'ω'         |
@@ -39,6 +33,10 @@ public:
     explicit DenseEquations(const Centroidal& scene, const Baumgarte& baumgarte = {});
 
     int size() const override { return kNumbers * static_cast<int>(system_.moving_bodies().size()); }
+    int numbers_per_body() const override { return kNumbers; }
+    void to_flat(const double* y, double* flat) const override;
+    void rates_to_flat(const double* y, const double* y_dot, double* flat) const override;
+    void from_flat(const double* flat, double* y) const override;
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
     double project(double t, double* y) override;
     bool choose_rows(double t, const double* y) override;

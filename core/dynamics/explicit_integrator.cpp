@@ -30,7 +30,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     : equations_(&equations),
       table_(&table),
       options_(options),
-      scales_(options.length_scale),
+      scales_(options.length_scale, equations.numbers_per_body()),
       t_(t),
       y_(std::move(y)),
       y_new_(y_.size()),

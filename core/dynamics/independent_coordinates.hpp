@@ -46,7 +46,7 @@ private:
     std::vector<IndependentCoordinate> chosen_;
     double pivot_at_choice_ = 1.0;  ///< of the driven equations
     Centroidal driven_scene_;       ///< with a driver for every chosen coordinate
-    std::unique_ptr<MotionEquations> driven_;
+    std::unique_ptr<DrivableEquations> driven_;
 };
 
 }  // namespace jw

@@ -48,18 +48,8 @@ void append(Link& link, LinkEquation equation) {
 /// The link for another equation of a joint: the last one if it is of the same joint and has room.
 Link& link_of_joint(std::vector<Link>& links, const Constraint& c, int rows) {
     if (links.empty() || links.back().joint != c.joint || links.back().rows + rows > kMostRows) {
-        links.push_back({c.joint, c.body_i, c.body_j, {}, 0});
+        links.push_back({c.joint, -1, c.body_i, c.body_j, {}, 0});
     }
-    return links.back();
-}
-
-/// The link for a driver: one between the same bodies that has room, so that no block is added.
-Link& link_of_driver(std::vector<Link>& links, const Driver& driver) {
-    const auto found = std::ranges::find_if(links, [&](const Link& link) {
-        return link.body_i == driver.body_i && link.body_j == driver.body_j && link.rows < kMostRows;
-    });
-    if (found != links.end()) { return *found; }
-    links.push_back({-1, driver.body_i, driver.body_j, {}, 0});
     return links.back();
 }
 
@@ -86,11 +76,28 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
     }
     for (std::size_t d = 0; d < paired.drivers.size(); ++d) {
         const Driver& driver = paired.drivers[d];
+        links.push_back({-1, static_cast<int>(d), driver.body_i, driver.body_j, {}, 0});
         append(
-            link_of_driver(links, driver),
+            links.back(),
             {Driven{without_theta(driver, paired), driver.function}, static_cast<int>(d), 0U, 0, 0});
     }
     return links;
+}
+
+std::vector<Link> with_drivers_joined(std::vector<Link> links) {
+    std::vector<Link> joined;
+    for (Link& link : links) {
+        const auto host = std::ranges::find_if(joined, [&](const Link& other) {
+            return link.joint < 0 && link.body_i == other.body_i && link.body_j == other.body_j &&
+                   link.rows + other.rows <= kMostRows;
+        });
+        if (host == joined.end()) {
+            joined.push_back(std::move(link));
+            continue;
+        }
+        for (LinkEquation& equation : link.equations) { append(*host, std::move(equation)); }
+    }
+    return joined;
 }
 
 }  // namespace jw

@@ -40,9 +40,10 @@ struct LinkEquation {
     int rows = 0;
 };
 
-/// Rows that are factored together: those of a joint and of drivers between the same two bodies.
+/// Rows that are factored together: those of a joint (or a driver) between two bodies.
 struct Link {
-    int joint = -1;  ///< index in the mechanism, -1 for drivers alone
+    int joint = -1;   ///< index in the mechanism, -1 for a driver
+    int driver = -1;  ///< index in the mechanism, -1 for a joint
     int body_i = 0;
     int body_j = 0;
     std::vector<LinkEquation> equations;
@@ -54,6 +55,9 @@ struct Link {
 /// way. Forms chosen by hand stay what they are.
 inline constexpr int kMostRows = 6;
 std::vector<Link> links_of(const Mechanism& mechanism);
+
+/// The same with the drivers' rows in links of joints between the same bodies, where they have room.
+std::vector<Link> with_drivers_joined(std::vector<Link> links);
 
 /// Rows of one primitive at a time: value, and as asked for by K the Jacobian or the motion.
 /// Calls `f(jet, f_dot, f_ddot)`; the two are those of a driver's function, else 0.

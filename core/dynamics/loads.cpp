@@ -106,4 +106,16 @@ Motion Centroidal::as_given(const State& centroidal, const Motion& motion) const
     return out;
 }
 
+Motion Centroidal::acceleration_as_given(
+    const State& centroidal, const Motion& velocity, const Motion& acceleration) const {
+    Motion out = acceleration;
+    for (std::size_t b = 0; b < centres.size(); ++b) {
+        const Vec3& omega_local = velocity.omega_local[b];
+        const Vec3 relative =
+            acceleration.omega_local[b].cross(centres[b]) + omega_local.cross(omega_local.cross(centres[b]));
+        out.r_dot[b] -= homogeneous_rotation_matrix(centroidal.p[b]) * relative;
+    }
+    return out;
+}
+
 }  // namespace jw

@@ -77,6 +77,9 @@ struct Centroidal {
     Motion to_centroidal(const State& state, const Motion& motion) const;
     State as_given(const State& centroidal) const;
     Motion as_given(const State& centroidal, const Motion& motion) const;
+    /// Accelerations r̈, ω̇' of the frames as given.
+    Motion acceleration_as_given(
+        const State& centroidal, const Motion& velocity, const Motion& acceleration) const;
 
     std::vector<Vec3> centres;  ///< of every body in its frame as given [m]
 };

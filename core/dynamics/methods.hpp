@@ -12,7 +12,8 @@ enum class Method {
     rk4,            ///< classical Runge-Kutta, order 4
     explicit_5,     ///< Dormand-Prince 5(4), adaptive
     explicit_8,     ///< Dormand-Prince 8(5,3), adaptive
-    implicit_5,     ///< Radau IIA, adaptive, for stiff scenes
+    implicit_5,     ///< Radau IIA of three stages, adaptive, for stiff scenes
+    implicit_9,     ///< Radau IIA of five stages
 };
 
 /// How the constraints are kept.
@@ -37,6 +38,7 @@ inline constexpr std::array kMethods{
     MethodName{Method::explicit_5, "explicit-5", 5, true},
     MethodName{Method::explicit_8, "explicit-8", 8, true},
     MethodName{Method::implicit_5, "implicit-5", 5, true},
+    MethodName{Method::implicit_9, "implicit-9", 9, true},
 };
 
 struct TreatmentName {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -13,6 +14,12 @@
 /// y holds for every moving body its r, p, ṙ, ω' of the centroidal frame (flat_state.hpp).
 /// @source slides 18-19 and 24; signs in docs/notation.md
 namespace jw {
+
+/// Baumgarte's stabilisation: γ - 2 α Φ̇ - β² Φ instead of γ. α = β is critical damping.
+struct Baumgarte {
+    double alpha = 0.0;  ///< [1/s]
+    double beta = 0.0;   ///< [1/s]
+};
 
 /// What one evaluation says about the rows in use.
 struct RowsVerdict {
@@ -36,6 +43,14 @@ public:
     MotionEquations& operator=(const MotionEquations&) = delete;
 
     virtual int size() const = 0;
+    /// Of one moving body in y: r, p, ṙ and the angular velocity of the choice.
+    virtual int numbers_per_body() const { return kNumbersPerBody; }
+    /// y and ẏ in the numbers of flat_state.hpp, and back; the same unless a coordinate choice has others.
+    virtual void to_flat(const double* y, double* flat) const { std::copy_n(y, size(), flat); }
+    virtual void rates_to_flat(const double* /*y*/, const double* y_dot, double* flat) const {
+        std::copy_n(y_dot, size(), flat);
+    }
+    virtual void from_flat(const double* flat, double* y) const { std::copy_n(flat, size(), y); }
     /// ẏ at y, with the rows kept now.
     virtual RowsVerdict evaluate(double t, const double* y, double* y_dot) = 0;
     /// Moves y to the nearest state (in the metric of M) that satisfies the constraints and their rates, p
@@ -45,9 +60,9 @@ public:
     /// Chooses anew which rows are kept, of those that repeat each other, at y. @return true if they changed
     virtual bool choose_rows(double t, const double* y) = 0;
     /// Of the last factorisation, by `evaluate` or `project`; see RowsVerdict.
-    virtual double smallest_pivot() const = 0;
+    virtual double smallest_pivot() const { return 1.0; }
     /// The rows before the last choice.
-    virtual void take_back_rows() = 0;
+    virtual void take_back_rows() {}
     /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included, by the size of their equations.
     virtual std::pair<double, double> violation(double t, const double* y) = 0;
     /// Kinetic and potential energy (gravity and springs) [J].
@@ -58,15 +73,20 @@ public:
     /// metric of M; and M times them. Dense, for small mechanisms.
     virtual TangentSpace tangent_space(double t, const double* y) = 0;
 
-    /// The function of a driver becomes f0 + f1 t.
-    virtual void set_driver(int driver, double f0, double f1) = 0;
-
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;
 };
 
+/// Equations whose drivers can be told anew what to do.
+class DrivableEquations : public MotionEquations {
+public:
+    /// The function of a driver of the mechanism becomes f0 + f1 t.
+    virtual void set_driver(int driver, double f0, double f1) = 0;
+};
+
 /// Block-sparse equations of motion in (r, ω'): cost linear in the bodies for chains and rows of loops, no
 /// allocation per evaluation. `centroidal` must outlive the result.
-std::unique_ptr<MotionEquations> block_equations(const Centroidal& centroidal);
+std::unique_ptr<DrivableEquations> block_equations(
+    const Centroidal& centroidal, const Baumgarte& baumgarte = {});
 
 }  // namespace jw

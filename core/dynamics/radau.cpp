@@ -90,7 +90,7 @@ RadauIntegrator::RadauIntegrator(
     : equations_(&equations),
       table_(radau_table(stages)),
       options_(options),
-      scales_(options.length_scale),
+      scales_(options.length_scale, equations.numbers_per_body()),
       t_(t),
       y_(std::move(y)),
       y_dot_(y_.size()),

@@ -5,28 +5,24 @@
 
 namespace jw {
 
-namespace {
-
 /// Largest of the numbers c in [from, to) of all bodies.
-double largest(const std::vector<double>& y, std::size_t from, std::size_t to) {
+double StateScales::largest(const std::vector<double>& y, std::size_t from, std::size_t to) const {
     double most = 0.0;
-    for (std::size_t k = 0; k < y.size(); k += kNumbersPerBody) {
+    for (std::size_t k = 0; k < y.size(); k += numbers_) {
         for (std::size_t c = from; c < to; ++c) { most = std::max(most, std::abs(y[k + c])); }
     }
     return most;
 }
 
-}  // namespace
-
 void StateScales::include(const std::vector<double>& y, const std::vector<double>& y_dot, double step) {
     // from rest the speed reached within a step counts
     velocity_ = std::max({velocity_, largest(y, 7, 10), 0.5 * step * largest(y_dot, 7, 10)});
-    omega_ = std::max({omega_, largest(y, 10, 13), velocity_ / length_});
+    omega_ = std::max({omega_, largest(y, 10, numbers_), velocity_ / length_});
 }
 
 double StateScales::first_step(const std::vector<double>& y_dot, double tolerance, int order) const {
     constexpr double slowest = 1e-3;  // [1/s], of a scene at rest without forces
-    const double acceleration = std::max(largest(y_dot, 7, 10) / length_, largest(y_dot, 10, 13));
+    const double acceleration = std::max(largest(y_dot, 7, 10) / length_, largest(y_dot, 10, numbers_));
     const double rate = std::max({slowest, velocity_ / length_, omega_, std::sqrt(acceleration)});
     return 0.5 * std::pow(tolerance, 1.0 / order) / rate;
 }

@@ -27,18 +27,22 @@ struct IntegrationCounts {
 /// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
 class StateScales {
 public:
-    explicit StateScales(double length) : length_(length) {}
+    /// @param numbers per body
+    StateScales(double length, int numbers) : length_(length), numbers_(static_cast<std::size_t>(numbers)) {}
     void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
     /// Of the k-th number of the flat state.
     double of(std::size_t k) const {
-        const std::size_t c = k % kNumbersPerBody;
+        const std::size_t c = k % numbers_;
         return c < 3 ? length_ : (c < 7 ? 1.0 : (c < 10 ? velocity_ : omega_));
     }
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
 private:
+    double largest(const std::vector<double>& y, std::size_t from, std::size_t to) const;
+
     double length_;
+    std::size_t numbers_;
     double velocity_ = 0.0;
     double omega_ = 0.0;
 };

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/explicit_integrator.hpp"
 #include "lessons/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/support.hpp"
@@ -78,9 +78,8 @@ TEST_CASE("Scenes of dynamics end where the references say", "[lessons][dynamics
         INFO(file.path);
         Scene scene(file.lesson);
         IntegrationOptions options;
-        options.table = &dormand_prince_853();
         options.tolerance = 1e-8;
-        Integrator integrator(*scene.equations, options, 0.0, scene.y);
+        ExplicitIntegrator integrator(*scene.equations, dormand_prince_853(), options, 0.0, scene.y);
         while (integrator.t() < plan.duration) { REQUIRE(integrator.step(plan.duration)); }
         // a hundred times the tolerance: 160 steps, and the singular line of A02 twice a turn
         CHECK((scene.point_at(integrator.y()) - *plan.point_at_end).norm() < 1e-6);

@@ -1,0 +1,215 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/dynamics_options.hpp"
+#include "app/commands/plot_picture.hpp"
+#include "app/commands/table_output.hpp"
+#include "app/session/benchmark.hpp"
+#include "app/session/json.hpp"
+#include "app/session/numbers.hpp"
+#include "lessons/catalogue.hpp"
+#include "render/png.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> scenes;
+    std::vector<std::string> methods;
+    std::string treatment = "projection";
+    std::string output = "table";
+    std::string picture;
+};
+
+struct SceneResult {
+    std::string name;
+    Reference reference;
+    std::vector<BenchRun> runs;
+};
+
+/// Lesson files: as given, or by their name among the shipped scenes of dynamics.
+std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
+    const std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder() / "dynamics");
+    if (scenes.empty()) { return shipped; }
+    std::vector<std::filesystem::path> files;
+    for (const std::string& scene : scenes) {
+        const auto same = [&](const std::filesystem::path& file) { return file.stem() == scene; };
+        const auto found = std::ranges::find_if(shipped, same);
+        files.push_back(found != shipped.end() ? *found : std::filesystem::path(scene));
+    }
+    return files;
+}
+
+BenchPlan plan_of(const Options& options) {
+    BenchPlan plan;
+    for (const std::string& name : options.methods) {
+        plan.methods.push_back(std::ranges::find(kMethods, name, &MethodName::name)->method);
+    }
+    plan.treatment = std::ranges::find(kTreatments, options.treatment, &TreatmentName::name)->treatment;
+    return plan;
+}
+
+std::string cell(const char* format, double value) {
+    if (std::isnan(value)) { return "-"; }
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string row_text(const std::vector<std::string>& cells) {
+    std::string line;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const std::size_t width = k == 0 ? 14 : 11;
+        line += k == 0 ? cells[k] + std::string(width - std::min(width, cells[k].size()), ' ')
+                       : std::string(width - std::min(width - 1, cells[k].size()), ' ') + cells[k];
+    }
+    return line + '\n';
+}
+
+std::string milliseconds_to(const BenchRun& run, double error) {
+    const auto time = run.time_to(error);
+    return time ? cell("%.3g", 1e3 * *time) : "-";
+}
+
+void write_table(const SceneResult& result, std::ostream& out) {
+    out << result.name << "\n  reference: " << result.reference.origin << "\n";
+    out << row_text(
+        {"method", "setting", "CPU ms", "position m", "velocity", "energy", "constraint", "evaluations",
+         "steps", "rejected"});
+    for (const BenchRun& run : result.runs) {
+        for (const BenchPoint& p : run.points) {
+            out << row_text(
+                {std::string(name_of(run.method)), cell("%.0e", p.setting), cell("%.3g", 1e3 * p.cpu),
+                 cell("%.1e", p.position), cell("%.1e", p.velocity), cell("%.1e", p.energy),
+                 cell("%.1e", p.violation), std::to_string(p.counts.evaluations),
+                 std::to_string(p.counts.steps), std::to_string(p.counts.rejected)});
+        }
+    }
+    out << row_text({"ms to reach", "1e-3 m", "1e-6 m", "1e-9 m"});
+    for (const BenchRun& run : result.runs) {
+        out << row_text(
+            {std::string(name_of(run.method)), milliseconds_to(run, 1e-3), milliseconds_to(run, 1e-6),
+             milliseconds_to(run, 1e-9)});
+    }
+    out << '\n' << std::flush;
+}
+
+void write_csv_rows(const SceneResult& result, std::ostream& out) {
+    for (const BenchRun& run : result.runs) {
+        for (const BenchPoint& p : run.points) {
+            out << csv_field(result.name) << ',' << name_of(run.method) << ',' << exact(p.setting) << ','
+                << exact(1e3 * p.cpu) << ',' << exact(p.position) << ',' << exact(p.velocity) << ','
+                << exact(p.energy) << ',' << exact(p.violation) << ',' << p.counts.evaluations << ','
+                << p.counts.steps << ',' << p.counts.rejected << '\n';
+        }
+    }
+}
+
+Json json_of(const SceneResult& result) {
+    const auto number = [](double value) { return std::isnan(value) ? Json() : Json(value); };
+    Json runs = Json::array();
+    for (const BenchRun& run : result.runs) {
+        Json points = Json::array();
+        for (const BenchPoint& p : run.points) {
+            points.push_back(
+                {{"setting", p.setting},
+                 {"cpu_s", p.cpu},
+                 {"position_m", number(p.position)},
+                 {"velocity_m_per_s", number(p.velocity)},
+                 {"energy", number(p.energy)},
+                 {"constraint", p.violation},
+                 {"evaluations", p.counts.evaluations},
+                 {"steps", p.counts.steps},
+                 {"rejected", p.counts.rejected},
+                 {"failure", p.failure.empty() ? Json() : Json(p.failure)}});
+        }
+        runs.push_back({{"method", name_of(run.method)}, {"points", points}});
+    }
+    return {{"scene", result.name}, {"reference", result.reference.origin}, {"runs", runs}};
+}
+
+SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan, const Streams& streams) {
+    const Lesson lesson = lesson_of(file, streams);
+    if (!lesson.dynamics || !lesson.dynamics->point) {
+        throw CommandError(
+            Exit::bad_input, file.string() +
+                                 ": error: no [dynamics] with a 'point' whose path can be compared\n"
+                                 "hint: docs/writing-a-lesson.md");
+    }
+    SceneResult result;
+    result.name = file.stem().string();
+    const auto stored = stored_reference(file);
+    result.reference = stored ? *stored : own_reference(lesson);
+    result.runs = bench_dynamics(lesson, result.reference, plan);
+    return result;
+}
+
+Exit bench_command(const Options& options, const Streams& streams) {
+    const BenchPlan plan = plan_of(options);
+    const std::vector<std::filesystem::path> files = files_of(options.scenes);
+    if (!options.picture.empty() && files.size() != 1) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: --picture draws one scene; name one\nhint: jointwise bench --help");
+    }
+    Json scenes = Json::array();
+    if (options.output == "csv") {
+        streams.out
+            << "scene,method,setting,cpu_ms,position_m,velocity_m_per_s,energy,constraint,evaluations,"
+               "steps,rejected\n";
+    }
+    for (const std::filesystem::path& file : files) {
+        const SceneResult result = bench_scene(file, plan, streams);
+        if (options.output == "table") { write_table(result, streams.out); }
+        if (options.output == "csv") { write_csv_rows(result, streams.out); }
+        if (options.output == "json") { scenes.push_back(json_of(result)); }
+        if (!options.picture.empty()) {
+            const render::Image image = picture_of_plot(
+                work_precision(result.runs), {}, result.name + ": CPU time over digits", 1280, 720);
+            render::write_file_atomically(options.picture, render::encode_png(image));
+        }
+    }
+    if (options.output == "json") {
+        const Json json{{"format", "jointwise bench"}, {"version", kJsonVersion}, {"scenes", scenes}};
+        streams.out << json.dump(1) << '\n';
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("bench", "dynamics: what a digit costs, method by method");
+    auto options = std::make_shared<Options>();
+    std::vector<std::string> methods;
+    for (const MethodName& entry : kMethods) { methods.emplace_back(entry.name); }
+    std::vector<std::string> treatments;
+    for (const TreatmentName& entry : kTreatments) { treatments.emplace_back(entry.name); }
+    command
+        ->add_option(
+            "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped")
+        ->type_name("");
+    command
+        ->add_option("--method", options->methods, "one or several; default explicit-5, -8, implicit-5, -9")
+        ->check(CLI::IsMember(methods))
+        ->type_name("NAME");
+    command->add_option("--treatment", options->treatment, "of the constraints")
+        ->check(CLI::IsMember(treatments))
+        ->type_name("NAME");
+    command->add_option("--output", options->output, "table, csv or json")
+        ->check(CLI::IsMember({"table", "csv", "json"}))
+        ->type_name("FORMAT");
+    command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
+        ->type_name("FILE");
+    command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return bench_command(*options, streams); };
+    });
+}
+
+}  // namespace jw

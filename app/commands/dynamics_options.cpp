@@ -1,0 +1,74 @@
+#include "app/commands/dynamics_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/command.hpp"
+#include "lessons/typed.hpp"
+
+namespace jw {
+
+namespace {
+
+template <class Table>
+std::vector<std::string> names_of(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& entry : table) { names.emplace_back(entry.name); }
+    return names;
+}
+
+double positive(double value, const std::string& option) {
+    if (std::isfinite(value) && value > 0.0) { return value; }
+    throw CommandError(
+        Exit::bad_input, "jointwise: error: " + option + " is not positive\nhint: jointwise simulate --help");
+}
+
+}  // namespace
+
+void add_dynamics_options(CLI::App& command, DynamicsOptions& options) {
+    command
+        .add_option(
+            "--method", options.method,
+            "euler, semi-implicit, rk4, explicit-5, explicit-8, implicit-5, implicit-9")
+        ->check(CLI::IsMember(names_of(kMethods)))
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--treatment", options.treatment, "of the constraints: none, baumgarte, projection, tangent")
+        ->check(CLI::IsMember(names_of(kTreatments)))
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--coordinates", options.coordinates,
+            "the slides' dense equations in rp, rp-modified, omega-local or omega-global; default: "
+            "block-sparse")
+        ->check(CLI::IsMember(std::vector<std::string>(kChoices.begin(), kChoices.end())))
+        ->type_name("NAME");
+    command.add_option("--tolerance", options.tolerance, "error of a step, for adaptive methods")
+        ->type_name("X");
+    command.add_option("--step", options.step, "step [s], for the others")->type_name("H");
+}
+
+void apply(const DynamicsOptions& options, SimulationSettings& settings) {
+    if (!options.method.empty()) {
+        settings.method = std::ranges::find(kMethods, options.method, &MethodName::name)->method;
+    }
+    if (!options.treatment.empty()) {
+        settings.treatment =
+            std::ranges::find(kTreatments, options.treatment, &TreatmentName::name)->treatment;
+    }
+    if (!options.coordinates.empty()) {
+        const auto choice = std::ranges::find(kChoices, options.coordinates) - kChoices.begin();
+        settings.dense = static_cast<CoordinateChoice>(choice);
+    }
+    if (options.tolerance) { settings.tolerance = positive(*options.tolerance, "--tolerance"); }
+    if (options.step) { settings.step = positive(*options.step, "--step"); }
+}
+
+std::string_view name_of(Method method) {
+    return std::ranges::find(kMethods, method, &MethodName::method)->name;
+}
+
+}  // namespace jw

@@ -1,0 +1,126 @@
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <optional>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/dynamics_options.hpp"
+#include "app/commands/table_output.hpp"
+#include "app/commands/tries.hpp"
+#include "app/session/dynamics_run.hpp"
+#include "app/session/json.hpp"
+
+namespace jw {
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::vector<std::string> tries;
+    std::optional<double> duration;
+    std::optional<int> samples;
+    DynamicsOptions dynamics;
+    bool reactions = false;
+    std::string output = "csv";
+};
+
+CommandError bad_option(const std::string& message) {
+    return CommandError(
+        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise simulate --help");
+}
+
+DynamicsRequest request_for(const Options& options, const Lesson& lesson) {
+    DynamicsRequest request = request_of(lesson);
+    apply(options.dynamics, request.settings);
+    request.reactions = options.reactions;
+    request.duration = options.duration.value_or(request.duration);
+    request.samples = options.samples.value_or(request.samples);
+    if (!std::isfinite(request.duration) || request.duration <= 0.0) {
+        throw bad_option("--duration is not positive; expected a time in s");
+    }
+    if (request.samples < 1 || request.samples > 1'000'000) {
+        throw bad_option("--samples is " + std::to_string(request.samples) + "; expected 1 to 1000000");
+    }
+    return request;
+}
+
+Json json_of(const DynamicsTable& table, const Lesson& lesson) {
+    const IntegrationCounts& c = table.outcome.counts;
+    return {
+        {"format", "jointwise simulate"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"columns", table.columns},
+        {"rows", table.rows},
+        {"counts",
+         {{"steps", c.steps},
+          {"rejected", c.rejected},
+          {"evaluations", c.evaluations},
+          {"projections", c.projections},
+          {"jacobians", c.jacobians},
+          {"row_choices", c.row_choices},
+          {"singular_passages", c.singular_passages}}},
+        {"not_unique", table.not_unique},
+        {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
+}
+
+Exit simulate_command(const Options& options, const Streams& streams) {
+    const LessonTried tried = lesson_of(options.file, options.tries, streams);
+    const Lesson& lesson = tried.lesson;
+    streams.err << tried_text(tried.done);
+    if (!lesson.dynamics) {
+        throw CommandError(
+            Exit::bad_input,
+            options.file +
+                ": error: this lesson has no [dynamics]; expected masses and a table [dynamics]\n"
+                "hint: docs/writing-a-lesson.md, or 'jointwise solve' for its kinematics");
+    }
+    const DynamicsRequest request = request_for(options, lesson);
+    DynamicsTable table;
+    try {
+        table = simulate(lesson, request);
+    } catch (const std::invalid_argument& error) {
+        throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
+    }
+    if (options.output == "json") {
+        Json json = json_of(table, lesson);
+        add_tried(json, tried.done);
+        streams.out << json.dump(1) << '\n';
+    } else {
+        write_csv(table.columns, table.rows, streams.out);
+    }
+    streams.err << "jointwise: " << table.summary << '\n';
+    for (const std::string& name : table.not_unique) {
+        streams.err << "jointwise: note: the reaction in '" << name
+                    << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";
+    }
+    if (table.failure.empty()) { return Exit::done; }
+    streams.err << "jointwise: error: " << table.failure << '\n';
+    return Exit::numerics;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("simulate", "motion under masses and forces, as a table");
+    auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
+    add_try_option(*command, options->tries);
+    command->add_option("--duration", options->duration, "time to simulate [s]; default: the lesson's")
+        ->type_name("T");
+    command->add_option("--samples", options->samples, "equal intervals of the table; default 100")
+        ->type_name("N");
+    add_dynamics_options(*command, options->dynamics);
+    command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
+    command->add_option("--output", options->output, "csv or json")
+        ->check(CLI::IsMember({"csv", "json"}))
+        ->type_name("FORMAT");
+    command->footer(
+        "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
+        "1e-9");
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return simulate_command(*options, streams); };
+    });
+}
+
+}  // namespace jw

@@ -1,0 +1,245 @@
+#include "app/session/benchmark.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "app/session/numbers.hpp"
+#include "lessons/catalogue.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+/// A run that takes longer ends its method's sweep [s].
+constexpr double kTooLong = 20.0;
+constexpr long kMostSteps = 2'000'000;
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+const MethodName& entry_of(Method method) {
+    return *std::ranges::find(kMethods, method, &MethodName::method);
+}
+
+/// Energy is kept where nothing but gravity and springs acts.
+bool keeps_energy(const Lesson& lesson) {
+    const Loads& loads = lesson.dynamics->loads;
+    const auto damped = [](const auto& spring) { return spring.damping != 0.0; };
+    return loads.forces.empty() && loads.torques.empty() && std::ranges::none_of(loads.springs, damped) &&
+           loads.rotational_springs.empty() && lesson.mechanism.drivers.empty();
+}
+
+std::vector<double> settings_of(Method method, double duration) {
+    std::vector<double> settings;
+    if (entry_of(method).adaptive) {
+        for (int k = 2; k <= 13; ++k) { settings.push_back(std::pow(10.0, -k)); }
+    } else {
+        for (int k = 2; k <= 6; ++k) {
+            for (const double part : {1.0, 0.3}) { settings.push_back(duration * part * std::pow(10.0, -k)); }
+        }
+    }
+    return settings;
+}
+
+/// States of a run at the reference's times; errors are looked at when the clock has stopped.
+struct Recorded {
+    std::vector<std::vector<double>> states;
+    SimulationOutcome outcome;
+    double cpu = 0.0;
+};
+
+Recorded record(const Lesson& lesson, const SimulationSettings& settings, const std::vector<double>& times) {
+    Recorded recorded;
+    recorded.states.reserve(times.size());
+    const double start = cpu_seconds();
+    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
+    recorded.outcome =
+        simulation.run(times, [&](double, const std::vector<double>& y) { recorded.states.push_back(y); });
+    recorded.cpu = cpu_seconds() - start;
+    return recorded;
+}
+
+void measure(
+    const Lesson& lesson, const SimulationSettings& settings, const Reference& reference,
+    const Recorded& recorded, BenchPoint& point) {
+    const Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
+    const BodyPoint& tracked = *lesson.dynamics->point;
+    double largest_kinetic = 0.0;
+    double change = 0.0;
+    double energy_at_start = 0.0;
+    point.position = point.velocity = point.violation = 0.0;
+    for (std::size_t k = 0; k < recorded.states.size(); ++k) {
+        const std::vector<double>& y = recorded.states[k];
+        const Vec3 position = simulation.point(y, tracked.body, tracked.point_local);
+        point.position = std::max(point.position, (position - reference.positions[k]).norm());
+        if (!reference.velocities.empty()) {
+            const Vec3 velocity = simulation.point_velocity(y, tracked.body, tracked.point_local);
+            point.velocity = std::max(point.velocity, (velocity - reference.velocities[k]).norm());
+        }
+        point.violation =
+            std::max(point.violation, simulation.equations().violation(reference.times[k], y.data()).first);
+        const double kinetic = simulation.equations().kinetic_energy(y.data());
+        const double energy = kinetic + simulation.equations().potential_energy(y.data());
+        if (k == 0) { energy_at_start = energy; }
+        largest_kinetic = std::max(largest_kinetic, kinetic);
+        change = std::max(change, std::abs(energy - energy_at_start));
+    }
+    if (reference.velocities.empty()) { point.velocity = kNotKnown; }
+    point.energy = keeps_energy(lesson) && largest_kinetic > 0.0 ? change / largest_kinetic : kNotKnown;
+}
+
+BenchPoint bench_point(
+    const Lesson& lesson, const SimulationSettings& settings, const Reference& reference, double setting,
+    double least_time) {
+    BenchPoint point;
+    point.setting = setting;
+    const Recorded first = record(lesson, settings, reference.times);
+    point.counts = first.outcome.counts;
+    point.cpu = first.cpu;
+    for (double spent = first.cpu; spent < least_time;) {
+        const double again = record(lesson, settings, reference.times).cpu;
+        point.cpu = std::min(point.cpu, again);
+        spent += again;
+    }
+    if (first.outcome.failure) {
+        point.failure = failure_text(*first.outcome.failure, settings);
+        point.position = point.velocity = point.energy = kNotKnown;
+        return point;
+    }
+    measure(lesson, settings, reference, first, point);
+    return point;
+}
+
+}  // namespace
+
+std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file) {
+    const std::filesystem::path path =
+        catalogue_folder().parent_path() / "reference" / (lesson_file.stem().string() + ".csv");
+    std::ifstream file(path);
+    if (!file) { return std::nullopt; }
+    Reference reference;
+    std::string line;
+    std::getline(file, line);
+    reference.origin = line.starts_with("# ") ? line.substr(2) : line;
+    std::getline(file, line);  // names of the columns
+    while (std::getline(file, line)) {
+        std::ranges::replace(line, ',', ' ');
+        std::istringstream numbers(line);
+        double t = 0.0;
+        Vec3 r;
+        Vec3 v;
+        numbers >> t >> r.x() >> r.y() >> r.z() >> v.x() >> v.y() >> v.z();
+        reference.times.push_back(t);
+        reference.positions.push_back(r);
+        reference.velocities.push_back(v);
+    }
+    return reference;
+}
+
+Reference own_reference(const Lesson& lesson) {
+    Reference reference;
+    reference.times = equal_times(lesson.dynamics->duration, 100);
+    const BodyPoint& tracked = *lesson.dynamics->point;
+    const auto run = [&](double tolerance) {
+        SimulationSettings settings;
+        settings.tolerance = tolerance;
+        settings.most_steps = kMostSteps;
+        Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
+        std::vector<std::pair<Vec3, Vec3>> path;
+        simulation.run(reference.times, [&](double, const std::vector<double>& y) {
+            path.emplace_back(
+                simulation.point(y, tracked.body, tracked.point_local),
+                simulation.point_velocity(y, tracked.body, tracked.point_local));
+        });
+        return path;
+    };
+    const auto best = run(1e-13);
+    const auto check = run(1e-12);
+    double apart = 0.0;
+    for (std::size_t k = 0; k < std::min(best.size(), check.size()); ++k) {
+        apart = std::max(apart, (best[k].first - check[k].first).norm());
+    }
+    reference.times.resize(best.size());
+    for (const auto& [position, velocity] : best) {
+        reference.positions.push_back(position);
+        reference.velocities.push_back(velocity);
+    }
+    reference.origin = "none stored: explicit-8 at tolerance 1e-13, " + number_text(apart, 2) +
+                       " m from the same at 1e-12; errors below that say nothing";
+    return reference;
+}
+
+std::optional<double> BenchRun::time_to(double error) const {
+    std::optional<double> least;
+    for (const BenchPoint& point : points) {
+        if (!(point.position <= error)) { continue; }
+        least = std::min(least.value_or(point.cpu), point.cpu);
+    }
+    return least;
+}
+
+std::vector<BenchRun> bench_dynamics(
+    const Lesson& lesson, const Reference& reference, const BenchPlan& plan) {
+    std::vector<BenchRun> runs;
+    std::vector<Method> methods = plan.methods;
+    if (methods.empty()) {
+        methods = {Method::explicit_5, Method::explicit_8, Method::implicit_5, Method::implicit_9};
+    }
+    for (const Method method : methods) {
+        BenchRun run;
+        run.scene = lesson.title;
+        run.method = method;
+        run.treatment = plan.treatment;
+        for (const double setting : settings_of(method, lesson.dynamics->duration)) {
+            SimulationSettings settings;
+            settings.method = method;
+            settings.treatment = plan.treatment;
+            settings.tolerance = settings.step = setting;
+            settings.most_steps = kMostSteps;
+            run.points.push_back(bench_point(lesson, settings, reference, setting, plan.least_time));
+            // tighter ones would take longer still
+            if (run.points.back().cpu > kTooLong) { break; }
+        }
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+SeriesSet work_precision(const std::vector<BenchRun>& runs) {
+    SeriesSet set;
+    set.axis = "digits of position, -log10(error / m)";
+    set.logarithmic = true;
+    constexpr double finest = 0.1;
+    for (double digits = 0.0; digits <= 14.0; digits += finest) { set.at.push_back(digits); }
+    set.steps.assign(set.at.size(), 0);
+    for (const BenchRun& run : runs) {
+        Series series;
+        series.name = entry_of(run.method).name;
+        series.unit = "ms";
+        for (const double digits : set.at) {
+            const auto time = run.time_to(std::pow(10.0, -digits));
+            series.values.push_back(time ? 1e3 * *time : kNotKnown);
+        }
+        set.telling.push_back(static_cast<int>(set.series.size()));
+        set.series.push_back(std::move(series));
+    }
+    // only as far as somebody comes
+    while (!set.at.empty() &&
+           std::ranges::all_of(set.series, [](const Series& s) { return std::isnan(s.values.back()); })) {
+        set.at.pop_back();
+        set.steps.pop_back();
+        for (Series& series : set.series) { series.values.pop_back(); }
+    }
+    if (set.at.empty()) { set.why_empty = "No method reached the end."; }
+    return set;
+}
+
+}  // namespace jw

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/dynamics_run.hpp"
+#include "app/session/series.hpp"
+
+/// Speed against error: what a digit costs, method by method.
+namespace jw {
+
+/// Positions of a lesson's point at equal times from 0 to its duration, known beforehand.
+struct Reference {
+    std::string origin;            ///< one sentence: how it was computed
+    std::vector<double> times;     ///< [s]
+    std::vector<Vec3> positions;   ///< [m]
+    std::vector<Vec3> velocities;  ///< [m/s]; may be empty
+};
+/// The stored reference of a lesson file, lessons/reference/NAME.csv; nothing if there is none.
+std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
+/// By the lesson itself, with the tightest tolerance of two methods; `origin` says how far they are apart.
+Reference own_reference(const Lesson& lesson);
+
+/// One run.
+struct BenchPoint {
+    double setting = 0.0;    ///< tolerance or step [s]
+    double cpu = 0.0;        ///< [s], the least of several runs
+    double position = 0.0;   ///< largest distance from the reference [m]; NaN: the run failed
+    double velocity = 0.0;   ///< likewise [m/s]; NaN where the reference has none
+    double energy = 0.0;     ///< largest change by the largest kinetic energy; NaN where energy is not kept
+    double violation = 0.0;  ///< largest |Φ|, by the size of its equation
+    IntegrationCounts counts;
+    std::string failure;
+};
+
+struct BenchRun {
+    std::string scene;
+    Method method = Method::explicit_8;
+    Treatment treatment = Treatment::projection;
+    std::vector<BenchPoint> points;  ///< from the loosest to the tightest setting
+
+    /// Least time of a run whose position error is at most `error` [s].
+    std::optional<double> time_to(double error) const;
+};
+
+struct BenchPlan {
+    std::vector<Method> methods;  ///< empty: explicit-5, explicit-8, implicit-5, implicit-9
+    Treatment treatment = Treatment::projection;
+    double least_time = 0.02;  ///< runs are repeated until this much CPU time has passed [s]
+};
+
+/// The sweep of one lesson by all methods of the plan.
+std::vector<BenchRun> bench_dynamics(const Lesson& lesson, const Reference& reference, const BenchPlan& plan);
+
+/// CPU time over digits of position, one curve per method: the least time that reaches so many digits.
+SeriesSet work_precision(const std::vector<BenchRun>& runs);
+
+}  // namespace jw

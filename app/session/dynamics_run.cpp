@@ -1,0 +1,159 @@
+#include "app/session/dynamics_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/session/numbers.hpp"
+#include "core/dynamics/reactions.hpp"
+
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+void add_columns(std::vector<std::string>& columns, const std::string& prefix) {
+    for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
+}
+
+std::string name_of(const Reaction& reaction, const Mechanism& mechanism) {
+    return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
+                               : mechanism.drivers[at(reaction.driver)].name;
+}
+
+std::vector<std::string> columns_of(const Lesson& lesson) {
+    std::vector<std::string> columns{"time_s"};
+    for (const Body& body : lesson.mechanism.bodies) {
+        if (body.fixed) { continue; }
+        add_columns(columns, body.name + ".");
+        for (const char* e : {"e0", "e1", "e2", "e3"}) { columns.push_back(body.name + "." + e); }
+        add_columns(columns, body.name + ".r_dot.");
+        add_columns(columns, body.name + ".omega_local.");
+    }
+    for (const char* name :
+         {"kinetic_J", "potential_J", "position_violation", "velocity_violation", "p_drift"}) {
+        columns.push_back(name);
+    }
+    return columns;
+}
+
+std::vector<double> row_of(const Snapshot& snapshot, const Mechanism& mechanism) {
+    std::vector<double> row{snapshot.t};
+    const auto add = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        if (mechanism.bodies[b].fixed) { continue; }
+        add(snapshot.state.r[b]);
+        add(snapshot.state.p[b]);
+        add(snapshot.velocity.r_dot[b]);
+        add(snapshot.velocity.omega_local[b]);
+    }
+    row.insert(
+        row.end(), {snapshot.kinetic, snapshot.potential, snapshot.position_violation,
+                    snapshot.velocity_violation, snapshot.p_drift});
+    return row;
+}
+
+/// Reactions at one sample, in the centroidal frames that they do not depend on.
+Reactions reactions_at(const Simulation& simulation, double t, const std::vector<double>& y) {
+    const Centroidal& scene = simulation.scene();
+    const Snapshot snapshot = simulation.snapshot(t, y);
+    const State state = scene.to_centroidal(snapshot.state);
+    const Motion velocity = scene.to_centroidal(snapshot.state, snapshot.velocity);
+    return find_reactions(scene, t, state, velocity, simulation.acceleration(t, y));
+}
+
+void add_reactions(
+    const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
+    const bool first = table.rows.empty();
+    for (const Reaction& reaction : found.reactions) {
+        const std::string name = name_of(reaction, mechanism);
+        if (first) {
+            add_columns(table.columns, name + ".force.");
+            add_columns(table.columns, name + ".torque.");
+        }
+        row.insert(row.end(), reaction.wrench.force.begin(), reaction.wrench.force.end());
+        row.insert(row.end(), reaction.wrench.torque.begin(), reaction.wrench.torque.end());
+        const bool known = std::ranges::find(table.not_unique, name) != table.not_unique.end();
+        if (!reaction.unique() && !known) { table.not_unique.push_back(name); }
+    }
+}
+
+std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
+    const IntegrationCounts& c = table.outcome.counts;
+    std::string text = std::to_string(c.steps) + " steps, " + std::to_string(c.rejected) + " rejected, " +
+                       std::to_string(c.evaluations) + " evaluations, " + std::to_string(c.projections) +
+                       " projections";
+    if (c.singular_passages > 0) {
+        text += ", " + std::to_string(c.singular_passages) + " steps near a singular position";
+    }
+    if (c.row_choices > 0) { text += ", rows chosen anew " + std::to_string(c.row_choices) + " times"; }
+    double position = 0.0;
+    double energy = 0.0;
+    for (const std::vector<double>& row : table.rows) {
+        const auto sum = [&](const std::vector<double>& r) { return r[kinetic] + r[kinetic + 1]; };
+        energy = std::max(energy, std::abs(sum(row) - sum(table.rows.front())));
+        position = std::max(position, row[kinetic + 2]);
+    }
+    return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
+           number_text(position, 2);
+}
+
+}  // namespace
+
+DynamicsRequest request_of(const Lesson& lesson) {
+    if (!lesson.dynamics) { throw std::invalid_argument("the lesson has no [dynamics]"); }
+    const DynamicsPlan& plan = *lesson.dynamics;
+    DynamicsRequest request;
+    request.settings.method = plan.method;
+    request.settings.treatment = plan.treatment;
+    request.settings.tolerance = plan.tolerance;
+    request.settings.step = plan.step;
+    request.duration = plan.duration;
+    return request;
+}
+
+std::vector<double> equal_times(double duration, int intervals) {
+    std::vector<double> times;
+    for (int k = 0; k <= intervals; ++k) { times.push_back(duration * k / intervals); }
+    return times;
+}
+
+std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings) {
+    const std::string where = "the simulation ends at t = " + number_text(failure.t, 6) + " s: ";
+    switch (failure.cause) {
+        case SimulationFailure::Cause::not_finite:
+            return where +
+                   "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "
+                   "helps, for stiff springs implicit-5";
+        case SimulationFailure::Cause::too_many_steps:
+            return where + std::to_string(settings.most_steps) +
+                   " steps were not enough; a stiff scene needs implicit-5, others a larger tolerance or "
+                   "step";
+        case SimulationFailure::Cause::step_too_small: break;
+    }
+    return where +
+           "no step is small enough for the tolerance; the constraints may contradict each other there, or "
+           "the "
+           "mechanism is at the end of its reach (look at that pose with 'jointwise inspect')";
+}
+
+DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
+    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, request.settings);
+    DynamicsTable table;
+    table.columns = columns_of(lesson);
+    const std::size_t kinetic = table.columns.size() - 5;
+    table.outcome = simulation.run(
+        equal_times(request.duration, request.samples), [&](double t, const std::vector<double>& y) {
+            std::vector<double> row = row_of(simulation.snapshot(t, y), lesson.mechanism);
+            if (request.reactions) {
+                add_reactions(reactions_at(simulation, t, y), lesson.mechanism, table, row);
+            }
+            table.rows.push_back(std::move(row));
+        });
+    table.summary = summary_of(table, kinetic);
+    if (table.outcome.failure) { table.failure = failure_text(*table.outcome.failure, request.settings); }
+    return table;
+}
+
+}  // namespace jw

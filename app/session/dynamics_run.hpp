@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/simulation.hpp"
+#include "lessons/lesson.hpp"
+
+/// A lesson of dynamics, run from its start.
+namespace jw {
+
+/// What a run is asked for; a lesson says what holds unless asked otherwise.
+struct DynamicsRequest {
+    SimulationSettings settings;
+    double duration = 1.0;  ///< [s]
+    int samples = 100;      ///< equal intervals
+    bool reactions = false;
+};
+/// @throws std::invalid_argument if the lesson has no [dynamics]
+DynamicsRequest request_of(const Lesson& lesson);
+
+/// One line per time, as `columns` say.
+struct DynamicsTable {
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> rows;
+    SimulationOutcome outcome;
+    std::string summary;  ///< steps, evaluations, drift in words
+    std::string failure;  ///< what went wrong, where and why; empty if nothing did
+    /// Joints whose reactions are one of many answers; only if reactions were asked for.
+    std::vector<std::string> not_unique;
+};
+
+DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);
+
+/// Equal times from 0 to `duration`.
+std::vector<double> equal_times(double duration, int intervals);
+
+/// Why a simulation ended early, with what to do about it.
+std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings);
+
+}  // namespace jw

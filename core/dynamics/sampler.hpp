@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "core/dynamics/time_stepper.hpp"
+
+/// The state at asked times, between the steps of an integrator.
+namespace jw {
+
+/// Polynomials of degree 8 through the last three steps: r, p and their two derivatives are known there, so
+/// that no evaluation is needed. The error, (step)⁹, is below that of the methods. Methods with a polynomial
+/// of their own (stiff ones, whose accelerations are less exact than their positions) give it instead.
+class Sampler {
+public:
+    using Receive = std::function<void(double t, const std::vector<double>& y)>;
+
+    /// Calls `receive` once per time, in order, as soon as it is known; `times` ascend. What it gets is flat
+    /// (flat_state.hpp) whatever the coordinates of `equations`, which must outlive this.
+    Sampler(const MotionEquations& equations, std::vector<double> times, Receive receive)
+        : equations_(&equations), times_(std::move(times)), receive_(std::move(receive)) {}
+
+    /// To be called with the start and after every step.
+    void take(const TimeStepper& stepper);
+    /// After the last step: what is left.
+    void finish();
+
+private:
+    struct Node {
+        double t = 0.0;
+        std::vector<double> y;
+        std::vector<double> y_dot;
+    };
+    void give_until(double t_end);
+    void interpolate(double t);
+
+    const MotionEquations* equations_;
+    std::vector<double> times_;
+    Receive receive_;
+    std::size_t next_ = 0;
+    std::array<Node, 3> nodes_;
+    int known_ = 0;  ///< nodes that are set, the latest last
+    std::vector<double> y_;
+};
+
+}  // namespace jw

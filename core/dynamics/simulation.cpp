@@ -1,0 +1,164 @@
+#include "core/dynamics/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/dynamics/dense_equations.hpp"
+#include "core/dynamics/explicit_integrator.hpp"
+#include "core/dynamics/radau.hpp"
+#include "core/dynamics/semi_implicit.hpp"
+
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+const MethodName& entry_of(Method method) {
+    return *std::ranges::find(kMethods, method, &MethodName::method);
+}
+
+void require(const SimulationSettings& settings) {
+    const bool adaptive = entry_of(settings.method).adaptive;
+    if (adaptive && !(settings.tolerance > 0.0)) {
+        throw std::invalid_argument("the tolerance must be positive");
+    }
+    const bool is_runge_kutta = settings.method == Method::euler || settings.method == Method::rk4 ||
+                                settings.method == Method::explicit_5 ||
+                                settings.method == Method::explicit_8;
+    if (settings.dense && !is_runge_kutta) {
+        throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
+    }
+    if (!adaptive && !(settings.step > 0.0)) { throw std::invalid_argument("the step must be positive"); }
+}
+
+Baumgarte stabilisation(const SimulationSettings& settings) {
+    if (settings.treatment != Treatment::baumgarte) { return {}; }
+    return {settings.baumgarte, settings.baumgarte};
+}
+
+}  // namespace
+
+Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings)
+    : scene_(centroidal(mechanism, loads)), settings_(settings) {
+    require(settings);
+    block_ = block_equations(scene_, stabilisation(settings));
+    if (settings.dense) { dense_ = dense_equations(scene_, *settings.dense, stabilisation(settings)); }
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        order_of_body_.push_back(mechanism.bodies[b].fixed ? -1 : static_cast<int>(moving_.size()));
+        if (!mechanism.bodies[b].fixed) { moving_.push_back(static_cast<int>(b)); }
+    }
+    start_.resize(static_cast<std::size_t>(block_->size()));
+    pack(start_state(scene_.mechanism), start_motion(scene_.mechanism), moving_, start_.data());
+    block_->choose_rows(0.0, start_.data());
+    block_->project(0.0, start_.data());
+}
+
+std::unique_ptr<TimeStepper> Simulation::stepper() const {
+    IntegrationOptions options;
+    options.tolerance = settings_.tolerance;
+    options.length_scale = extent(scene_.mechanism);
+    options.project =
+        settings_.treatment == Treatment::projection || settings_.treatment == Treatment::tangent;
+    if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
+    const auto explicit_one = [&](const RungeKuttaTable& table) {
+        MotionEquations& equations = dense_ ? *dense_ : *block_;
+        std::vector<double> y(static_cast<std::size_t>(equations.size()));
+        equations.from_flat(start_.data(), y.data());
+        return std::make_unique<ExplicitIntegrator>(equations, table, options, 0.0, std::move(y));
+    };
+    switch (settings_.method) {
+        case Method::euler: return explicit_one(explicit_euler());
+        case Method::rk4: return explicit_one(runge_kutta_4());
+        case Method::explicit_5: return explicit_one(dormand_prince_54());
+        case Method::explicit_8: return explicit_one(dormand_prince_853());
+        case Method::semi_implicit: return std::make_unique<SemiImplicitEuler>(*block_, options, 0.0, start_);
+        case Method::implicit_5:
+            return std::make_unique<RadauIntegrator>(scene_, *block_, 3, options, 0.0, start_);
+        case Method::implicit_9: break;
+    }
+    return std::make_unique<RadauIntegrator>(scene_, *block_, 5, options, 0.0, start_);
+}
+
+SimulationOutcome Simulation::run(const std::vector<double>& times, const Sampler::Receive& receive) {
+    const std::unique_ptr<TimeStepper> integration = stepper();
+    Sampler sampler(dense_ ? *dense_ : *block_, times, receive);
+    sampler.take(*integration);
+    const double end = times.empty() ? 0.0 : times.back();
+    SimulationOutcome outcome;
+    while (integration->t() < end && !outcome.failure) {
+        const bool went_on = integration->step(end);
+        const bool finite = std::ranges::all_of(integration->y(), [](double x) { return std::isfinite(x); });
+        using Cause = SimulationFailure::Cause;
+        if (!finite) {
+            outcome.failure = SimulationFailure{Cause::not_finite, integration->t()};
+        } else if (!went_on) {
+            outcome.failure = SimulationFailure{Cause::step_too_small, integration->t()};
+        } else if (integration->counts().steps >= settings_.most_steps) {
+            outcome.failure = SimulationFailure{Cause::too_many_steps, integration->t()};
+        }
+        if (finite) { sampler.take(*integration); }
+    }
+    sampler.finish();
+    outcome.counts = integration->counts();
+    return outcome;
+}
+
+Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
+    Snapshot snapshot;
+    snapshot.t = t;
+    State state = start_state(scene_.mechanism);
+    Motion motion = start_motion(scene_.mechanism);
+    unpack(y.data(), moving_, state, motion);
+    for (const int body : moving_) {
+        snapshot.p_drift = std::max(snapshot.p_drift, std::abs(state.p[at(body)].norm() - 1.0));
+    }
+    snapshot.kinetic = block_->kinetic_energy(y.data());
+    snapshot.potential = block_->potential_energy(y.data());
+    std::tie(snapshot.position_violation, snapshot.velocity_violation) = block_->violation(t, y.data());
+    std::size_t theta = 0;
+    for (const Joint& joint : scene_.mechanism.joints) {
+        if (joint.type->artificial > 0) { state.theta[theta++] = relative_angle(joint, state); }
+    }
+    snapshot.state = scene_.as_given(state);
+    snapshot.velocity = scene_.as_given(state, motion);
+    return snapshot;
+}
+
+Vec3 Simulation::point(const std::vector<double>& y, int body, const Vec3& point_local) const {
+    const int order = order_of_body_[at(body)];
+    const Body& fixed = scene_.mechanism.bodies[at(body)];
+    if (order < 0) { return fixed.r + rotation_matrix(fixed.p) * point_local; }
+    const double* numbers = body_numbers(y.data(), at(order));
+    return vec3(numbers) +
+           rotation_matrix(vec4(numbers + 3).normalized()) * (point_local - scene_.centres[at(body)]);
+}
+
+Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Vec3& point_local) const {
+    const int order = order_of_body_[at(body)];
+    if (order < 0) { return Vec3::Zero(); }
+    const double* numbers = body_numbers(y.data(), at(order));
+    return vec3(numbers + 7) + rotation_matrix(vec4(numbers + 3).normalized()) *
+                                   vec3(numbers + 10).cross(point_local - scene_.centres[at(body)]);
+}
+
+Motion Simulation::acceleration(double t, const std::vector<double>& y) const {
+    std::vector<double> y_dot(y.size());
+    block_->evaluate(t, y.data(), y_dot.data());
+    Motion out = zero_motion(scene_.mechanism);
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        out.r_dot[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 7);
+        out.omega_local[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 10);
+    }
+    return out;
+}
+
+Motion Simulation::acceleration_as_given(double t, const std::vector<double>& y) const {
+    State state = start_state(scene_.mechanism);
+    Motion motion = start_motion(scene_.mechanism);
+    unpack(y.data(), moving_, state, motion);
+    return scene_.acceleration_as_given(state, motion, acceleration(t, y));
+}
+
+}  // namespace jw

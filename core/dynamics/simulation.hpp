@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/methods.hpp"
+#include "core/dynamics/sampler.hpp"
+
+/// A mechanism under its loads from t = 0 on, by any of the methods.
+namespace jw {
+
+struct SimulationSettings {
+    Method method = Method::explicit_8;
+    Treatment treatment = Treatment::projection;
+    double tolerance = 1e-6;  ///< of adaptive methods
+    double step = 1e-3;       ///< of the others [s]
+    long most_steps = 10'000'000;
+    double baumgarte = 20.0;  ///< α = β of Baumgarte's stabilisation [1/s]
+    /// Set: the dense equations of the slides in these coordinates, for explicit Runge-Kutta methods; else
+    /// the block-sparse ones in (r, ω').
+    std::optional<CoordinateChoice> dense;
+};
+
+/// The mechanism at one moment, in the frames of its author.
+struct Snapshot {
+    double t = 0.0;
+    State state;
+    Motion velocity;
+    double kinetic = 0.0;             ///< energy [J]
+    double potential = 0.0;           ///< of gravity and springs [J]
+    double position_violation = 0.0;  ///< largest |Φ|, by the size of its equation
+    double velocity_violation = 0.0;  ///< largest |Φq q̇ - ν| likewise [1/s]
+    double p_drift = 0.0;             ///< largest ||p| - 1|
+};
+
+/// Why a simulation ended before its time.
+struct SimulationFailure {
+    enum class Cause { step_too_small, not_finite, too_many_steps };
+    Cause cause = Cause::step_too_small;
+    double t = 0.0;
+};
+
+struct SimulationOutcome {
+    IntegrationCounts counts;
+    std::optional<SimulationFailure> failure;
+};
+
+class Simulation {
+public:
+    /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
+    Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
+
+    /// The start, moved onto the constraints.
+    const std::vector<double>& start() const { return start_; }
+    /// From the start to the last of `times` (ascending, from 0 on); every time is given to `receive` in
+    /// order.
+    SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
+
+    Snapshot snapshot(double t, const std::vector<double>& y) const;
+    /// Position of a point of a body as given [m].
+    Vec3 point(const std::vector<double>& y, int body, const Vec3& point_local) const;
+    /// Velocity of it [m/s].
+    Vec3 point_velocity(const std::vector<double>& y, int body, const Vec3& point_local) const;
+    /// Accelerations r̈, ω̇' of the centroidal frames.
+    Motion acceleration(double t, const std::vector<double>& y) const;
+    /// The same of the frames of the author.
+    Motion acceleration_as_given(double t, const std::vector<double>& y) const;
+    const Centroidal& scene() const { return scene_; }
+    /// Block-sparse, in flat states, whatever the simulation itself uses.
+    MotionEquations& equations() const { return *block_; }
+
+private:
+    std::unique_ptr<TimeStepper> stepper() const;
+
+    Centroidal scene_;
+    SimulationSettings settings_;
+    std::vector<int> moving_;
+    std::vector<int> order_of_body_;
+    std::unique_ptr<MotionEquations> block_;
+    std::unique_ptr<MotionEquations> dense_;  ///< null unless asked for
+    std::vector<double> start_;               ///< flat
+};
+
+}  // namespace jw
