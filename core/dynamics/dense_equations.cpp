@@ -64,6 +64,7 @@ DenseEquations<C>::DenseEquations(const Centroidal& scene, const Baumgarte& baum
       system_(scene.mechanism, everything(scene.mechanism)),
       assembler_(system_),
       saddle_point_(scaling_of<C>(system_)),
+      system_before_(system_),
       state_(start_state(scene.mechanism)),
       motion_(zero_motion(scene.mechanism)),
       velocity_(VectorX::Zero(assembler_.layout().columns())),

@@ -40,6 +40,8 @@ public:
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
     double project(double t, double* y) override;
     bool choose_rows(double t, const double* y) override;
+    double smallest_pivot() const override { return saddle_point_.smallest_pivot(); }
+    void take_back_rows() override;
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
@@ -78,6 +80,8 @@ private:
     System system_;
     Assembler<C> assembler_;
     SaddlePoint saddle_point_;
+    System system_before_;  ///< with the rows of the rule before the last choice
+    std::vector<int> kept_before_;
     State state_;
     Motion motion_;
     VectorX velocity_;  ///< motion_ as columns

@@ -36,12 +36,20 @@ void DenseEquations<C>::measure_rows() {
 
 template <class C>
 bool DenseEquations<C>::choose_rows(double t, const double* y) {
+    system_before_ = system_;
+    kept_before_ = saddle_point_.kept();
     read(y);
     const bool other_equations = system_.choose_rows(state_);
     assembler_.assemble_phi_and_jacobian(state_, t);
     measure_rows();
     const double threshold = rank_threshold(largest(assembler_.phi()));
     return saddle_point_.choose_rows(jacobian(), threshold) || other_equations;
+}
+
+template <class C>
+void DenseEquations<C>::take_back_rows() {
+    system_ = system_before_;
+    saddle_point_.keep(kept_before_);
 }
 
 /// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.

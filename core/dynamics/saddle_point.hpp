@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <Eigen/QR>
@@ -38,6 +39,8 @@ public:
     bool choose_rows(const MatrixX& jacobian, double relative_threshold);
     /// Rows that count, the most independent first.
     const std::vector<int>& kept() const { return kept_; }
+    /// A choice made before.
+    void keep(std::vector<int> rows) { kept_ = std::move(rows); }
 
     /// @param mass [columns x columns], symmetric, positive semidefinite
     void factor(const MatrixX& mass, const MatrixX& jacobian);
