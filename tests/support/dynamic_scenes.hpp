@@ -88,6 +88,24 @@ struct Moment {
     Motion motion;
 };
 
+inline std::vector<BodyKinematics<OmegaLocal>> bodies_of(const Moment& moment) {
+    std::vector<BodyKinematics<OmegaLocal>> out(moment.state.r.size());
+    for (std::size_t b = 0; b < out.size(); ++b) {
+        out[b].r = moment.state.r[b];
+        out[b].p = moment.state.p[b];
+        out[b].A = OmegaLocal::rotation(out[b].p);
+        out[b].r_dot = moment.motion.r_dot[b];
+        OmegaLocal::set_motion(out[b], moment.motion.omega_local[b]);
+    }
+    return out;
+}
+
+inline std::vector<BodyForce> forces_of(const Loads& loads, const Moment& moment, double t = 0.0) {
+    std::vector<BodyForce> out(moment.state.r.size());
+    add_forces(loads, bodies_of(moment), t, out);
+    return out;
+}
+
 inline std::vector<int> moving_bodies_of(const Mechanism& mechanism) {
     return System(mechanism, everything(mechanism)).moving_bodies();
 }

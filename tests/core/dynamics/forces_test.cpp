@@ -6,26 +6,6 @@ using namespace jw;
 
 namespace {
 
-using Bodies = std::vector<BodyKinematics<OmegaLocal>>;
-
-Bodies bodies_of(const test::Moment& moment) {
-    Bodies out(moment.state.r.size());
-    for (std::size_t b = 0; b < out.size(); ++b) {
-        out[b].r = moment.state.r[b];
-        out[b].p = moment.state.p[b];
-        out[b].A = OmegaLocal::rotation(out[b].p);
-        out[b].r_dot = moment.motion.r_dot[b];
-        OmegaLocal::set_motion(out[b], moment.motion.omega_local[b]);
-    }
-    return out;
-}
-
-std::vector<BodyForce> forces_of(const Loads& loads, const Bodies& bodies, double t = 0.0) {
-    std::vector<BodyForce> out(bodies.size());
-    add_forces(loads, bodies, t, out);
-    return out;
-}
-
 /// Two bodies anywhere, moving anyhow.
 struct Pair {
     Mechanism mechanism;
@@ -55,7 +35,7 @@ TEST_CASE("Forces of gravity and springs are the slope of the potential energy",
         const Centroidal scene = centroidal(mechanism, test::random_conservative_loads(random, mechanism));
         REQUIRE(scene.loads.rotational_springs.size() == 1);
         const test::Moment moment = test::random_moment(random, scene, 0.0);
-        const std::vector<BodyForce> forces = forces_of(scene.loads, bodies_of(moment));
+        const std::vector<BodyForce> forces = test::forces_of(scene.loads, moment);
         // central differences: h² times third derivatives of up to 1e2, and rounding of 1e2 J over h
         const double h = 1e-5;
         const double tolerance = 1e-7;
@@ -67,7 +47,7 @@ TEST_CASE("Forces of gravity and springs are the slope of the potential energy",
                     if (k >= 3) {
                         moved.state.p[b] = turned_local(moved.state.p[b], step * Vec3::Unit(k - 3));
                     }
-                    return potential_energy(scene.loads, bodies_of(moved));
+                    return potential_energy(scene.loads, test::bodies_of(moved));
                 };
                 const double slope = (energy(h) - energy(-h)) / (2.0 * h);
                 CAPTURE(seed, b, k);
@@ -87,8 +67,8 @@ TEST_CASE(
         const Vec3 P_j = random.vector();
         Loads loads = without_loads(pair.mechanism, seed);
         loads.springs.push_back({0, 1, P_i, P_j, 0.0, 0.0, 1.7});
-        const Bodies bodies = bodies_of(pair.moment);
-        const std::vector<BodyForce> forces = forces_of(loads, bodies);
+        const auto bodies = test::bodies_of(pair.moment);
+        const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
         double power = 0.0;
         Vec3 total = Vec3::Zero();
         Vec3 torque = Vec3::Zero();
@@ -117,7 +97,7 @@ TEST_CASE(
     "Forces and torques act at their point, in the frame and at the time they are given in",
     "[core][dynamics][forces]") {
     const Pair pair = random_pair(4);
-    const Bodies bodies = bodies_of(pair.moment);
+    const auto bodies = test::bodies_of(pair.moment);
     const Mat3& A = bodies[1].A;
     const Vec3 point(0.1, -0.4, 0.3);
     const Vec3 direction(1.0, 2.0, -2.0);
@@ -128,7 +108,7 @@ TEST_CASE(
         Loads loads = without_loads(pair.mechanism, 4);
         loads.forces.push_back({1, point, direction, frame, grows});
         loads.torques.push_back({1, direction, frame, grows});
-        const std::vector<BodyForce> forces = forces_of(loads, bodies, 0.5);
+        const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment, 0.5);
         const Vec3 f = size * (frame == Frame::local ? (A * direction).eval() : direction);
         const Vec3 n = (A * point).cross(f) + f;  // the torque has the numbers of the force
         CHECK((forces[1].f - f).norm() < 1e-14);
@@ -142,6 +122,6 @@ TEST_CASE("A spring without length between its ends does not pull", "[core][dyna
     pair.moment.state.r[1] = pair.moment.state.r[0];
     Loads loads = without_loads(pair.mechanism, 5);
     loads.springs.push_back({0, 1, Vec3::Zero(), Vec3::Zero(), 10.0, 0.5, 1.0});
-    const std::vector<BodyForce> forces = forces_of(loads, bodies_of(pair.moment));
+    const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
     CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
 }

@@ -107,20 +107,11 @@ TEST_CASE("What loads and dampers put in is what the energy grows by", "[core][d
             e.evaluate(t, at, y_dot);
             test::Moment moment = start;
             e.unpack(at, moment.state, moment.motion);
-            std::vector<BodyKinematics<OmegaLocal>> bodies(moment.state.r.size());
-            std::vector<BodyForce> forces(bodies.size());
-            for (std::size_t b = 0; b < bodies.size(); ++b) {
-                bodies[b].r = moment.state.r[b];
-                bodies[b].p = moment.state.p[b];
-                bodies[b].A = OmegaLocal::rotation(bodies[b].p);
-                bodies[b].r_dot = moment.motion.r_dot[b];
-                OmegaLocal::set_motion(bodies[b], moment.motion.omega_local[b]);
-            }
-            add_forces(active, bodies, t, forces);
+            const std::vector<BodyForce> forces = test::forces_of(active, moment, t);
             double power = 0.0;
-            for (std::size_t b = 0; b < bodies.size(); ++b) {
-                power +=
-                    forces[b].f.dot(bodies[b].r_dot) + forces[b].n_local.dot(moment.motion.omega_local[b]);
+            for (std::size_t b = 0; b < forces.size(); ++b) {
+                power += forces[b].f.dot(moment.motion.r_dot[b]) +
+                         forces[b].n_local.dot(moment.motion.omega_local[b]);
             }
             y_dot[size] = power;
         };
