@@ -8,6 +8,8 @@ namespace jw::test {
 
 TEST_CASE("newton compares methods and coordinates for every lesson", "[app][commands]") {
     for (const auto& file : all_lesson_files()) {
+        // a free body: nothing is solved
+        if (shipped(file).mechanism.joints.empty()) { continue; }
         for (const std::string compare : {"methods", "coordinates"}) {
             const Ran ran = run({"newton", file.string(), "--compare", compare, "--format", "json"});
             INFO(file << " " << compare << ran.err);

@@ -36,7 +36,9 @@ std::vector<Action> edits_of(const Lesson& lesson) {
         all.push_back(SetDriver{d, function});
         all.push_back(SetPresent{{Addition::Kind::driver, d}, false});
     }
-    all.push_back(SetPresent{{Addition::Kind::joint, static_cast<int>(m.joints.size()) - 1}, false});
+    if (!m.joints.empty()) {
+        all.push_back(SetPresent{{Addition::Kind::joint, static_cast<int>(m.joints.size()) - 1}, false});
+    }
     return all;
 }
 
