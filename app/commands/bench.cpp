@@ -32,9 +32,12 @@ struct SceneResult {
     std::vector<BenchRun> runs;
 };
 
-/// Lesson files: as given, or by their name among the shipped scenes of dynamics.
+/// Lesson files: as given, or by their name among the shipped scenes of dynamics, large ones included.
 std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
-    const std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder() / "dynamics");
+    std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder() / "dynamics");
+    const std::vector<std::filesystem::path> large =
+        lessons_below(catalogue_folder().parent_path() / "benchmark");
+    shipped.insert(shipped.end(), large.begin(), large.end());
     if (scenes.empty()) { return shipped; }
     std::vector<std::filesystem::path> files;
     for (const std::string& scene : scenes) {

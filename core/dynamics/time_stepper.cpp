@@ -17,7 +17,11 @@ double StateScales::largest(const std::vector<double>& y, std::size_t from, std:
 void StateScales::include(const std::vector<double>& y, const std::vector<double>& y_dot, double step) {
     // from rest the speed reached within a step counts
     velocity_ = std::max({velocity_, largest(y, 7, 10), 0.5 * step * largest(y_dot, 7, 10)});
-    omega_ = std::max({omega_, largest(y, 10, numbers_), velocity_ / length_});
+    omega_ = std::max({omega_, largest(y, 10, numbers_), 0.5 * step * largest(y_dot, 10, numbers_)});
+    // what only turns is compared with the speed of points one length away, and the other way round
+    constexpr double still = 1e-300;  // of a scene where nothing moves and nothing will
+    velocity_ = std::max({velocity_, omega_ * length_, still});
+    omega_ = std::max(omega_, velocity_ / length_);
 }
 
 double StateScales::first_step(const std::vector<double>& y_dot, double tolerance, int order) const {

@@ -1,0 +1,89 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) { lines.push_back(line); }
+    return lines;
+}
+
+const std::string kPendulum = lesson_path("dynamics/simple-pendulum.toml");
+
+}  // namespace
+
+TEST_CASE("simulate gives a table whose end is the reference", "[app][dynamics]") {
+    const Ran ran =
+        run({"simulate", kPendulum, "--tolerance", "1e-10", "--samples", "10", "--output", "json"});
+    REQUIRE(ran.status == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    CHECK(json["rows"].size() == 11);
+    const auto& row = json["rows"].back();
+    CHECK(row.size() == json["columns"].size());
+    CHECK(row[0] == 10.0);
+    // benchmarks' A01, at tolerance 1e-10
+    CHECK(row[1].get<double>() == Approx(-0.295850422283221).margin(1e-8));
+    CHECK(row[2].get<double>() == Approx(-0.955234278925772).margin(1e-8));
+    CHECK(json["failure"].is_null());
+}
+
+TEST_CASE("simulate --reactions adds forces and names what is not unique", "[app][dynamics]") {
+    const Ran ran = run(
+        {"simulate", lesson_path("dynamics/four-bar-1.toml"), "--reactions", "--samples", "2", "--duration",
+         "0.1"});
+    REQUIRE(ran.status == 0);
+    const std::vector<std::string> lines = lines_of(ran.out);
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0].find(".force.x") != std::string::npos);
+    CHECK(std::ranges::count(lines[0], ',') == std::ranges::count(lines[1], ','));
+    CHECK(ran.err.find("is not unique") != std::string::npos);
+}
+
+TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[app][dynamics]") {
+    const auto refused = [](std::vector<std::string> arguments, const std::string& word) {
+        arguments.insert(arguments.begin(), "simulate");
+        const Ran ran = run(arguments);
+        INFO(ran.err);
+        CHECK(ran.status == 2);
+        CHECK(ran.out.empty());
+        CHECK(ran.err.find(word) != std::string::npos);
+    };
+    refused({lesson_path("loops/four-bar.toml")}, "[dynamics]");
+    refused({kPendulum, "--method", "magic"}, "--method");
+    refused({kPendulum, "--tolerance", "-1"}, "--tolerance");
+    refused({kPendulum, "--duration", "0"}, "--duration");
+    refused({kPendulum, "--samples", "0"}, "--samples");
+    refused({kPendulum, "--coordinates", "rp", "--method", "implicit-5"}, "coordinate choice");
+}
+
+TEST_CASE("bench says what a digit costs", "[app][dynamics]") {
+    const Ran ran = run({"bench", "simple-pendulum", "--method", "explicit-8", "--output", "json"});
+    REQUIRE(ran.status == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    const auto& points = json["scenes"][0]["runs"][0]["points"];
+    REQUIRE(points.size() == 12);
+    CHECK(points.front()["position_m"].get<double>() > 1e-4);
+    CHECK(points.back()["position_m"].get<double>() < 1e-10);
+    CHECK(points.back()["evaluations"].get<long>() > points.front()["evaluations"].get<long>());
+}
+
+TEST_CASE("bench draws one scene as a plot", "[app][dynamics]") {
+    const Folder folder;
+    const std::string picture = folder.path("plot.png");
+    const Ran ran = run({"bench", "simple-pendulum", "--method", "explicit-5", "--picture", picture});
+    REQUIRE(ran.status == 0);
+    CHECK(bytes_of(picture).size() > 10000);
+    CHECK(run({"bench", "simple-pendulum", "andrews", "--picture", picture}).status == 2);
+    CHECK(run({"bench", "no-such-scene"}).status == 2);
+}
+
+}  // namespace jw::test

@@ -1,0 +1,168 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "core/dynamics/explicit_integrator.hpp"
+#include "core/dynamics/radau.hpp"
+#include "core/dynamics/simulation.hpp"
+#include "tests/support/dynamics_scenes.hpp"
+
+namespace jw {
+namespace {
+
+struct End {
+    double error = 0.0;
+    SimulationOutcome outcome;
+};
+
+/// Distance of the lesson's point from its trusted end.
+End end_of(const Lesson& lesson, const SimulationSettings& settings) {
+    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
+    const BodyPoint& point = *lesson.dynamics->point;
+    End end;
+    end.outcome = simulation.run({0.0, lesson.dynamics->duration}, [&](double, const std::vector<double>& y) {
+        end.error = (simulation.point(y, point.body, point.point_local) -
+                     lesson.dynamics->point_at_end.value_or(Vec3::Zero()))
+                        .norm();
+    });
+    return end;
+}
+
+SimulationSettings settings_with(Method method, double tolerance) {
+    SimulationSettings settings;
+    settings.method = method;
+    settings.tolerance = settings.step = tolerance;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Radau's tables are those of the literature and integrate polynomials exactly", "[dynamics][radau]") {
+    const RadauTable table = radau_table(3);
+    const double root = std::sqrt(6.0);
+    // Hairer, Wanner: Solving Ordinary Differential Equations II, table IV.5.6
+    CHECK(std::abs(table.c(0) - (4.0 - root) / 10.0) < 1e-15);
+    CHECK(std::abs(table.c(1) - (4.0 + root) / 10.0) < 1e-15);
+    CHECK(std::abs(table.a(0, 1) - (296.0 - 169.0 * root) / 1800.0) < 1e-14);
+    CHECK(std::abs(table.a(2, 2) - 1.0 / 9.0) < 1e-14);
+    for (const int stages : {3, 5}) {
+        const RadauTable t = radau_table(stages);
+        for (int k = 1; k <= 2 * stages - 1; ++k) {
+            const VectorX powers = t.c.array().pow(k - 1);
+            // quadrature of order 2 s - 1; the tables are solved from powers, a few digits above rounding
+            CHECK(std::abs(t.a.row(stages - 1).dot(powers) - 1.0 / k) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("The stiff governor ends where the reference says, in few evaluations", "[dynamics][radau]") {
+    const Lesson governor = test::flyball_governor();
+    for (const Method method : {Method::implicit_5, Method::implicit_9}) {
+        const End end = end_of(governor, settings_with(method, 1e-6));
+        REQUIRE_FALSE(end.outcome.failure);
+        CHECK(end.error < 1e-6);
+        // explicit methods are held to steps of stability: a hundred thousand evaluations
+        CHECK(end.outcome.counts.evaluations < 10000);
+    }
+}
+
+TEST_CASE("Implicit methods agree with explicit ones on a scene that is not stiff", "[dynamics][radau]") {
+    const End end = end_of(test::andrews_mechanism(), settings_with(Method::implicit_9, 1e-9));
+    // 12 digits of the reference are trusted
+    CHECK(end.error < 1e-11);
+    CHECK(end_of(test::n_four_bar(1), settings_with(Method::implicit_9, 1e-8)).error < 1e-8);
+}
+
+TEST_CASE("Rows of four-bars pass their singular positions on their branch", "[dynamics]") {
+    for (const int n : {1, 4, 16}) {
+        const End end = end_of(test::n_four_bar(n), settings_with(Method::explicit_8, 1e-10));
+        REQUIRE_FALSE(end.outcome.failure);
+        CHECK(end.outcome.counts.singular_passages > 0);
+        // 16 passages, each free to lose a digit; the wrong branch would be metres away
+        CHECK(end.error < 5e-8);
+        CHECK(end.outcome.counts.steps < 400);
+    }
+}
+
+TEST_CASE("A million joules or none: fixed steps have the order that they promise", "[dynamics]") {
+    const Lesson pendulum = test::simple_pendulum();
+    const auto order_of = [&](Method method, double step) {
+        const double coarse = end_of(pendulum, settings_with(method, step)).error;
+        const double fine = end_of(pendulum, settings_with(method, step / 2.0)).error;
+        return std::log2(coarse / fine);
+    };
+    // the measured order nears the true one from either side
+    CHECK(order_of(Method::rk4, 2e-3) == Approx(4.0).margin(0.2));
+    CHECK(order_of(Method::semi_implicit, 5e-4) == Approx(1.0).margin(0.2));
+    CHECK(order_of(Method::euler, 1e-4) == Approx(1.0).margin(0.2));
+}
+
+TEST_CASE("Times between steps are as exact as the steps", "[dynamics]") {
+    const Lesson bricard = test::falling_bricard();
+    const auto path = [&](double tolerance) {
+        Simulation simulation(
+            bricard.mechanism, bricard.dynamics->loads, settings_with(Method::explicit_8, tolerance));
+        std::vector<double> times;
+        for (int k = 0; k <= 101; ++k) { times.push_back(bricard.dynamics->duration * k / 101.0); }
+        std::vector<Vec3> points;
+        simulation.run(times, [&](double, const std::vector<double>& y) {
+            points.push_back(simulation.point(y, 3, Vec3::Zero()));
+        });
+        return points;
+    };
+    const std::vector<Vec3> exact = path(1e-12);
+    const std::vector<Vec3> loose = path(1e-8);
+    REQUIRE(exact.size() == 102);
+    REQUIRE(loose.size() == 102);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < exact.size(); ++k) { worst = std::max(worst, (exact[k] - loose[k]).norm()); }
+    // the end of this run is within 4e-9: what lies between may lose one digit more
+    CHECK(worst < 4e-8);
+}
+
+TEST_CASE(
+    "The slides' dense equations give the motion of the block-sparse ones in every choice", "[dynamics]") {
+    for (const CoordinateChoice choice :
+         {CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
+          CoordinateChoice::omega_local, CoordinateChoice::omega_global}) {
+        SimulationSettings settings = settings_with(Method::explicit_8, 1e-9);
+        settings.dense = choice;
+        CHECK(end_of(test::chain(test::ChainJoint::spherical, 4), settings).error < 1e-7);
+    }
+}
+
+TEST_CASE("A body that only turns, or only flies, is no division by zero", "[dynamics]") {
+    Lesson body = test::free_asymmetric_body();
+    const auto steps = [&] {
+        const End end = end_of(body, settings_with(Method::explicit_8, 1e-8));
+        CHECK_FALSE(end.outcome.failure);
+        return end.outcome.counts.steps;
+    };
+    CHECK(steps() > 10);
+    body.mechanism.bodies[1].omega_local.setZero();
+    body.mechanism.bodies[1].r_dot = Vec3(1.0, 0.0, 0.0);
+    CHECK(steps() < 100);
+    body.mechanism.bodies[1].r_dot.setZero();
+    CHECK(steps() < 100);
+}
+
+TEST_CASE("Without treatment the constraints drift, with it they do not", "[dynamics]") {
+    const auto drift = [](Treatment treatment) {
+        const Lesson pendulum = test::simple_pendulum();
+        SimulationSettings settings = settings_with(Method::rk4, 0.02);
+        settings.treatment = treatment;
+        Simulation simulation(pendulum.mechanism, pendulum.dynamics->loads, settings);
+        double worst = 0.0;
+        simulation.run({0.0, 10.0}, [&](double t, const std::vector<double>& y) {
+            worst = simulation.snapshot(t, y).position_violation;
+        });
+        return worst;
+    };
+    CHECK(drift(Treatment::none) > 1e-5);
+    CHECK(drift(Treatment::baumgarte) < 0.1 * drift(Treatment::none));
+    // a tenth of the tolerance 1e-6, below which nothing is moved
+    CHECK(drift(Treatment::projection) < 1e-6);
+}
+
+}  // namespace jw
