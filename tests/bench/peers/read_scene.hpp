@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "lessons/lesson.hpp"
+#include "tests/bench/peers/peer_scene.hpp"
+
+namespace jw::peers {
+
+/// @return the scene with its stored reference, or in `why_not` what keeps other engines from it
+std::optional<PeerScene> read_scene(
+    const Lesson& lesson, const std::filesystem::path& reference, std::string& why_not);
+
+}  // namespace jw::peers

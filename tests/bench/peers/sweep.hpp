@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/bench/peers/peer_scene.hpp"
+
+/// What all peers share: the error, the clock, the table.
+namespace jw::peers {
+
+/// CPU time of this process [s].
+double cpu_seconds();
+
+/// One run: watches the point at the 100 sample times and the clock.
+class Run {
+public:
+    Run(const PeerScene& scene, double seconds_allowed)
+        : scene_(&scene), begin_(cpu_seconds()), allowed_(seconds_allowed) {}
+
+    /// Point at sample `k`, 1 to 100.
+    void at_sample(int k, const Vec3& point);
+    double sample_time(int k) const { return scene_->duration * k / 100.0; }
+    bool out_of_time() const { return cpu_seconds() - begin_ > allowed_; }
+    bool complete() const { return samples_ == 100; }
+    double error() const;
+    double milliseconds() const { return 1e3 * (cpu_seconds() - begin_); }
+
+private:
+    const PeerScene* scene_;
+    double begin_;
+    double allowed_;
+    int samples_ = 0;
+    double error_ = 0.0;
+};
+
+struct Outcome {
+    double milliseconds = 0.0;
+    double error = 0.0;  ///< largest distance from the reference [m]; infinite if it did not get to the end
+    long evaluations = 0;
+    std::string remark;  ///< why it did not, as the engine says
+    bool out_of_time = false;
+};
+
+/// Error below which nothing more is asked of a method [m].
+inline constexpr double kEnough = 1e-10;
+
+/// Rows of one peer and scene as CSV to stdout, and at the end to stderr what the errors 1e-3, 1e-6 and 1e-9
+/// cost at the best settings.
+class Report {
+public:
+    Report(std::string peer, const PeerScene& scene) : peer_(std::move(peer)), scene_(&scene) {}
+    void add(const std::string& method, const std::string& setting, const Outcome& outcome);
+    void print_best() const;
+
+private:
+    struct Row {
+        std::string how;
+        double milliseconds, error;
+    };
+    std::string peer_;
+    const PeerScene* scene_;
+    std::vector<Row> rows_;
+};
+
+/// Measures a scene by adding rows; no run takes longer than `limit` seconds.
+using Measure = std::function<void(const PeerScene& scene, double limit, Report& report)>;
+
+/// The arguments of a peer's program: [--limit SECONDS] [LESSON.toml...]. Without lessons: all below lessons/
+/// that have a reference. @return exit status
+int for_every_scene(int count, char** arguments, const char* peer, const Measure& measure);
+
+}  // namespace jw::peers
