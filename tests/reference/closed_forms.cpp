@@ -46,9 +46,10 @@ Trajectory pendulum(const Scene& scene) {
     const Real w =
         std::sqrt(-scene.gravity.y() * body.mass * length / (body.mass * length * length + body.J.z()));
     const Real k = std::sqrt(0.5L);
+    const Modulus modulus{k, k};
     Trajectory out;
     for (int n = 0; n <= kIntervals; ++n) {
-        const Jacobi e = jacobi(w * scene.duration * n / kIntervals + quarter_period(k), k);
+        const Jacobi e = jacobi(w * scene.duration * n / kIntervals + quarter_period(modulus), modulus);
         const Swing s{2.0L * k * e.sn * e.dn, e.dn * e.dn - k * k * e.sn * e.sn, 2.0L * k * w * e.cn};
         out.push_back(
             {length * Vec3(-s.sine, -s.cosine, 0.0L), s.rate * length * Vec3(-s.cosine, s.sine, 0.0L)});
@@ -63,10 +64,11 @@ Trajectory four_bars(const Scene& scene) {
     const Real w_squared = -scene.gravity.y() * ((N + 1.0L) / 2.0L + N) / ((N + 1.0L) / 3.0L + N);
     const Real start = 1.0L;
     const Real fastest = std::sqrt(start * start + 4.0L * w_squared);
-    const Real k = 2.0L * std::sqrt(w_squared) / fastest;
+    const Modulus modulus{2.0L * std::sqrt(w_squared) / fastest, start / fastest};
     Trajectory out;
     for (int n = 0; n <= kIntervals; ++n) {
-        const Jacobi e = jacobi(fastest / 2.0L * scene.duration * n / kIntervals + quarter_period(k), k);
+        const Jacobi e =
+            jacobi(fastest / 2.0L * scene.duration * n / kIntervals + quarter_period(modulus), modulus);
         const Swing s{2.0L * e.sn * e.cn, e.cn * e.cn - e.sn * e.sn, fastest * e.dn};
         // clockwise: from the top towards +x
         out.push_back({Vec3(-s.sine, -s.cosine, 0.0L), s.rate * Vec3(-s.cosine, s.sine, 0.0L)});
@@ -89,8 +91,8 @@ Trajectory spinning_top(const Scene& scene) {
     const Real u2 = (b * b + root) / (2.0L * beta);
     const Real u1 = (b * b * u0 - beta) / (beta * u2);
     const Real rate = std::sqrt(beta * (u2 - u1)) / 2.0L;
-    const Real k = std::sqrt((u0 - u1) / (u2 - u1));
-    const auto at = [&](Real t) { return jacobi(rate * t + quarter_period(k), k); };
+    const Modulus modulus{std::sqrt((u0 - u1) / (u2 - u1)), std::sqrt((u2 - u0) / (u2 - u1))};
+    const auto at = [&](Real t) { return jacobi(rate * t + quarter_period(modulus), modulus); };
     const auto u_of = [&](const Jacobi& e) { return u1 + (u0 - u1) * e.sn * e.sn; };
     const auto precession = [&](Real t) {
         const Jacobi e = at(t);
@@ -131,14 +133,20 @@ Trajectory free_body(const Scene& scene) {
     const Body& body = scene.bodies[1];
     const Vec3& J = body.J;
     const Vec3 w0 = body.omega;  // axes of body and world agree at t = 0
-    const Vec3 momentum = J.cwiseProduct(w0);
-    const Real L2 = momentum.squaredNorm();
-    const Real T2 = w0.dot(momentum);
-    const Real a1 = std::sqrt((T2 * J[2] - L2) / (J[0] * (J[2] - J[0])));
-    const Real a2 = std::sqrt((T2 * J[2] - L2) / (J[1] * (J[2] - J[1])));
-    const Real a3 = std::sqrt((L2 - T2 * J[0]) / (J[2] * (J[2] - J[0])));
-    const Real rate = std::sqrt((J[2] - J[1]) * (L2 - T2 * J[0]) / (J[0] * J[1] * J[2]));
-    const Real k = std::sqrt((J[1] - J[0]) * (T2 * J[2] - L2) / ((J[2] - J[1]) * (L2 - T2 * J[0])));
+    const Real L2 = J.cwiseProduct(w0).squaredNorm();
+    const Real T2 = w0.dot(J.cwiseProduct(w0));
+    // |2 T J_n - L²| as sums of terms of one sign, or nearly so: what is left near the separatrix counts
+    const Vec3 L2_each = J.cwiseProduct(J).cwiseProduct(w0).cwiseProduct(w0);
+    const auto from = [&](int n) -> Real { return L2_each.dot((J - Vec3::Constant(J[n])).cwiseQuotient(J)); };
+    const Real above_1 = from(0);
+    const Real above_2 = from(1);
+    const Real below_3 = -from(2);
+    const Real d21 = J[1] - J[0], d31 = J[2] - J[0], d32 = J[2] - J[1];
+    const Real a1 = std::sqrt(below_3 / (J[0] * d31));
+    const Real a2 = std::sqrt(below_3 / (J[1] * d32));
+    const Real a3 = std::sqrt(above_1 / (J[2] * d31));
+    const Real rate = std::sqrt(d32 * above_1 / (J[0] * J[1] * J[2]));
+    const Modulus k{std::sqrt(d21 * below_3 / (d32 * above_1)), std::sqrt(d31 * above_2 / (d32 * above_1))};
     const Real x0 = inverse_sn(w0[1] / a2, w0[0] / a1, k);
     const auto omega_local = [&](Real t) {
         const Jacobi e = jacobi(x0 + rate * t, k);

@@ -13,12 +13,18 @@ struct Jacobi {
     Real dn = 1.0L;
 };
 
-/// By descending Landen transformations (arithmetic-geometric mean); modulus 0 <= k < 1.
-Jacobi jacobi(Real x, Real k);
-/// Quarter period K(k).
-Real quarter_period(Real k);
+/// k² + k'² = 1; both are given, for near a separatrix k' has digits that k has lost.
+struct Modulus {
+    Real k = 0.0L;
+    Real k_prime = 1.0L;
+};
+
+/// By descending Landen transformations (arithmetic-geometric mean).
+Jacobi jacobi(Real x, const Modulus& modulus);
+/// Quarter period K.
+Real quarter_period(const Modulus& modulus);
 /// x in [0, K] with sn x = s, cn x = c (Carlson's R_F).
-Real inverse_sn(Real s, Real c, Real k);
+Real inverse_sn(Real s, Real c, const Modulus& modulus);
 
 /// The trajectory of a scene that elliptic functions solve: the pendulum, the four-bars, the symmetric top,
 /// the free body. Nothing for others.

@@ -4,12 +4,12 @@
 
 namespace jw::reference {
 
-Jacobi jacobi(Real x, Real k) {
+Jacobi jacobi(Real x, const Modulus& modulus) {
     std::array<Real, 16> a{};
     std::array<Real, 16> c{};
     a[0] = 1.0L;
-    c[0] = k;
-    Real b = std::sqrt((1.0L - k) * (1.0L + k));
+    c[0] = modulus.k;
+    Real b = modulus.k_prime;
     std::size_t n = 0;
     // c halves its digits at every step: 16 are never needed
     while (c[n] > 1e-20L && n + 1 < a.size()) {
@@ -23,13 +23,13 @@ Jacobi jacobi(Real x, Real k) {
     x -= period * std::round(x / period);
     Real phi = std::ldexp(a[n] * x, static_cast<int>(n));
     for (; n > 0; --n) { phi = (phi + std::asin(c[n] / a[n] * std::sin(phi))) / 2.0L; }
-    const Real sn = std::sin(phi);
-    return {sn, std::cos(phi), std::sqrt((1.0L - k * sn) * (1.0L + k * sn))};
+    const Real cn = std::cos(phi);
+    return {std::sin(phi), cn, std::hypot(modulus.k_prime, modulus.k * cn)};
 }
 
-Real quarter_period(Real k) {
+Real quarter_period(const Modulus& modulus) {
     Real a = 1.0L;
-    Real b = std::sqrt((1.0L - k) * (1.0L + k));
+    Real b = modulus.k_prime;
     while (std::abs(a - b) > 1e-19L * a) {
         const Real mean = (a + b) / 2.0L;
         b = std::sqrt(a * b);
@@ -39,10 +39,10 @@ Real quarter_period(Real k) {
     return kPi / (2.0L * a);
 }
 
-Real inverse_sn(Real s, Real c, Real k) {
+Real inverse_sn(Real s, Real c, const Modulus& modulus) {
     // R_F(x, y, z) by duplication: the three differ by a factor of 4 less each time
     Real x = c * c;
-    Real y = (1.0L - k * s) * (1.0L + k * s);
+    Real y = modulus.k_prime * modulus.k_prime + modulus.k * modulus.k * c * c;
     Real z = 1.0L;
     for (int n = 0; n < 40; ++n) {
         const Real shift = std::sqrt(x * y) + std::sqrt(y * z) + std::sqrt(z * x);

@@ -20,7 +20,7 @@ public:
 
 enum class Method {
     runge_kutta_fehlberg,  ///< 7(8)
-    extrapolation,         ///< of the modified midpoint rule (Gragg, Bulirsch, Stoer), order 16
+    extrapolation,         ///< of the modified midpoint rule (Gragg, Bulirsch, Stoer), order 14
 };
 
 /// From 0 to `duration`, stepping on every sample's time. `tolerance`: of a step, against 1 + |y|.

@@ -13,8 +13,14 @@ Trajectory stored(const std::string& name) {
     return read_trajectory(file).value_or(Trajectory{});
 }
 
-// files hold 16 digits of up to 18 m (1e-15 m); where two ways were furthest apart it was 1e-14 m
-constexpr Real kAgreed = 2e-14L;
+// files hold 16 digits of up to 18 m; ways of most scenes are 1e-16 m apart. The free body passes its
+// separatrix at 0.003 rad/s: each of its nine turns multiplies rounding, to 5e-13 m among nine ways
+constexpr double kAgreed = 2e-15;
+constexpr double kAgreedFreeBody = 1e-12;
+
+double allowed(const Scene& scene) {
+    return scene.name == "free-asymmetric-body" ? kAgreedFreeBody : kAgreed;
+}
 
 /// Those that take less than a second together.
 std::vector<Scene> cheap_scenes() {
@@ -80,7 +86,7 @@ TEST_CASE("Joint coordinates and extrapolation give the stored references", "[re
         const Method method = scene.passes_singular ? Method::runge_kutta_fehlberg : Method::extrapolation;
         const Real tolerance = scene.passes_singular ? 1e-18L : 1e-16L;
         const Trajectory found = integrate(*joint_coordinates(scene), scene.duration, method, tolerance);
-        CHECK(static_cast<double>(largest_distance(found, stored(scene.name))) < kAgreed);
+        CHECK(static_cast<double>(largest_distance(found, stored(scene.name))) < allowed(scene));
     }
 }
 
@@ -91,7 +97,7 @@ TEST_CASE("Absolute coordinates and Runge-Kutta-Fehlberg give the stored referen
         CAPTURE(scene.name);
         const Trajectory found =
             integrate(*absolute_coordinates(scene), scene.duration, Method::runge_kutta_fehlberg, 1e-17L);
-        CHECK(static_cast<double>(largest_distance(found, stored(scene.name))) < kAgreed);
+        CHECK(static_cast<double>(largest_distance(found, stored(scene.name))) < allowed(scene));
     }
 }
 
@@ -139,7 +145,7 @@ TEST_CASE("A wrong mass moves the end of a chain by more than the references all
     scene.bodies[2].mass *= 1.0L + 1e-9L;
     const Trajectory found =
         integrate(*joint_coordinates(scene), scene.duration, Method::extrapolation, 1e-14L);
-    CHECK(largest_distance(found, stored(scene.name)) > 100.0L * kAgreed);
+    CHECK(largest_distance(found, stored(scene.name)) > 1000.0L * kAgreed);
 }
 
 }  // namespace jw::reference

@@ -120,51 +120,55 @@ Scene chain(int rods, JointKind joints) {
 }
 
 Scene spatial_slider_crank_falling() {
-    Scene s =
-        scene_named("spatial-slider-crank-falling", "crank, rod and slide in space, from rest", kDownZ, 5.0L);
-    const Vec3 shaft(0.0L, 0.05L, 0.4L);
-    const Vec3 pin(0.0L, 0.2L, 0.6L);
-    const Vec3 slide_at(0.9L, 0.0L, 0.0L);
-    const int crank = add(s, rod(shaft, pin, 0.5L, 1e-4L, 0.0026L));
+    Scene s = scene_named("spatial-slider-crank-falling", "wheel, rod and slide, from rest", kDownZ, 5.0L);
+    const Vec3 shaft(0.0L, 0.3L, 0.6L);
+    const Vec3 pin(0.0L, 0.6L, 0.6L);
+    const Vec3 slide_at(std::sqrt(1.2L * 1.2L - 0.6L * 0.6L - 0.45L * 0.45L), 0.0L, 0.15L);
+    Body wheel;
+    wheel.mass = 2.0L;
+    wheel.J = Vec3(0.1296L, 0.06490416666666667L, 0.06490416666666667L);
+    wheel.r = shaft;
+    const int wheel_index = add(s, wheel);
     Body slide;
-    slide.mass = 2.0L;
-    slide.J = Vec3(0.01L, 0.02L, 0.02L);
+    slide.mass = 1.0L;
+    slide.J = Vec3(0.00173333333333333L, 0.00266666666666667L, 0.00333333333333333L);
     slide.r = slide_at;
     const int slide_index = add(s, slide);
-    const int coupler = add(s, rod(slide_at, pin, 1.1L, 0.001L, 0.11L));
-    hinge(s, JointKind::revolute, 0, crank, shaft, Vec3::UnitX());
+    const int coupler = add(s, rod(slide_at, pin, 1.0L, 0.0002L, 0.1201L));
+    hinge(s, JointKind::revolute, 0, wheel_index, shaft, Vec3::UnitX());
     hinge(s, JointKind::prismatic, 0, slide_index, slide_at, Vec3::UnitX());
-    hinge(s, JointKind::spherical, crank, coupler, pin);
-    s.joints.push_back(
-        {JointKind::universal, slide_index, coupler, slide_at, Vec3::UnitY(), Vec3(2.0L, 0.0L, 3.0L), true});
-    s.body = crank;
+    hinge(s, JointKind::spherical, wheel_index, coupler, pin);
+    const Vec3 arm = (pin - slide_at).cross(Vec3::UnitY());
+    s.joints.push_back({JointKind::universal, slide_index, coupler, slide_at, Vec3::UnitY(), arm, true});
+    s.body = wheel_index;
     s.point = pin;
     return s;
 }
 
 Scene spinning_top() {
-    Scene s = scene_named("spinning-top", "heavy symmetric top, released with spin only", kDownZ, 2.0L);
+    Scene s = scene_named("spinning-top", "heavy symmetric top, released with spin only", kDownZ, 4.0L);
+    const Vec3 axis(0.5L, 0.0L, std::sqrt(0.75L));
     Body top;
-    top.mass = 1.0L;
-    top.J = Vec3(0.0026L, 0.0026L, 0.005L);
-    top.r = Vec3(0.06L, 0.0L, 0.08L);
-    top.p = Vec4(3.0L, 0.0L, 1.0L, 0.0L).normalized();
-    top.omega = 60.0L * Vec3(0.6L, 0.0L, 0.8L);
+    top.mass = 0.5L;
+    top.J = Vec3(0.0008L, 0.0008L, 0.0012L);
+    top.r = 0.1L * axis;
+    top.p = turn(Vec3::UnitY(), kPi / 6.0L);
+    top.omega = 150.0L * axis;
     s.body = add(s, top);
-    s.point = Vec3(0.14L, 0.0L, 0.02L);
+    s.point = 0.16L * axis;
     hinge(s, JointKind::spherical, 0, s.body, Vec3::Zero());
     return s;
 }
 
 Scene free_asymmetric_body() {
     Scene s =
-        scene_named("free-asymmetric-body", "torque-free, close to the middle axis", Vec3::Zero(), 10.0L);
+        scene_named("free-asymmetric-body", "torque-free, close to the middle axis", Vec3::Zero(), 20.0L);
     Body box;
-    box.mass = 1.2L;
-    box.J = Vec3(0.005L, 0.017L, 0.02L);
-    box.omega = Vec3(0.2L, 6.0L, 0.4L);
+    box.mass = 1.0L;
+    box.J = Vec3(0.00363333333333333L, 0.0078L, 0.0108333333333333L);
+    box.omega = Vec3(0.02L, 6.0L, 0.02L);
     s.body = add(s, box);
-    s.point = Vec3(0.2L, 0.1L, 0.05L);
+    s.point = Vec3(0.0L, 0.17L, 0.0L);
     // a ball at its centre of mass leaves it free to turn
     hinge(s, JointKind::spherical, 0, s.body, Vec3::Zero());
     return s;
