@@ -215,7 +215,7 @@ std::vector<BenchRun> bench_dynamics(
 
 SeriesSet work_precision(const std::vector<BenchRun>& runs) {
     SeriesSet set;
-    set.axis = "digits of position, -log10(error / m)";
+    set.axis = "digits of position";
     set.logarithmic = true;
     constexpr double finest = 0.1;
     for (double digits = 0.0; digits <= 14.0; digits += finest) { set.at.push_back(digits); }

@@ -218,6 +218,8 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
     text += "rank " + std::to_string(rank.rank) + " of " + std::to_string(rank.columns) + " columns";
     if (rank.dof == 0) {
         text += ", so positions, velocities and accelerations are determined";
+    } else if (lesson.dynamics && !lesson.motion) {
+        text += "; masses and forces decide about " + count_text(rank.dof, "freedom");
     } else if (m.drivers.empty()) {
         text += "; nothing is driven, so nothing moves";
     } else {

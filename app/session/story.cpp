@@ -46,6 +46,12 @@ std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     return plan;
 }
 
+namespace {
+
+constexpr long kMostStepsOfStory = 2000;
+
+}  // namespace
+
 double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
 
 Story::Story(const Lesson& lesson, const StoryOptions& options)
@@ -234,7 +240,9 @@ void Story::tell_dynamics(const StoryOptions& options) {
     }
     const MotionPlan plan = *shown_motion(*lesson_);
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
-    const DynamicsRequest request = request_of(*lesson_);
+    DynamicsRequest request = request_of(*lesson_);
+    // a story is told again at every change: a scene that somebody made stiff or endless ends early instead
+    request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
     const std::vector<double> times = equal_times(plan.to, intervals);
     System system = *system_;

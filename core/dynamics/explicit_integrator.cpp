@@ -105,7 +105,8 @@ void ExplicitIntegrator::take_step(double h) {
 RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     ++counts_.evaluations;
     RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
-    const double drift = kDriftShare * options_.tolerance;
+    // fixed steps have no tolerance that a drift could be small against
+    const double drift = options_.fixed_step > 0.0 ? 0.0 : kDriftShare * options_.tolerance;
     if (options_.project && (on_manifold_ || verdict.violation > drift)) {
         equations_->project(t, y_new_.data());
         ++counts_.projections;

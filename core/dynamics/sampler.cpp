@@ -22,10 +22,10 @@ std::array<Numbers, 3> derivatives(const double* y, const double* y_dot) {
 /// Newton's form of Hermite's polynomial through nodes that count three times each.
 class Hermite {
 public:
-    /// @param count 2 or 3 nodes
-    Hermite(const std::array<double, 3>& t, const std::array<std::array<Numbers, 3>, 3>& known, int count)
+    /// @param count nodes, 2 to 4
+    Hermite(const std::array<double, 4>& t, const std::array<std::array<Numbers, 3>, 4>& known, int count)
         : size_(3 * count) {
-        std::array<Numbers, 9> column;
+        std::array<Numbers, 12> column;
         column.fill(Numbers::Zero());
         coefficients_.fill(Numbers::Zero());
         for (int k = 0; k < size_; ++k) {
@@ -56,16 +56,16 @@ public:
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
     int size_;
-    std::array<double, 9> x_{};
-    std::array<Numbers, 9> coefficients_;
+    std::array<double, 12> x_{};
+    std::array<Numbers, 12> coefficients_;
 };
 
 }  // namespace
 
 void Sampler::take(const TimeStepper& stepper) {
-    if (known_ == 3) {
+    if (known_ == kNodes) {
         std::rotate(nodes_.begin(), nodes_.begin() + 1, nodes_.end());
-        known_ = 2;
+        --known_;
     }
     Node& node = nodes_[static_cast<std::size_t>(known_++)];
     node.t = stepper.t();
@@ -91,8 +91,8 @@ void Sampler::take(const TimeStepper& stepper) {
         }
         return;
     }
-    // one step behind: times between the first two nodes lie in the middle of what is known
-    if (known_ == 3) { give_until(nodes_[1].t); }
+    // one step behind: times between the two nodes in the middle are known best
+    if (known_ == kNodes) { give_until(nodes_[2].t); }
 }
 
 void Sampler::finish() {
@@ -113,8 +113,8 @@ void Sampler::give_until(double t_end) {
 }
 
 void Sampler::interpolate(double t) {
-    std::array<double, 3> times{};
-    std::array<std::array<Numbers, 3>, 3> known;
+    std::array<double, kNodes> times{};
+    std::array<std::array<Numbers, 3>, kNodes> known;
     for (std::size_t first = 0; first < y_.size(); first += kNumbersPerBody) {
         for (std::size_t n = 0; n < static_cast<std::size_t>(known_); ++n) {
             times[n] = nodes_[n].t;

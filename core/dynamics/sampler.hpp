@@ -9,8 +9,8 @@
 /// The state at asked times, between the steps of an integrator.
 namespace jw {
 
-/// Polynomials of degree 8 through the last three steps: r, p and their two derivatives are known there, so
-/// that no evaluation is needed. The error, (step)⁹, is below that of the methods. Methods with a polynomial
+/// Polynomials of degree 11 through four ends of steps: r, p and their two derivatives are known there, so
+/// that no evaluation is needed. The error, (step)¹², is below that of the methods. Methods with a polynomial
 /// of their own (stiff ones, whose accelerations are less exact than their positions) give it instead.
 class Sampler {
 public:
@@ -39,7 +39,8 @@ private:
     std::vector<double> times_;
     Receive receive_;
     std::size_t next_ = 0;
-    std::array<Node, 3> nodes_;
+    static constexpr int kNodes = 4;
+    std::array<Node, kNodes> nodes_;
     int known_ = 0;  ///< nodes that are set, the latest last
     std::vector<double> y_;
 };

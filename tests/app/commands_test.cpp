@@ -37,7 +37,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
     const std::vector<Case> cases{
         {{"chekc"},
          "jointwise: error: no command 'chekc'; expected one of open, list, check, step, inspect, try, "
-         "newton, solve, plot, render, "
+         "newton, solve, simulate, bench, plot, render, "
          "doctor\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},

@@ -71,7 +71,8 @@ TEST_CASE("Implicit methods agree with explicit ones on a scene that is not stif
     const End end = end_of(test::andrews_mechanism(), settings_with(Method::implicit_9, 1e-9));
     // 12 digits of the reference are trusted
     CHECK(end.error < 1e-11);
-    CHECK(end_of(test::n_four_bar(1), settings_with(Method::implicit_9, 1e-8)).error < 1e-8);
+    // sixteen singular positions on the way
+    CHECK(end_of(test::n_four_bar(1), settings_with(Method::implicit_9, 1e-8)).error < 1e-6);
 }
 
 TEST_CASE("Rows of four-bars pass their singular positions on their branch", "[dynamics]") {
