@@ -43,8 +43,11 @@ std::vector<Way> computed(const Scene& scene) {
     add("absolute coordinates, Runge-Kutta-Fehlberg 7(8), 1e-17", [&] {
         return integrate(*absolute_coordinates(scene), scene.duration, Method::runge_kutta_fehlberg, 1e-17L);
     });
-    add("joint coordinates, extrapolation of order 14, 1e-16",
-        [&] { return integrate(*joint_coordinates(scene), scene.duration, Method::extrapolation, 1e-16L); });
+    char name[80];
+    std::snprintf(name, sizeof name, "joint coordinates, extrapolation of order 14, %.0Le", scene.finest);
+    add(name, [&] {
+        return integrate(*joint_coordinates(scene), scene.duration, Method::extrapolation, scene.finest);
+    });
     return ways;
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("Joint coordinates and extrapolation give the stored references", "[re
     for (const Scene& scene : cheap_scenes()) {
         CAPTURE(scene.name);
         const Method method = scene.passes_singular ? Method::runge_kutta_fehlberg : Method::extrapolation;
-        const Real tolerance = scene.passes_singular ? 1e-18L : 1e-16L;
+        const Real tolerance = scene.passes_singular ? 1e-18L : scene.finest;
         const Trajectory found = integrate(*joint_coordinates(scene), scene.duration, method, tolerance);
         CHECK(static_cast<double>(largest_distance(found, stored(scene.name))) < allowed(scene));
     }

@@ -54,8 +54,9 @@ struct Scene {
     Real duration = 1.0L;        ///< [s]
     int body = 1;                ///< that the point belongs to
     Vec3 point = Vec3::Zero();
-    bool passes_singular =
-        false;  ///< joint equations lose rank on the way: only joint coordinates get through
+    Real finest = 1e-16L;  ///< tolerance that rounding lets extrapolation meet
+    /// Joint equations lose rank on the way: only joint coordinates get through.
+    bool passes_singular = false;
 };
 
 /// Position and velocity of the scene's point.

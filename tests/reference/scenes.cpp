@@ -67,6 +67,8 @@ Scene bricard_falling() {
 
 Scene governor() {
     Scene s = scene_named("governor", "A05", kDownZ, 10.0L);
+    // forces of springs this stiff have errors of rounding that smaller steps do not reduce
+    s.finest = 1e-15L;
     const Vec3 omega(0.0L, 0.0L, 2.0L * kPi);
     Body shaft = rod(Vec3::Zero(), Vec3::UnitZ(), 0.3L, 0.3L * 2e-4L / 12, 0.3L * 1.0001L / 12);
     spin(shaft, omega, Vec3::Zero());
