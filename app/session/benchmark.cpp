@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 /// A run that takes longer ends its method's sweep [s].
-constexpr double kTooLong = 20.0;
+constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 2'000'000;
 
 double cpu_seconds() {
@@ -37,10 +37,18 @@ bool keeps_energy(const Lesson& lesson) {
            loads.rotational_springs.empty() && lesson.mechanism.drivers.empty();
 }
 
+/// The last four settings brought no digit more, though it is not for want of steps.
+bool stands_still(const std::vector<BenchPoint>& points) {
+    constexpr std::size_t looked_back = 4;
+    if (points.size() <= looked_back) { return false; }
+    const double before = points[points.size() - 1 - looked_back].position;
+    return before < 1e-8 && points.back().position > 0.5 * before;
+}
+
 std::vector<double> settings_of(Method method, double duration) {
     std::vector<double> settings;
     if (entry_of(method).adaptive) {
-        for (int k = 2; k <= 13; ++k) { settings.push_back(std::pow(10.0, -k)); }
+        for (int k = 3; k <= 26; ++k) { settings.push_back(std::pow(10.0, -0.5 * k)); }
     } else {
         for (int k = 2; k <= 6; ++k) {
             for (const double part : {1.0, 0.3}) { settings.push_back(duration * part * std::pow(10.0, -k)); }
@@ -205,8 +213,8 @@ std::vector<BenchRun> bench_dynamics(
             settings.tolerance = settings.step = setting;
             settings.most_steps = kMostSteps;
             run.points.push_back(bench_point(lesson, settings, reference, setting, plan.least_time));
-            // tighter ones would take longer still
-            if (run.points.back().cpu > kTooLong) { break; }
+            // tighter ones would take longer still, and where rounding has been reached they are no better
+            if (run.points.back().cpu > kTooLong || stands_still(run.points)) { break; }
         }
         runs.push_back(std::move(run));
     }

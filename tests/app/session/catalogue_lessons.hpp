@@ -27,6 +27,7 @@ inline std::vector<std::filesystem::path> all_lesson_files() { return lessons_be
 /// Without its motion: what is about the equations needs none, and telling it takes time.
 inline Lesson without_motion(Lesson lesson) {
     lesson.motion.reset();
+    lesson.dynamics.reset();  // it is a motion too
     lesson.step_texts.times.clear();
     return lesson;
 }
