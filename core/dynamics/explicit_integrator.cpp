@@ -8,6 +8,10 @@ namespace jw {
 namespace {
 
 constexpr int kMostAttempts = 60;
+/// Of the step control; the last is the exponent of the error before.
+constexpr double kSafety = 0.9;
+constexpr double kMostGrowth = 3.0;
+constexpr double kMemory = 0.05;
 /// Rows are chosen again when the pivot has fallen this much.
 constexpr double kRowsTurnBad = 1e-2;
 /// Near a singular position: the pivot has fallen this much, its square root to a sixth.
@@ -143,6 +147,17 @@ void ExplicitIntegrator::choose_rows_again() {
     equations_->take_back_rows();
 }
 
+/// Of the step. The error before has a say too: where errors grow, the next one will be larger still, and
+/// fewer steps are taken in vain.
+double ExplicitIntegrator::growth_after(double error) {
+    const double most = rejected_before_ ? 1.0 : kMostGrowth;
+    const double exponent = 1.0 / table_->order - 0.2 * kMemory;
+    const double growth =
+        error > 0.0 ? kSafety * std::pow(error, -exponent) * std::pow(last_error_, kMemory) : most;
+    last_error_ = std::max(error, 1e-4);
+    return std::clamp(growth, 1.0 / 3.0, most);
+}
+
 bool ExplicitIntegrator::is_near_singular() const {
     // not a number fails every comparison
     return options_.project && !(lowest_pivot_ >= kNearSingular * pivot_at_choice_);
@@ -172,18 +187,15 @@ bool ExplicitIntegrator::step(double t_end) {
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             accept(last ? t_end : t_ + h);
             if (options_.fixed_step > 0.0) { return true; }
-            const double most = rejected_before_ ? 1.0 : 6.0;
-            const double factor =
-                error > 0.0 ? std::clamp(0.9 * std::pow(error, -1.0 / table_->order), 0.333, most) : most;
+            h_ = h * growth_after(error);
             rejected_before_ = false;
-            h_ = h * factor;
             if (!singular && !last) { regular_step_ = h; }
             if (singular) { h_ = std::max(h_, kSmallestShare * regular_step_); }
             return true;
         }
         ++counts_.rejected;
         rejected_before_ = true;
-        const double factor = std::isfinite(error) ? 0.9 * std::pow(error, -1.0 / table_->order) : 0.1;
+        const double factor = std::isfinite(error) ? kSafety * std::pow(error, -1.0 / table_->order) : 0.1;
         h_ = h * std::clamp(factor, 0.1, 0.9);
     }
     return false;

@@ -28,6 +28,7 @@ private:
     void take_step(double h);
     void accept(double t);
     bool is_near_singular() const;
+    double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
@@ -42,6 +43,7 @@ private:
     double h_ = 0.0;             ///< to try next [s]
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     bool rejected_before_ = false;
+    double last_error_ = 1e-4;  ///< of the last step taken, by the tolerance
     std::vector<double> y_;
     std::vector<double> y_new_;
     std::vector<double> y_dot_new_;
