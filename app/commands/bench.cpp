@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
@@ -148,7 +149,11 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
     result.name = file.stem().string();
     const auto stored = stored_reference(file);
     result.reference = stored ? *stored : own_reference(lesson);
-    result.runs = bench_dynamics(lesson, result.reference, plan);
+    try {
+        result.runs = bench_dynamics(lesson, result.reference, plan);
+    } catch (const std::invalid_argument& error) {
+        throw CommandError(Exit::bad_input, file.string() + ": error: " + error.what());
+    }
     return result;
 }
 

@@ -199,7 +199,10 @@ std::vector<BenchRun> bench_dynamics(
     std::vector<BenchRun> runs;
     std::vector<Method> methods = plan.methods;
     if (methods.empty()) {
-        methods = {Method::explicit_5, Method::explicit_8, Method::implicit_5, Method::implicit_9};
+        methods = {Method::explicit_5, Method::explicit_8};
+        if (plan.treatment == Treatment::projection) {
+            methods.insert(methods.end(), {Method::implicit_5, Method::implicit_9});
+        }
     }
     for (const Method method : methods) {
         BenchRun run;

@@ -27,6 +27,15 @@ void require(const SimulationSettings& settings) {
     const bool is_runge_kutta = settings.method == Method::euler || settings.method == Method::rk4 ||
                                 settings.method == Method::explicit_5 ||
                                 settings.method == Method::explicit_8;
+    const bool is_implicit = settings.method == Method::implicit_5 || settings.method == Method::implicit_9;
+    const bool drifts = settings.treatment == Treatment::none || settings.treatment == Treatment::baumgarte;
+    if (is_implicit && drifts) {
+        throw std::invalid_argument(
+            "implicit methods keep the constraints by themselves; expected treatment projection or tangent");
+    }
+    if (!is_implicit && settings.treatment == Treatment::tangent) {
+        throw std::invalid_argument("treatment tangent needs an implicit method");
+    }
     if (settings.dense && !is_runge_kutta) {
         throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
     }

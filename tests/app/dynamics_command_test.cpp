@@ -63,6 +63,8 @@ TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[a
     refused({kPendulum, "--duration", "0"}, "--duration");
     refused({kPendulum, "--samples", "0"}, "--samples");
     refused({kPendulum, "--coordinates", "rp", "--method", "implicit-5"}, "coordinate choice");
+    refused({kPendulum, "--treatment", "tangent"}, "implicit");
+    refused({kPendulum, "--treatment", "none", "--method", "implicit-5"}, "treatment");
 }
 
 TEST_CASE("bench says what a digit costs", "[app][dynamics]") {
