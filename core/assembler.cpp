@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/body_kinematics.hpp"
+#include "core/measure_jet.hpp"
+
 namespace jw {
 
 namespace {
@@ -11,29 +14,6 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Theta theta_of(int theta, const State& state, const Motion* motion) {
     if (theta < 0) { return {}; }
     return {state.theta[at(theta)], motion != nullptr ? motion->theta_dot[at(theta)] : 0.0};
-}
-
-/// Angular columns of one body <-> ω'.
-template <class C>
-Eigen::Matrix<double, C::kAngular, 1> angular_of(const Vec4& p, const Vec3& omega_local) {
-    if constexpr (C::kNormalised) {
-        return p_dot_of_omega_local(p, omega_local);
-    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
-        return rotation_matrix(p) * omega_local;
-    } else {
-        return omega_local;
-    }
-}
-
-template <class C>
-Vec3 omega_local_of_angular(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
-    if constexpr (C::kNormalised) {
-        return omega_local_of(p, angular);
-    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
-        return rotation_matrix(p).transpose() * angular;
-    } else {
-        return angular;
-    }
 }
 
 }  // namespace
@@ -251,29 +231,10 @@ template class Assembler<ModifiedEulerParameters>;
 template class Assembler<OmegaLocal>;
 template class Assembler<OmegaGlobal>;
 
-namespace {
-
-BodyKinematics<OmegaLocal> kinematics_of(const State& state, int b) {
-    BodyKinematics<OmegaLocal> body;
-    body.r = state.r[at(b)];
-    body.p = state.p[at(b)];
-    body.A = OmegaLocal::rotation(body.p);
-    body.G = G_of(body.p);
-    return body;
-}
-
-BodyKinematics<OmegaLocal> kinematics_of(const State& state, const Motion& motion, int b) {
-    BodyKinematics<OmegaLocal> body = kinematics_of(state, b);
-    body.r_dot = motion.r_dot[at(b)];
-    OmegaLocal::set_motion(body, motion.omega_local[at(b)]);
-    return body;
-}
-
-}  // namespace
-
 VectorX values_of(const Constraint& constraint, const State& state) {
-    const auto i = kinematics_of(state, constraint.body_i);
-    const auto j = kinematics_of(state, constraint.body_j);
+    const auto kinematics = [&](int b) { return kinematics_at<OmegaLocal>(state.r[at(b)], state.p[at(b)]); };
+    const auto i = kinematics(constraint.body_i);
+    const auto j = kinematics(constraint.body_j);
     return std::visit(
         [&](const auto& primitive) -> VectorX {
             return equations<Content::jacobian>(primitive, i, j, theta_of(constraint.theta, state, nullptr))
@@ -285,29 +246,20 @@ VectorX values_of(const Constraint& constraint, const State& state) {
 Measured evaluate_measure(
     const Measure& measure, int body_i, int body_j, int theta, const State& state, const Motion& velocity,
     const Motion& acceleration) {
-    const auto i = kinematics_of(state, velocity, body_i);
-    const auto j = kinematics_of(state, velocity, body_j);
+    const auto kinematics = [&](int b) {
+        return kinematics_at<OmegaLocal>(
+            state.r[at(b)], state.p[at(b)], velocity.r_dot[at(b)], velocity.omega_local[at(b)]);
+    };
+    const MeasureJet jet =
+        jet_of(measure, kinematics(body_i), kinematics(body_j), theta_of(theta, state, &velocity));
     const auto accelerations = [&](int b) {
         Eigen::Matrix<double, 6, 1> columns;
         columns << acceleration.r_dot[at(b)], acceleration.omega_local[at(b)];
         return columns;
     };
-    return std::visit(
-        [&](const auto& m) {
-            const auto motion = measured<Content::motion>(m, i, j, theta_of(theta, state, &velocity));
-            const auto gradient = measured<Content::jacobian>(m, i, j, theta_of(theta, state, &velocity));
-            using J = std::decay_t<decltype(gradient)>;
-            double linear = 0.0;
-            if constexpr ((J::kSides & kBodyI) != 0) {
-                linear += gradient.block_i.row(0).dot(accelerations(body_i));
-            }
-            if constexpr ((J::kSides & kBodyJ) != 0) {
-                linear += gradient.block_j.row(0).dot(accelerations(body_j));
-            }
-            if constexpr ((J::kSides & kTheta) != 0) { linear += acceleration.theta_dot[at(theta)]; }
-            return Measured{motion.value(0), motion.rate(0), linear + motion.bias(0)};
-        },
-        measure);
+    const double linear = jet.by_i.dot(accelerations(body_i)) + jet.by_j.dot(accelerations(body_j)) +
+                          (theta >= 0 ? jet.by_theta * acceleration.theta_dot[at(theta)] : 0.0);
+    return {jet.value, jet.rate, linear + jet.bias};
 }
 
 }  // namespace jw

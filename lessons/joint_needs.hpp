@@ -1,17 +1,9 @@
 #pragma once
 
-#include "core/joint_types.hpp"
+#include "core/joint_freedoms.hpp"
 
 /// What of a joint's geometry a lesson says.
 namespace jw {
-
-/// The angle about the axis is free: it can be driven or claimed, and sides say from where it is measured.
-inline bool has_angle(const JointType& type) {
-    return type.uses(Role::axes_parallel) && !type.uses(Role::sides_perpendicular);
-}
-
-/// The displacement along the axis is free.
-inline bool has_displacement(const JointType& type) { return type.uses(Role::distance_parallel); }
 
 /// Which vectors the primitives of a type use.
 struct JointNeeds {

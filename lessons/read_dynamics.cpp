@@ -23,6 +23,11 @@ void read_method(Fields& fields, DynamicsPlan& plan) {
     if (const auto treatment = fields.word("treatment", words_of(kTreatments))) {
         plan.treatment = kTreatments[*treatment].treatment;
     }
+    const std::string_view unfit = why_not(plan.method, plan.treatment);
+    if (fields.has("treatment") && !unfit.empty()) {
+        fields.problems().warn(
+            fields.span("treatment"), std::string(unfit), "'simulate' takes another one with --method");
+    }
     if (const auto tolerance = fields.positive("tolerance")) { plan.tolerance = tolerance->value; }
     const auto step = fields.positive("step");
     if (!step) { return; }

@@ -10,21 +10,16 @@ namespace jw::writing {
 
 namespace {
 
-template <class Names, class Value>
-std::string name_in(const Names& names, Value value, Value Names::value_type::*member) {
-    return std::string(std::ranges::find(names, value, member)->name);
-}
-
 void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) {
     const DynamicsPlan usual;
     lines.table("[dynamics]");
     if (!plan.loads.gravity.isZero(0.0)) { lines.key("gravity", plan.loads.gravity, "m/s²"); }
     lines.key("duration", plan.duration, "s");
     if (plan.method != usual.method) {
-        lines.key("method", string_text(name_in(kMethods, plan.method, &MethodName::method)));
+        lines.key("method", string_text(std::string(entry_of(plan.method).name)));
     }
     if (plan.treatment != usual.treatment) {
-        lines.key("treatment", string_text(name_in(kTreatments, plan.treatment, &TreatmentName::treatment)));
+        lines.key("treatment", string_text(std::string(entry_of(plan.treatment).name)));
     }
     if (plan.tolerance != usual.tolerance) { lines.key("tolerance", plan.tolerance); }
     if (plan.step != usual.step) { lines.key("step", plan.step, "s"); }

@@ -8,8 +8,8 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/plot_picture.hpp"
-#include "app/commands/table_output.hpp"
 #include "app/session/benchmark.hpp"
+#include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
 #include "lessons/catalogue.hpp"
@@ -88,7 +88,7 @@ void write_table(const SceneResult& result, std::ostream& out) {
     for (const BenchRun& run : result.runs) {
         for (const BenchPoint& p : run.points) {
             out << row_text(
-                {std::string(name_of(run.method)), cell("%.0e", p.setting), cell("%.3g", 1e3 * p.cpu),
+                {std::string(entry_of(run.method).name), cell("%.0e", p.setting), cell("%.3g", 1e3 * p.cpu),
                  cell("%.1e", p.position), cell("%.1e", p.velocity), cell("%.1e", p.energy),
                  cell("%.1e", p.violation), std::to_string(p.counts.evaluations),
                  std::to_string(p.counts.steps), std::to_string(p.counts.rejected)});
@@ -97,7 +97,7 @@ void write_table(const SceneResult& result, std::ostream& out) {
     out << row_text({"ms to reach", "1e-3 m", "1e-6 m", "1e-9 m"});
     for (const BenchRun& run : result.runs) {
         out << row_text(
-            {std::string(name_of(run.method)), milliseconds_to(run, 1e-3), milliseconds_to(run, 1e-6),
+            {std::string(entry_of(run.method).name), milliseconds_to(run, 1e-3), milliseconds_to(run, 1e-6),
              milliseconds_to(run, 1e-9)});
     }
     out << '\n' << std::flush;
@@ -106,10 +106,10 @@ void write_table(const SceneResult& result, std::ostream& out) {
 void write_csv_rows(const SceneResult& result, std::ostream& out) {
     for (const BenchRun& run : result.runs) {
         for (const BenchPoint& p : run.points) {
-            out << csv_field(result.name) << ',' << name_of(run.method) << ',' << exact(p.setting) << ','
-                << exact(1e3 * p.cpu) << ',' << exact(p.position) << ',' << exact(p.velocity) << ','
-                << exact(p.energy) << ',' << exact(p.violation) << ',' << p.counts.evaluations << ','
-                << p.counts.steps << ',' << p.counts.rejected << '\n';
+            out << csv_cell(result.name) << ',' << entry_of(run.method).name << ',' << csv_number(p.setting)
+                << ',' << csv_number(1e3 * p.cpu) << ',' << csv_number(p.position) << ','
+                << csv_number(p.velocity) << ',' << csv_number(p.energy) << ',' << csv_number(p.violation)
+                << ',' << p.counts.evaluations << ',' << p.counts.steps << ',' << p.counts.rejected << '\n';
         }
     }
 }
@@ -132,7 +132,7 @@ Json json_of(const SceneResult& result) {
                  {"rejected", p.counts.rejected},
                  {"failure", p.failure.empty() ? Json() : Json(p.failure)}});
         }
-        runs.push_back({{"method", name_of(run.method)}, {"points", points}});
+        runs.push_back({{"method", entry_of(run.method).name}, {"points", points}});
     }
     return {{"scene", result.name}, {"reference", result.reference.origin}, {"runs", runs}};
 }

@@ -67,8 +67,4 @@ void apply(const DynamicsOptions& options, SimulationSettings& settings) {
     if (options.step) { settings.step = positive(*options.step, "--step"); }
 }
 
-std::string_view name_of(Method method) {
-    return std::ranges::find(kMethods, method, &MethodName::method)->name;
-}
-
 }  // namespace jw

@@ -25,7 +25,4 @@ void add_dynamics_options(CLI::App& command, DynamicsOptions& options);
 /// @throws CommandError (bad_input) for numbers that are not positive
 void apply(const DynamicsOptions& options, SimulationSettings& settings);
 
-/// "explicit-8" and so on.
-std::string_view name_of(Method method);
-
 }  // namespace jw

@@ -5,8 +5,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
-#include "app/commands/table_output.hpp"
 #include "app/commands/tries.hpp"
+#include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
 
@@ -87,7 +87,7 @@ Exit simulate_command(const Options& options, const Streams& streams) {
         add_tried(json, tried.done);
         streams.out << json.dump(1) << '\n';
     } else {
-        write_csv(table.columns, table.rows, streams.out);
+        streams.out << csv_of(table.columns, table.rows);
     }
     streams.err << "jointwise: " << table.summary << '\n';
     for (const std::string& name : table.not_unique) {

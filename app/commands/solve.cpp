@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/table_output.hpp"
 #include "app/commands/tries.hpp"
+#include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/solution.hpp"
 
@@ -51,10 +51,10 @@ SweepPlan plan_of(const Options& options, const Lesson& lesson) {
 }
 
 void write_csv(const Sweep& sweep, std::ostream& out) {
-    for (const std::string& column : sweep.columns) { out << csv_field(column) << ','; }
+    for (const std::string& column : sweep.columns) { out << csv_cell(column) << ','; }
     out << "unique,consistent,change_point\n";
     for (const SweepRow& row : sweep.rows) {
-        for (const double value : row.values) { out << exact(value) << ','; }
+        for (const double value : row.values) { out << csv_number(value) << ','; }
         out << row.unique << ',' << row.consistent << ',' << row.change_point << '\n';
     }
 }

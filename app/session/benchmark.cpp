@@ -25,10 +25,6 @@ double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-const MethodName& entry_of(Method method) {
-    return *std::ranges::find(kMethods, method, &MethodName::method);
-}
-
 /// Energy is kept where nothing but gravity and springs acts.
 bool keeps_energy(const Lesson& lesson) {
     const Loads& loads = lesson.dynamics->loads;

@@ -24,6 +24,17 @@ std::string csv_number(double value) {
     return {std::begin(digits), end};
 }
 
+std::string csv_of(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows) {
+    std::string text;
+    const auto add_line = [&](const auto& cells, const auto& cell) {
+        for (std::size_t k = 0; k < cells.size(); ++k) { text += (k > 0 ? "," : "") + cell(cells[k]); }
+        text += '\n';
+    };
+    add_line(columns, csv_cell);
+    for (const std::vector<double>& row : rows) { add_line(row, csv_number); }
+    return text;
+}
+
 std::string csv_of(const SeriesSet& set) {
     std::string text = csv_cell(set.axis);
     for (const Series& s : set.series) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 /// Cells of comma-separated tables after RFC 4180.
 namespace jw {
@@ -10,5 +11,8 @@ std::string csv_cell(const std::string& text);
 
 /// Shortest form that reads back as the same double; empty for NaN.
 std::string csv_number(double value);
+
+/// A header and one line per row, line feeds between them.
+std::string csv_of(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows);
 
 }  // namespace jw

@@ -1,7 +1,6 @@
 #include "app/session/story.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "app/session/dynamics_run.hpp"
 
@@ -35,10 +34,14 @@ void thin_out_iterations(std::vector<Step>& steps) {
         steps.begin() + static_cast<std::ptrdiff_t>(first + kFirstIterations), std::prev(steps.end()));
 }
 
+// of one that is told again at every change: a scene that somebody made stiff or endless ends early
+constexpr long kMostStepsOfStory = 2000;
+
 }  // namespace
 
 std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     if (lesson.motion || !lesson.dynamics) { return lesson.motion; }
+    if (!why_not(lesson.dynamics->method, lesson.dynamics->treatment).empty()) { return std::nullopt; }
     // what takes less than the blink of an eye is shown in slow motion, what takes long as it is
     constexpr double shortest_show = 8.0;
     MotionPlan plan;
@@ -46,12 +49,6 @@ std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     plan.duration = std::max(plan.to, shortest_show);
     return plan;
 }
-
-namespace {
-
-constexpr long kMostStepsOfStory = 2000;
-
-}  // namespace
 
 double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
 
@@ -63,14 +60,10 @@ Story::Story(const Lesson& lesson, const StoryOptions& options)
     for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {
         if (!tell_addition(count)) { return; }
     }
-    if (options.with_motion && lesson.dynamics && !lesson.motion) {
-        try {
-            tell_dynamics(options);
-        } catch (const std::invalid_argument&) {
-            // a method and a treatment that do not go together: `simulate` says so, the story ends assembled
+    if (options.with_motion) {
+        if (const auto plan = shown_motion(lesson)) {
+            lesson.motion ? tell_motion(*plan, options) : tell_dynamics(*plan, options);
         }
-    } else if (options.with_motion && lesson.motion) {
-        tell_motion(options);
     }
     find_featured_joint();
 }
@@ -205,11 +198,10 @@ bool Story::tell_addition(int count) {
     return true;
 }
 
-void Story::tell_motion(const StoryOptions& options) {
+void Story::tell_motion(const MotionPlan& plan, const StoryOptions& options) {
     System system = *system_;
     MotionTracker tracker(system, state_, start_time_);
     std::shared_ptr<const System> shared = system_;
-    const MotionPlan& plan = *lesson_->motion;
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
     for (int k = 0; k <= intervals; ++k) {
         const double t = plan.from + (plan.to - plan.from) * k / intervals;
@@ -237,16 +229,14 @@ void Story::tell_motion(const StoryOptions& options) {
 }
 
 /// From the assembled pose on, by the method of the lesson.
-void Story::tell_dynamics(const StoryOptions& options) {
+void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     Mechanism assembled = lesson_->mechanism;
     for (std::size_t b = 0; b < assembled.bodies.size(); ++b) {
         assembled.bodies[b].r = state_.r[b];
         assembled.bodies[b].p = state_.p[b];
     }
-    const MotionPlan plan = *shown_motion(*lesson_);
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
     DynamicsRequest request = request_of(*lesson_);
-    // a story is told again at every change: a scene that somebody made stiff or endless ends early instead
     request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
     const std::vector<double> times = equal_times(plan.to, intervals);

@@ -89,8 +89,8 @@ public:
 private:
     void tell_bodies();
     bool tell_addition(int count);
-    void tell_motion(const StoryOptions& options);
-    void tell_dynamics(const StoryOptions& options);
+    void tell_motion(const MotionPlan& plan, const StoryOptions& options);
+    void tell_dynamics(const MotionPlan& plan, const StoryOptions& options);
     void find_featured_joint();
     /// Of the present system and state, if ranks are asked for.
     std::shared_ptr<const RankReport> present_rank() const;

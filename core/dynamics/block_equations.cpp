@@ -83,12 +83,7 @@ void BlockEquations<B>::build_structure() {
     structure_ = BlockStructure(neighbours_of(nodes_, moving_.size()));
     matrix_ = BlockMatrix<B>(structure_);
     std::vector<std::vector<int>> sides(moving_.size());
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int s = 0; s < 2; ++s) {
-            const int moving = moving_of(nodes_[n], s);
-            if (moving >= 0) { sides[at(moving)].push_back(2 * static_cast<int>(n) + s); }
-        }
-    }
+    for_each_side([&](std::size_t, int side, std::size_t moving) { sides[moving].push_back(side); });
     for (const std::vector<int>& group : sides) {
         for (const int a : group) {
             for (const int b : group) {
@@ -179,25 +174,20 @@ template <int B>
 void BlockEquations<B>::weigh(Metric metric) {
     const bool by_mass = metric == Metric::mass;
     const Mat3 geometric_J = Mat3::Identity() / (extent_ * extent_);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int s = 0; s < 2; ++s) {
-            const int moving = moving_of(nodes_[n], s);
-            if (moving < 0) { continue; }
-            const MovingBody& body = moving_[at(moving)];
-            const double inverse_mass = by_mass ? body.inverse_mass : 1.0;
-            const Mat3& inverse_J = by_mass ? body.inverse_J : geometric_J;
-            const double* j = &j_[side_at(2 * static_cast<int>(n) + s)];
-            double* out = &w_[side_at(2 * static_cast<int>(n) + s)];
-            for (int row = 0; row < B; ++row) {
-                for (int k = 0; k < 3; ++k) { out[row * 6 + k] = inverse_mass * j[k * B + row]; }
-                for (int k = 0; k < 3; ++k) {
-                    out[row * 6 + 3 + k] = j[3 * B + row] * inverse_J(0, k) +
-                                           j[4 * B + row] * inverse_J(1, k) +
-                                           j[5 * B + row] * inverse_J(2, k);
-                }
+    for_each_side([&](std::size_t, int side, std::size_t moving) {
+        const MovingBody& body = moving_[moving];
+        const double inverse_mass = by_mass ? body.inverse_mass : 1.0;
+        const Mat3& inverse_J = by_mass ? body.inverse_J : geometric_J;
+        const double* j = &j_[side_at(side)];
+        double* out = &w_[side_at(side)];
+        for (int row = 0; row < B; ++row) {
+            for (int k = 0; k < 3; ++k) { out[row * 6 + k] = inverse_mass * j[k * B + row]; }
+            for (int k = 0; k < 3; ++k) {
+                out[row * 6 + 3 + k] = j[3 * B + row] * inverse_J(0, k) + j[4 * B + row] * inverse_J(1, k) +
+                                       j[5 * B + row] * inverse_J(2, k);
             }
         }
-    }
+    });
 }
 
 template <int B>
@@ -214,6 +204,13 @@ void BlockEquations<B>::form_matrix() {
             row_size_[n * B + at(row)] = diagonal[row * B + row];
         }
     }
+}
+
+template <int B>
+void BlockEquations<B>::factor_by_mass() {
+    weigh(Metric::mass);
+    form_matrix();
+    matrix_.factor();
 }
 
 template <int B>
@@ -241,33 +238,25 @@ double BlockEquations<B>::violation_of_rows() const {
 
 template <int B>
 void BlockEquations<B>::subtract_products(const double* x, double* b) const {
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int s = 0; s < 2; ++s) {
-            const int moving = moving_of(nodes_[n], s);
-            if (moving < 0) { continue; }
-            const double* j = &j_[side_at(2 * static_cast<int>(n) + s)];
-            const double* six = x + 6 * static_cast<std::ptrdiff_t>(moving);
-            double* rows = b + n * B;
-            for (int k = 0; k < 6; ++k) {
-                for (int row = 0; row < B; ++row) { rows[row] -= j[k * B + row] * six[k]; }
-            }
+    for_each_side([&](std::size_t n, int side, std::size_t moving) {
+        const double* j = &j_[side_at(side)];
+        const double* six = x + 6 * moving;
+        double* rows = b + n * B;
+        for (int k = 0; k < 6; ++k) {
+            for (int row = 0; row < B; ++row) { rows[row] -= j[k * B + row] * six[k]; }
         }
-    }
+    });
 }
 
 template <int B>
 void BlockEquations<B>::add_reactions(const double* lambda, double* x) const {
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int s = 0; s < 2; ++s) {
-            const int moving = moving_of(nodes_[n], s);
-            if (moving < 0) { continue; }
-            const double* weights = &w_[side_at(2 * static_cast<int>(n) + s)];
-            double* six = x + 6 * static_cast<std::ptrdiff_t>(moving);
-            for (int row = 0; row < B; ++row) {
-                for (int k = 0; k < 6; ++k) { six[k] += weights[row * 6 + k] * lambda[n * B + at(row)]; }
-            }
+    for_each_side([&](std::size_t n, int side, std::size_t moving) {
+        const double* weights = &w_[side_at(side)];
+        double* six = x + 6 * moving;
+        for (int row = 0; row < B; ++row) {
+            for (int k = 0; k < 6; ++k) { six[k] += weights[row * 6 + k] * lambda[n * B + at(row)]; }
         }
-    }
+    });
 }
 
 template <int B>
@@ -284,9 +273,7 @@ template <int B>
 RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot) {
     set_bodies<true>(y);
     evaluate_links<true>(t);
-    weigh(Metric::mass);
-    form_matrix();
-    matrix_.factor();
+    factor_by_mass();
 
     evaluate_forces(t, y);
     set_lambda(gamma_);

@@ -53,7 +53,7 @@ public:
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
-    TangentSpace tangent_space(double t, const double* y) override;
+    MatrixX free_motions(double t, const double* y) override;
     void set_driver(int driver, double f0, double f1) override;
     int rows() const override;
     int rows_left_out() const override;
@@ -63,8 +63,15 @@ private:
     /// Where the numbers of a side begin in j_ and w_.
     static std::size_t side_at(int side) { return static_cast<std::size_t>(side) * kSide; }
     static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
-    /// Place of a body of a node among the moving ones (s = 0: i, 1: j), -1 if it is fixed.
-    static int moving_of(const Node& node, int s) { return s == 0 ? node.moving_i : node.moving_j; }
+    /// Calls `f(n, side, moving)` for every side of node n whose body moves.
+    template <class F>
+    void for_each_side(F&& f) const {
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            const int side = 2 * static_cast<int>(n);
+            if (nodes_[n].moving_i >= 0) { f(n, side, at(nodes_[n].moving_i)); }
+            if (nodes_[n].moving_j >= 0) { f(n, side + 1, at(nodes_[n].moving_j)); }
+        }
+    }
 
     void build_structure();
     template <bool WithMotion>
@@ -79,6 +86,8 @@ private:
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void form_matrix();
+    /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored.
+    void factor_by_mass();
     double violation_of_rows() const;
     double violation_of_kept_rows() const;
     /// λ = numbers of the kept rows, 0 for the others.

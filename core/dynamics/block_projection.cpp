@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
-/// What the block equations do besides accelerations: back onto the constraints, choice of rows, tangents.
+/// What the block equations do besides accelerations: back onto the constraints, choice of rows, freedoms.
 namespace jw {
 
 namespace {
@@ -67,9 +67,7 @@ double BlockEquations<B>::project(double t, double* y) {
         const bool slow = worst > kFastConvergence * last;
         last = worst;
         if (!factored || (slow && worst > kNearlyExact)) {
-            weigh(Metric::mass);
-            form_matrix();
-            matrix_.factor();
+            factor_by_mass();
             factored = true;
         }
         set_lambda(phi_);
@@ -79,11 +77,7 @@ double BlockEquations<B>::project(double t, double* y) {
         add_reactions(lambda_.data(), six_.data());
         displace(y, six_.data(), moving_.size());
     }
-    if (!factored) {
-        weigh(Metric::mass);
-        form_matrix();
-        matrix_.factor();
-    }
+    if (!factored) { factor_by_mass(); }
     project_velocities(y);
     return before;
 }
@@ -181,20 +175,16 @@ std::pair<double, double> BlockEquations<B>::violation(double t, const double* y
 }
 
 template <int B>
-TangentSpace BlockEquations<B>::tangent_space(double t, const double* y) {
+MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
     set_bodies<false>(y);
     evaluate_links<false>(t);
     const auto columns = static_cast<Eigen::Index>(6 * moving_.size());
     MatrixX jacobian = MatrixX::Zero(static_cast<Eigen::Index>(nodes_.size()) * B, columns);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int s = 0; s < 2; ++s) {
-            const int moving = moving_of(nodes_[n], s);
-            if (moving < 0) { continue; }
-            const Eigen::Map<const Eigen::Matrix<double, 6, B, Eigen::RowMajor>> j(
-                &j_[side_at(2 * static_cast<int>(n) + s)]);
-            jacobian.template block<B, 6>(static_cast<Eigen::Index>(n) * B, 6 * moving) = j.transpose();
-        }
-    }
+    for_each_side([&](std::size_t n, int side, std::size_t moving) {
+        const Eigen::Map<const Eigen::Matrix<double, 6, B, Eigen::RowMajor>> j(&j_[side_at(side)]);
+        jacobian.template block<B, 6>(
+            static_cast<Eigen::Index>(n * B), static_cast<Eigen::Index>(6 * moving)) = j.transpose();
+    });
     // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ
     MatrixX root = MatrixX::Zero(columns, columns);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
@@ -208,8 +198,8 @@ TangentSpace BlockEquations<B>::tangent_space(double t, const double* y) {
     const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
     Eigen::Index rank = 0;
     while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kRepeats * largest) { ++rank; }
-    const MatrixX free = svd.matrixV().rightCols(columns - rank);
-    return {root.transpose().template triangularView<Eigen::Upper>().solve(free), root * free};
+    return root.transpose().template triangularView<Eigen::Upper>().solve(
+        svd.matrixV().rightCols(columns - rank));
 }
 
 template double BlockEquations<3>::project(double, double*);
@@ -220,7 +210,7 @@ template void BlockEquations<3>::take_back_rows();
 template void BlockEquations<6>::take_back_rows();
 template std::pair<double, double> BlockEquations<3>::violation(double, const double*);
 template std::pair<double, double> BlockEquations<6>::violation(double, const double*);
-template TangentSpace BlockEquations<3>::tangent_space(double, const double*);
-template TangentSpace BlockEquations<6>::tangent_space(double, const double*);
+template MatrixX BlockEquations<3>::free_motions(double, const double*);
+template MatrixX BlockEquations<6>::free_motions(double, const double*);
 
 }  // namespace jw

@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 
+#include "core/body_kinematics.hpp"
 #include "core/rank.hpp"
 
 namespace jw {
@@ -95,11 +96,7 @@ Pulls pulls_of(const Link& link, const Vec3& point, const Situation& s) {
 Situation::Situation(const Centroidal& centroidal, double time, const State& state)
     : scene(&centroidal), t(time), length(extent(centroidal.mechanism)) {
     for (std::size_t b = 0; b < state.r.size(); ++b) {
-        BodyKinematics<OmegaGlobal> body;
-        body.r = state.r[b];
-        body.p = state.p[b];
-        body.A = OmegaGlobal::rotation(body.p);
-        bodies.push_back(body);
+        bodies.push_back(kinematics_at<OmegaGlobal>(state.r[b], state.p[b]));
         const bool fixed = centroidal.mechanism.bodies[b].fixed;
         first_of_body.push_back(fixed ? -1 : static_cast<int>(size));
         size += fixed ? 0 : 6;

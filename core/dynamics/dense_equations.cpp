@@ -4,33 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/body_kinematics.hpp"
+
 namespace jw {
 
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// ω' of the angular numbers of a choice, and the numbers of ω'.
-template <class C>
-Vec3 omega_local_of_numbers(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
-    if constexpr (C::kNormalised) {
-        return omega_local_of(p, angular);
-    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
-        return homogeneous_rotation_matrix(p).transpose() * angular;
-    } else {
-        return angular;
-    }
-}
-template <class C>
-Eigen::Matrix<double, C::kAngular, 1> numbers_of_omega_local(const Vec4& p, const Vec3& omega_local) {
-    if constexpr (C::kNormalised) {
-        return p_dot_of_omega_local(p, omega_local);
-    } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
-        return homogeneous_rotation_matrix(p) * omega_local;
-    } else {
-        return omega_local;
-    }
-}
 
 template <class C>
 Vec4 p_dot_of_numbers(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
@@ -87,7 +67,7 @@ void DenseEquations<C>::pack(const State& state, const Motion& motion, double* y
     for (const int b : system_.moving_bodies()) {
         const Vec4& p = state.p[at(b)];
         Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y) << state.r[at(b)], p, motion.r_dot[at(b)],
-            numbers_of_omega_local<C>(p, motion.omega_local[at(b)]);
+            angular_of<C>(p, motion.omega_local[at(b)]);
         y += kNumbers;
     }
 }
@@ -100,7 +80,7 @@ void DenseEquations<C>::unpack(const double* y, State& state, Motion& motion) co
         state.p[at(b)] = numbers.template segment<4>(3);
         motion.r_dot[at(b)] = numbers.template segment<3>(7);
         motion.omega_local[at(b)] =
-            omega_local_of_numbers<C>(state.p[at(b)], numbers.template tail<C::kAngular>());
+            omega_local_of_angular<C>(state.p[at(b)], numbers.template tail<C::kAngular>());
         y += kNumbers;
     }
 }
@@ -111,7 +91,7 @@ void DenseEquations<C>::to_flat(const double* y, double* flat) const {
         const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> numbers(y + n * kNumbers);
         Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat, n))
             << numbers.template head<10>(),
-            omega_local_of_numbers<C>(vec4(numbers.data() + 3), numbers.template tail<C::kAngular>());
+            omega_local_of_angular<C>(vec4(numbers.data() + 3), numbers.template tail<C::kAngular>());
     }
 }
 
@@ -122,7 +102,7 @@ void DenseEquations<C>::rates_to_flat(const double* y, const double* y_dot, doub
         const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> rates(y_dot + n * kNumbers);
         Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat, n))
             << rates.template head<10>(),
-            omega_local_of_numbers<C>(vec4(y + n * kNumbers + 3), rates.template tail<C::kAngular>());
+            omega_local_of_angular<C>(vec4(y + n * kNumbers + 3), rates.template tail<C::kAngular>());
     }
 }
 
@@ -132,7 +112,7 @@ void DenseEquations<C>::from_flat(const double* flat, double* y) const {
         const double* numbers = body_numbers(flat, n);
         Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y + n * kNumbers)
             << Eigen::Map<const Eigen::Matrix<double, 10, 1>>(numbers),
-            numbers_of_omega_local<C>(vec4(numbers + 3), vec3(numbers + 10));
+            angular_of<C>(vec4(numbers + 3), vec3(numbers + 10));
     }
 }
 
@@ -209,7 +189,7 @@ RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot
 
     for (const int b : system_.moving_bodies()) {
         const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> numbers(y);
-        const Angular angular = numbers.template tail<C::kAngular>();
+        const Angular<C> angular = numbers.template tail<C::kAngular>();
         Eigen::Map<Eigen::Matrix<double, kNumbers, 1>>(y_dot) << numbers.template segment<3>(7),
             p_dot_of_numbers<C>(state_.p[at(b)], angular),
             acceleration_.segment<3 + C::kAngular>(system_.body_column(b, C::kAngular));

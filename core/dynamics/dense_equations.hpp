@@ -45,7 +45,6 @@ public:
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
-    TangentSpace tangent_space(double t, const double* y) override;
     int rows() const override { return system_.rows(C::kNormalised); }
     int rows_left_out() const override { return rows() - static_cast<int>(saddle_point_.kept().size()); }
 
@@ -65,8 +64,6 @@ public:
     const VectorX& lambda() const { return lambda_; }
 
 private:
-    using Angular = Eigen::Matrix<double, C::kAngular, 1>;
-
     void read(const double* y);
     void find_thetas();
     void set_mass();

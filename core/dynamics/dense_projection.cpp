@@ -1,10 +1,8 @@
 #include <limits>
 
-#include <Eigen/Cholesky>
-
 #include "core/dynamics/dense_equations.hpp"
 
-/// What the dense equations do besides accelerations: back onto the constraints, choice of rows, tangents.
+/// What the dense equations do besides accelerations: back onto the constraints, choice of rows.
 namespace jw {
 
 namespace {
@@ -102,32 +100,6 @@ std::pair<double, double> DenseEquations<C>::violation(double t, const double* y
     assembler_.assemble_nu(t);
     const VectorX phi_dot = jacobian() * velocity_ - assembler_.nu();
     return {largest(assembler_.phi()), largest(phi_dot)};
-}
-
-template <class C>
-TangentSpace DenseEquations<C>::tangent_space(double t, const double* y) {
-    read(y);
-    assembler_.assemble_phi_and_jacobian(state_, t);
-    set_mass();
-    saddle_point_.factor(mass_, jacobian());
-    const MatrixX free = saddle_point_.free_motions();
-    const auto six = 6 * static_cast<Eigen::Index>(system_.moving_bodies().size());
-    TangentSpace out{MatrixX(six, free.cols()), MatrixX(six, free.cols())};
-    for (Eigen::Index k = 0; k < free.cols(); ++k) {
-        const Motion motion = assembler_.layout().motion_of(state_, free.col(k));
-        Eigen::Index first = 0;
-        for (const int b : system_.moving_bodies()) {
-            const MassProperties& m = *scene_->loads.masses[at(b)];
-            out.basis.col(k).segment<6>(first) << motion.r_dot[at(b)], motion.omega_local[at(b)];
-            out.weighted.col(k).segment<6>(first) << m.mass * motion.r_dot[at(b)],
-                m.J_local * motion.omega_local[at(b)];
-            first += 6;
-        }
-    }
-    const Eigen::LLT<MatrixX> energy(out.basis.transpose() * out.weighted);
-    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.basis);
-    energy.matrixU().solveInPlace<Eigen::OnTheRight>(out.weighted);
-    return out;
 }
 
 // the members above; those of dense_equations.cpp are instantiated there

@@ -41,27 +41,25 @@ ExplicitIntegrator::ExplicitIntegrator(
       y_dot_new_(y_.size()),
       stages_(static_cast<std::size_t>(table.stages), std::vector<double>(y_.size())) {
     equations_->choose_rows(t_, y_.data());
-    if (options_.project) {
-        equations_->project(t_, y_.data());
-        ++counts_.projections;
-    }
-    ++counts_.evaluations;
-    verdict_ = equations_->evaluate(t_, y_.data(), stages_.front().data());
+    if (options_.project) { project(t_, y_); }
+    verdict_ = evaluate(t_, y_, stages_.front());
     pivot_at_choice_ = verdict_.smallest_pivot;
     scales_.include(y_, stages_.front(), 0.0);
-    h_ = options_.fixed_step > 0.0 ? options_.fixed_step
-                                   : scales_.first_step(stages_.front(), options_.tolerance, table_->order);
+    h_ = is_fixed() ? options_.fixed_step
+                    : scales_.first_step(stages_.front(), options_.tolerance, table_->order);
     scales_.include(y_, stages_.front(), h_);
 }
 
-/// A stage; `y` may be moved onto the constraints.
+/// `y` is moved onto the constraints first where that was decided.
 RowsVerdict ExplicitIntegrator::evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot) {
+    if (on_manifold_) { project(t, y); }
     ++counts_.evaluations;
-    if (on_manifold_) {
-        equations_->project(t, y.data());
-        ++counts_.projections;
-    }
     return equations_->evaluate(t, y.data(), y_dot.data());
+}
+
+void ExplicitIntegrator::project(double t, std::vector<double>& y) {
+    equations_->project(t, y.data());
+    ++counts_.projections;
 }
 
 double ExplicitIntegrator::error_of(double h) const {
@@ -105,19 +103,18 @@ void ExplicitIntegrator::take_step(double h) {
     lowest_pivot_ = std::min(lowest_pivot_, verdict_new_.smallest_pivot);
 }
 
-/// ẏ at the end of a step, which is moved back onto the constraints if it has drifted.
+/// ẏ at the end of a step, which is moved back onto the constraints if it has drifted. Fixed steps have no
+/// tolerance that a drift could be small against: they are moved always.
 RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
-    ++counts_.evaluations;
-    RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
-    // fixed steps have no tolerance that a drift could be small against
-    const double drift = options_.fixed_step > 0.0 ? 0.0 : kDriftShare * options_.tolerance;
-    if (options_.project && (on_manifold_ || verdict.violation > drift)) {
-        equations_->project(t, y_new_.data());
-        ++counts_.projections;
-        ++counts_.evaluations;
-        verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    const bool always = options_.project && is_fixed();
+    if (always && !on_manifold_) { project(t, y_new_); }
+    const RowsVerdict verdict = evaluate(t, y_new_, y_dot_new_);
+    const bool moved = always || on_manifold_;
+    if (!options_.project || moved || verdict.violation <= kDriftShare * options_.tolerance) {
+        return verdict;
     }
-    return verdict;
+    project(t, y_new_);
+    return evaluate(t, y_new_, y_dot_new_);
 }
 
 /// The end of the step becomes the start of the next.
@@ -165,9 +162,8 @@ bool ExplicitIntegrator::is_near_singular() const {
 
 bool ExplicitIntegrator::step(double t_end) {
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        const double left = t_end - t_;
-        const bool last = h_ >= left * (1.0 - 1e-12);
-        const double h = last ? left : (h_ > 0.5 * left ? 0.5 * left : h_);
+        const StepAhead ahead(t_, t_end, h_);
+        const double h = ahead.h;
         on_manifold_ = false;
         take_step(h);
         const bool singular = is_near_singular();
@@ -181,15 +177,15 @@ bool ExplicitIntegrator::step(double t_end) {
                 continue;
             }
         }
-        const double error = options_.fixed_step > 0.0 ? 0.0 : error_of(h);
+        const double error = is_fixed() ? 0.0 : error_of(h);
         // the estimate of a step through a singular position sees rounding, not the motion
         const bool small_enough = singular && h <= kSmallestShare * regular_step_;
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
-            accept(last ? t_end : t_ + h);
-            if (options_.fixed_step > 0.0) { return true; }
+            accept(ahead.end);
+            if (is_fixed()) { return true; }
             h_ = h * growth_after(error);
             rejected_before_ = false;
-            if (!singular && !last) { regular_step_ = h; }
+            if (!singular && !ahead.last) { regular_step_ = h; }
             if (singular) { h_ = std::max(h_, kSmallestShare * regular_step_); }
             return true;
         }

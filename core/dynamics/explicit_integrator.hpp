@@ -22,7 +22,6 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return stages_.front(); }
     const IntegrationCounts& counts() const override { return counts_; }
-    double smallest_pivot() const { return verdict_.smallest_pivot; }
 
 private:
     void take_step(double h);
@@ -31,6 +30,8 @@ private:
     double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
+    bool is_fixed() const { return options_.fixed_step > 0.0; }
+    void project(double t, std::vector<double>& y);
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
     RowsVerdict evaluate_end(double t);
 

@@ -1,8 +1,12 @@
 #include "core/dynamics/independent_coordinates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/QR>
+
+#include "core/body_kinematics.hpp"
+#include "core/joint_freedoms.hpp"
 
 namespace jw {
 
@@ -15,57 +19,9 @@ constexpr double kDistinct = 0.05;
 /// Share of its first value to which the sine between coordinates may fall on the way.
 constexpr double kStillDistinct = 0.3;
 
-using Kinematics6 = BodyKinematics<OmegaLocal>;
-using Row6 = Eigen::Matrix<double, 1, 6>;
-
-Kinematics6 kinematics_of(const Body& body, const double* numbers) {
-    Kinematics6 k;
-    k.r = numbers != nullptr ? vec3(numbers) : body.r;
-    k.p = numbers != nullptr ? vec4(numbers + 3) : body.p;
-    k.A = OmegaLocal::rotation(k.p);
-    if (numbers != nullptr) {
-        k.r_dot = vec3(numbers + 7);
-        OmegaLocal::set_motion(k, vec3(numbers + 10));
-    }
-    return k;
-}
-
-/// A measure with its gradient by the six columns of each body, its rate and its bias.
-struct Value {
-    double value = 0.0;
-    double rate = 0.0;
-    double bias = 0.0;
-    Row6 by_i = Row6::Zero();
-    Row6 by_j = Row6::Zero();
-};
-
-Value value_of(const Measure& measure, const Kinematics6& i, const Kinematics6& j) {
-    return std::visit(
-        [&](const auto& m) {
-            const auto motion = measured<Content::motion>(m, i, j, Theta{});
-            const auto gradient = measured<Content::jacobian>(m, i, j, Theta{});
-            using J = std::decay_t<decltype(gradient)>;
-            Value out{motion.value(0), motion.rate(0), motion.bias(0), Row6::Zero(), Row6::Zero()};
-            if constexpr ((J::kSides & kBodyI) != 0) { out.by_i = gradient.block_i; }
-            if constexpr ((J::kSides & kBodyJ) != 0) { out.by_j = gradient.block_j; }
-            return out;
-        },
-        measure);
-}
-
-bool has_angle(const Joint& joint) {
-    const auto name = joint.type->name;
-    return name == "revolute" || name == "cylindrical" || name == "screw" || name == "planar";
-}
-
-bool has_displacement(const Joint& joint) {
-    const auto name = joint.type->name;
-    return name == "prismatic" || name == "cylindrical";
-}
-
 }  // namespace
 
-IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, MotionEquations& equations)
+IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations)
     : scene_(&centroidal), equations_(&equations) {
     const Mechanism& mechanism = centroidal.mechanism;
     int moving = 0;
@@ -75,8 +31,8 @@ IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, Mot
         for (int k = 0; k < 7; ++k) { of_bodies_.push_back({CoordinateMeasure{k}, 0, static_cast<int>(b)}); }
     }
     for (const Joint& joint : mechanism.joints) {
-        if (has_angle(joint)) { of_joints_.push_back({angle_of(joint), joint.body_i, joint.body_j}); }
-        if (has_displacement(joint)) {
+        if (has_angle(*joint.type)) { of_joints_.push_back({angle_of(joint), joint.body_i, joint.body_j}); }
+        if (has_displacement(*joint.type)) {
             of_joints_.push_back({displacement_of(joint), joint.body_i, joint.body_j});
         }
     }
@@ -90,33 +46,49 @@ double IndependentCoordinates::scale_of(int coordinate, double length) const {
     return is_length ? length : 1.0;
 }
 
-/// Rows of six numbers per moving body.
+MeasureJet IndependentCoordinates::jet_at(const IndependentCoordinate& c, const double* y) const {
+    const auto kinematics = [&](int body) {
+        const Body& fixed = scene_->mechanism.bodies[at(body)];
+        if (order_of(body) < 0) { return kinematics_at<OmegaLocal>(fixed.r, fixed.p); }
+        const double* numbers = body_numbers(y, at(order_of(body)));
+        return kinematics_at<OmegaLocal>(
+            vec3(numbers), vec4(numbers + 3), vec3(numbers + 7), vec3(numbers + 10));
+    };
+    return jet_of(c.measure, kinematics(c.body_i), kinematics(c.body_j), Theta{});
+}
+
 MatrixX IndependentCoordinates::gradients(
     const std::vector<IndependentCoordinate>& of, const double* y) const {
     const auto bodies = std::ranges::count_if(order_of_body_, [](int order) { return order >= 0; });
     MatrixX rows = MatrixX::Zero(static_cast<Eigen::Index>(of.size()), 6 * bodies);
-    const auto kinematics = [&](int body) {
-        const int order = order_of_body_[at(body)];
-        return kinematics_of(
-            scene_->mechanism.bodies[at(body)], order < 0 ? nullptr : body_numbers(y, at(order)));
-    };
     for (std::size_t k = 0; k < of.size(); ++k) {
-        const Value value = value_of(of[k].measure, kinematics(of[k].body_i), kinematics(of[k].body_j));
-        const auto row = static_cast<Eigen::Index>(k);
-        const int i = order_of_body_[at(of[k].body_i)];
-        const int j = order_of_body_[at(of[k].body_j)];
-        if (i >= 0) { rows.block<1, 6>(row, 6 * i) += value.by_i; }
-        if (j >= 0) { rows.block<1, 6>(row, 6 * j) += value.by_j; }
+        const MeasureJet jet = jet_at(of[k], y);
+        const auto add = [&](int body, const MeasureJet::Row& gradient) {
+            if (order_of(body) < 0) { return; }
+            rows.block<1, 6>(static_cast<Eigen::Index>(k), 6 * order_of(body)) += gradient;
+        };
+        add(of[k].body_i, jet.by_i);
+        add(of[k].body_j, jet.by_j);
     }
     return rows;
 }
 
+double IndependentCoordinates::along(
+    const IndependentCoordinate& c, const MeasureJet& jet, const double* y_dot) const {
+    const auto of_body = [&](int body, const MeasureJet::Row& gradient) {
+        if (order_of(body) < 0) { return 0.0; }
+        const double* six = body_numbers(y_dot, at(order_of(body))) + 7;
+        return gradient.dot(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(six));
+    };
+    return of_body(c.body_i, jet.by_i) + of_body(c.body_j, jet.by_j);
+}
+
 VectorX IndependentCoordinates::choose(double t, const double* y) {
-    const TangentSpace tangent = equations_->tangent_space(t, y);
-    const Eigen::Index d = tangent.basis.cols();
+    const MatrixX free = equations_->free_motions(t, y);
+    const Eigen::Index d = free.cols();
     const auto choose_from = [&](const std::vector<IndependentCoordinate>& candidates) {
         // rows of equal size, so that units do not decide
-        MatrixX rows = gradients(candidates, y) * tangent.basis;
+        MatrixX rows = gradients(candidates, y) * free;
         rows.rowwise().normalize();
         const Eigen::ColPivHouseholderQR<MatrixX> qr(rows.transpose());
         chosen_.clear();
@@ -142,22 +114,10 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     pivot_at_choice_ = driven_->smallest_pivot();
 
     VectorX x(2 * d);
-    const VectorX velocities = [&] {
-        VectorX six(tangent.basis.rows());
-        for (Eigen::Index k = 0; k < six.size(); ++k) {
-            six(k) = body_numbers(y, at(static_cast<int>(k / 6)))[7 + k % 6];
-        }
-        return six;
-    }();
-    x.tail(d) = gradients(chosen_, y) * velocities;
     for (Eigen::Index k = 0; k < d; ++k) {
-        const IndependentCoordinate& c = chosen_[at(static_cast<int>(k))];
-        const auto kinematics = [&](int body) {
-            const int order = order_of_body_[at(body)];
-            return kinematics_of(
-                scene_->mechanism.bodies[at(body)], order < 0 ? nullptr : body_numbers(y, at(order)));
-        };
-        x(k) = value_of(c.measure, kinematics(c.body_i), kinematics(c.body_j)).value;
+        const MeasureJet jet = jet_at(chosen_[static_cast<std::size_t>(k)], y);
+        x(k) = jet.value;
+        x(d + k) = jet.rate;
     }
     return x;
 }
@@ -177,21 +137,9 @@ void IndependentCoordinates::evaluate(
     equations_->evaluate(t, y, y_dot);
     x_dot.head(d) = x.tail(d);
     for (Eigen::Index k = 0; k < d; ++k) {
-        const IndependentCoordinate& c = chosen_[at(static_cast<int>(k))];
-        const int i = order_of_body_[at(c.body_i)];
-        const int j = order_of_body_[at(c.body_j)];
-        const double* numbers_i = i < 0 ? nullptr : body_numbers(y, at(i));
-        const double* numbers_j = j < 0 ? nullptr : body_numbers(y, at(j));
-        const Value value = value_of(
-            c.measure, kinematics_of(scene_->mechanism.bodies[at(c.body_i)], numbers_i),
-            kinematics_of(scene_->mechanism.bodies[at(c.body_j)], numbers_j));
-        double acceleration = value.bias;
-        const auto six = [&](int order) {
-            return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(body_numbers(y_dot, at(order)) + 7);
-        };
-        if (i >= 0) { acceleration += value.by_i * six(i); }
-        if (j >= 0) { acceleration += value.by_j * six(j); }
-        x_dot(d + k) = acceleration;
+        const IndependentCoordinate& c = chosen_[static_cast<std::size_t>(k)];
+        const MeasureJet jet = jet_at(c, y);
+        x_dot(d + k) = jet.bias + along(c, jet, y_dot);
     }
 }
 

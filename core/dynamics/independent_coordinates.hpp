@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/dynamics/motion_equations.hpp"
+#include "core/measure_jet.hpp"
 
 /// The motion in as many coordinates as there are freedoms: angles and displacements of joints, or
 /// coordinates of bodies where joints do not say enough. All others follow from the constraints, so nothing
@@ -22,11 +23,10 @@ struct IndependentCoordinate {
 class IndependentCoordinates {
 public:
     /// `centroidal` and `equations` must outlive this.
-    IndependentCoordinates(const Centroidal& centroidal, MotionEquations& equations);
+    IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations);
 
     /// Chooses coordinates for the freedoms at y, joints first. @return x there
     VectorX choose(double t, const double* y);
-    int freedoms() const { return static_cast<int>(chosen_.size()); }
     /// Whether the choice still tells the freedoms apart where it was evaluated last.
     bool is_sound() const;
 
@@ -36,10 +36,15 @@ public:
     double scale_of(int coordinate, double length) const;
 
 private:
+    MeasureJet jet_at(const IndependentCoordinate& coordinate, const double* y) const;
+    /// Their gradients, rows of six numbers per moving body.
     MatrixX gradients(const std::vector<IndependentCoordinate>& of, const double* y) const;
+    /// How fast one changes when bodies move as the six rates in `y_dot` say.
+    double along(const IndependentCoordinate& coordinate, const MeasureJet& jet, const double* y_dot) const;
+    int order_of(int body) const { return order_of_body_[static_cast<std::size_t>(body)]; }
 
     const Centroidal* scene_;
-    MotionEquations* equations_;
+    DrivableEquations* equations_;
     std::vector<int> order_of_body_;
     std::vector<IndependentCoordinate> of_joints_;
     std::vector<IndependentCoordinate> of_bodies_;

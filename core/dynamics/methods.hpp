@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -24,21 +25,24 @@ enum class Treatment {
     tangent,     ///< coordinates of the tangent space: nothing to stabilise
 };
 
+/// What a method is made of: it says which equations and treatments go with it.
+enum class MethodKind { runge_kutta, semi_implicit, radau };
+
 struct MethodName {
     Method method;
     std::string_view name;
-    int order;
+    MethodKind kind;
     bool adaptive;
 };
 
 inline constexpr std::array kMethods{
-    MethodName{Method::euler, "euler", 1, false},
-    MethodName{Method::semi_implicit, "semi-implicit", 1, false},
-    MethodName{Method::rk4, "rk4", 4, false},
-    MethodName{Method::explicit_5, "explicit-5", 5, true},
-    MethodName{Method::explicit_8, "explicit-8", 8, true},
-    MethodName{Method::implicit_5, "implicit-5", 5, true},
-    MethodName{Method::implicit_9, "implicit-9", 9, true},
+    MethodName{Method::euler, "euler", MethodKind::runge_kutta, false},
+    MethodName{Method::semi_implicit, "semi-implicit", MethodKind::semi_implicit, false},
+    MethodName{Method::rk4, "rk4", MethodKind::runge_kutta, false},
+    MethodName{Method::explicit_5, "explicit-5", MethodKind::runge_kutta, true},
+    MethodName{Method::explicit_8, "explicit-8", MethodKind::runge_kutta, true},
+    MethodName{Method::implicit_5, "implicit-5", MethodKind::radau, true},
+    MethodName{Method::implicit_9, "implicit-9", MethodKind::radau, true},
 };
 
 struct TreatmentName {
@@ -52,5 +56,24 @@ inline constexpr std::array kTreatments{
     TreatmentName{Treatment::projection, "projection"},
     TreatmentName{Treatment::tangent, "tangent"},
 };
+
+constexpr const MethodName& entry_of(Method method) {
+    return *std::ranges::find(kMethods, method, &MethodName::method);
+}
+constexpr const TreatmentName& entry_of(Treatment treatment) {
+    return *std::ranges::find(kTreatments, treatment, &TreatmentName::treatment);
+}
+
+/// Why a method cannot keep the constraints in this way; empty if it can.
+constexpr std::string_view why_not(Method method, Treatment treatment) {
+    const bool drifts = treatment == Treatment::none || treatment == Treatment::baumgarte;
+    if (entry_of(method).kind == MethodKind::radau) {
+        return drifts
+                   ? "implicit methods keep the constraints by themselves; expected treatment projection or "
+                     "tangent"
+                   : "";
+    }
+    return treatment == Treatment::tangent ? "treatment tangent needs an implicit method" : "";
+}
 
 }  // namespace jw

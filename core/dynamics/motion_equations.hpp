@@ -29,12 +29,6 @@ struct RowsVerdict {
     double violation = 0.0;  ///< largest |Φ| of all rows, each by the size of its equation
 };
 
-/// See MotionEquations::tangent_space.
-struct TangentSpace {
-    MatrixX basis;
-    MatrixX weighted;
-};
-
 class MotionEquations {
 public:
     MotionEquations() = default;
@@ -69,17 +63,16 @@ public:
     virtual double kinetic_energy(const double* y) const = 0;
     virtual double potential_energy(const double* y) const = 0;
 
-    /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
-    /// metric of M; and M times them. Dense, for small mechanisms.
-    virtual TangentSpace tangent_space(double t, const double* y) = 0;
-
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;
 };
 
-/// Equations whose drivers can be told anew what to do.
+/// What independent coordinates need besides: the freedoms, and drivers that can be told anew what to do.
 class DrivableEquations : public MotionEquations {
 public:
+    /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
+    /// metric of M. Dense, for small mechanisms.
+    virtual MatrixX free_motions(double t, const double* y) = 0;
     /// The function of a driver of the mechanism becomes f0 + f1 t.
     virtual void set_driver(int driver, double f0, double f1) = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
@@ -16,7 +17,7 @@ constexpr double kSlowContraction = 0.1;
 /// Contraction with which a longer step would not converge.
 constexpr double kNearlyFailed = 0.3;
 
-/// Nodes of Radau IIA on (0, 1]: the zeros of P_s - P_(s-1), by Newton from Chebyshev's nodes.
+/// Nodes of Radau IIA on (0, 1]: the zeros of P_s - P_(s-1), by bisection.
 VectorX radau_nodes(int stages) {
     VectorX c(stages);
     const auto legendre = [](int n, double x) {
@@ -31,10 +32,9 @@ VectorX radau_nodes(int stages) {
     };
     const auto value = [&](double x) { return legendre(stages, x) - legendre(stages - 1, x); };
     for (int i = 0; i < stages - 1; ++i) {
-        // between the zeros of neighbouring Chebyshev polynomials lies exactly one: bisection, then it is
-        // exact
-        double left = -std::cos(M_PI * i / (stages - 0.5));
-        double right = -std::cos(M_PI * (i + 1) / (stages - 0.5));
+        // each of these intervals holds exactly one
+        double left = -std::cos(std::numbers::pi * i / (stages - 0.5));
+        double right = -std::cos(std::numbers::pi * (i + 1) / (stages - 0.5));
         const bool rising = value(left) < 0.0;
         for (int k = 0; k < 200; ++k) {
             const double middle = 0.5 * (left + right);
@@ -85,7 +85,7 @@ RadauTable radau_table(int stages) {
 }
 
 RadauIntegrator::RadauIntegrator(
-    const Centroidal& scene, MotionEquations& equations, int stages, const IntegrationOptions& options,
+    const Centroidal& scene, DrivableEquations& equations, int stages, const IntegrationOptions& options,
     double t, std::vector<double> y)
     : equations_(&equations),
       table_(radau_table(stages)),
@@ -114,16 +114,20 @@ void RadauIntegrator::choose_coordinates() {
     x_ = coordinates_.choose(t_, y_.data());
     x_dot_ = VectorX::Zero(x_.size());
     coordinates_.evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
-    const Eigen::Index d = x_.size() / 2;
-    x_scale_ = VectorX::Ones(2 * d);
-    for (Eigen::Index k = 0; k < d; ++k) {
-        const double length = coordinates_.scale_of(static_cast<int>(k), options_.length_scale);
-        x_scale_(k) = length;
-        x_scale_(d + k) = length * scales_.of(10);
-    }
-    x_stages_ = x_rates_ = MatrixX::Zero(2 * d, table_.c.size());
+    measure_coordinates();
+    x_stages_ = x_rates_ = MatrixX::Zero(x_.size(), table_.c.size());
     step_before_ = 0.0;
     reduced_.resize(0, 0);
+}
+
+/// Lengths by the size of the scene, everything else by 1; their rates by the fastest motion so far besides.
+void RadauIntegrator::measure_coordinates() {
+    const Eigen::Index d = x_.size() / 2;
+    x_scale_.resize(2 * d);
+    for (Eigen::Index k = 0; k < d; ++k) {
+        x_scale_(k) = coordinates_.scale_of(static_cast<int>(k), options_.length_scale);
+    }
+    x_scale_.tail(d) = x_scale_.head(d) * scales_.of(10);
 }
 
 bool RadauIntegrator::jacobian_is_stale() const {
@@ -260,8 +264,7 @@ void RadauIntegrator::accept(double h, double t) {
     ++counts_.evaluations;
     ++counts_.steps;
     scales_.include(y_, y_dot_, 0.0);
-    const Eigen::Index d = x_.size() / 2;
-    for (Eigen::Index k = 0; k < d; ++k) { x_scale_(d + k) = x_scale_(k) * scales_.of(10); }
+    measure_coordinates();
     if (!coordinates_.is_sound()) { choose_coordinates(); }
 }
 
@@ -272,9 +275,8 @@ bool RadauIntegrator::step(double t_end) {
     bool renewed = jacobian_is_stale();
     if (renewed) { renew_jacobian(); }
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        const double left = t_end - t_;
-        const bool last = h_ >= left * (1.0 - 1e-12);
-        const double h = last ? left : (h_ > 0.5 * left ? 0.5 * left : h_);
+        const StepAhead ahead(t_, t_end, h_);
+        const double h = ahead.h;
         factor(h);
         predict(h);
         const NewtonEnd newton = solve_stages(h);
@@ -299,8 +301,8 @@ bool RadauIntegrator::step(double t_end) {
             h_ = h * std::min(growth, 0.9);
             continue;
         }
-        accept(h, last ? t_end : t_ + h);
-        if (options_.fixed_step > 0.0 || last) { return true; }
+        accept(h, ahead.end);
+        if (options_.fixed_step > 0.0 || ahead.last) { return true; }
         const double slow = newton.contraction > kNearlyFailed ? 1.0 : most_growth;
         const double wanted = std::min(growth, doubtful ? 1.0 : slow);
         // the factors of this step serve the next one too

@@ -26,7 +26,7 @@ class RadauIntegrator final : public TimeStepper {
 public:
     /// `scene` and `equations` must outlive this; `y` is projected first.
     RadauIntegrator(
-        const Centroidal& scene, MotionEquations& equations, int stages, const IntegrationOptions& options,
+        const Centroidal& scene, DrivableEquations& equations, int stages, const IntegrationOptions& options,
         double t, std::vector<double> y);
 
     bool step(double t_end) override;
@@ -45,6 +45,7 @@ private:
     };
 
     void choose_coordinates();
+    void measure_coordinates();
     bool jacobian_is_stale() const;
     void renew_jacobian();
     void factor(double h);
@@ -57,7 +58,7 @@ private:
     /// Of the start and the stages of the last step in a point `tau` of it, by their polynomial.
     VectorX weights(double tau) const;
 
-    MotionEquations* equations_;
+    DrivableEquations* equations_;
     RadauTable table_;
     IntegrationOptions options_;
     IntegrationCounts counts_;
@@ -70,7 +71,6 @@ private:
     VectorX x_;
     VectorX x_dot_;
     VectorX x_scale_;
-    VectorX base_;     ///< x of the Jacobian
     MatrixX reduced_;  ///< ∂ẋ/∂x, 2 d x 2 d
     Eigen::PartialPivLU<MatrixX> stages_lu_;
     Eigen::PartialPivLU<MatrixX> error_lu_;

@@ -76,8 +76,4 @@ void SaddlePoint::solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX&
     x = scaling_.column.cwiseProduct(scaled);
 }
 
-MatrixX SaddlePoint::free_motions() const {
-    return scaling_.column.asDiagonal() * Q_.rightCols(Q_.cols() - static_cast<Eigen::Index>(kept_.size()));
-}
-
 }  // namespace jw

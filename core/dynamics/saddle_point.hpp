@@ -47,9 +47,6 @@ public:
     /// @param lambda one per row; 0 for those left out
     void solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX& lambda) const;
 
-    /// Columns that span the motions x with Φq x = 0.
-    MatrixX free_motions() const;
-
     /// Square of the sine between a row and those before it, the smallest one.
     double smallest_pivot() const { return smallest_pivot_; }
 

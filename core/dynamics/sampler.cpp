@@ -19,55 +19,47 @@ std::array<Numbers, 3> derivatives(const double* y, const double* y_dot) {
     return out;
 }
 
-/// Newton's form of Hermite's polynomial through nodes that count three times each.
-class Hermite {
-public:
-    /// @param count nodes, 2 to 4
-    Hermite(const std::array<double, 4>& t, const std::array<std::array<Numbers, 3>, 4>& known, int count)
-        : size_(3 * count) {
-        std::array<Numbers, 12> column;
-        column.fill(Numbers::Zero());
-        coefficients_.fill(Numbers::Zero());
-        for (int k = 0; k < size_; ++k) {
-            x_[at(k)] = t[at(k / 3)];
-            column[at(k)] = known[at(k / 3)][0];
-        }
-        coefficients_[0] = column[0];
-        for (int order = 1; order < size_; ++order) {
-            for (int k = size_ - 1; k >= order; --k) {
-                const double width = x_[at(k)] - x_[at(k - order)];
-                column[at(k)] = width == 0.0 ? known[at(k / 3)][at(order)]
-                                             : ((column[at(k)] - column[at(k - 1)]) / width).eval();
-            }
-            coefficients_[at(order)] = column[at(order)];
-        }
-    }
-
-    std::pair<Numbers, Numbers> value_and_rate(double t) const {
-        Numbers value = coefficients_[at(size_ - 1)];
-        Numbers rate = Numbers::Zero();
-        for (int k = size_ - 2; k >= 0; --k) {
-            rate = rate * (t - x_[at(k)]) + value;
-            value = value * (t - x_[at(k)]) + coefficients_[at(k)];
-        }
-        return {value, rate};
-    }
-
-private:
-    static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-    int size_;
-    std::array<double, 12> x_{};
-    std::array<Numbers, 12> coefficients_;
-};
-
 }  // namespace
+
+void Sampler::Polynomial::fit(std::span<const Node> nodes, std::size_t body) {
+    size_ = 3 * nodes.size();
+    std::array<std::array<Numbers, 3>, kNodes> known;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        known[n] = derivatives(nodes[n].y.data() + body, nodes[n].y_dot.data() + body);
+    }
+    std::array<Numbers, 3 * kNodes> column;
+    column.fill(Numbers::Zero());
+    for (std::size_t k = 0; k < size_; ++k) {
+        x_[k] = nodes[k / 3].t;
+        column[k] = known[k / 3][0];
+    }
+    coefficients_[0] = column[0];
+    for (std::size_t order = 1; order < size_; ++order) {
+        for (std::size_t k = size_ - 1; k >= order; --k) {
+            const double width = x_[k] - x_[k - order];
+            column[k] = width == 0.0 ? known[k / 3][order] : ((column[k] - column[k - 1]) / width).eval();
+        }
+        coefficients_[order] = column[order];
+    }
+}
+
+std::pair<Numbers, Numbers> Sampler::Polynomial::value_and_rate(double t) const {
+    Numbers value = coefficients_[size_ - 1];
+    Numbers rate = Numbers::Zero();
+    for (std::size_t k = size_ - 1; k-- > 0;) {
+        rate = rate * (t - x_[k]) + value;
+        value = value * (t - x_[k]) + coefficients_[k];
+    }
+    return {value, rate};
+}
 
 void Sampler::take(const TimeStepper& stepper) {
     if (known_ == kNodes) {
         std::rotate(nodes_.begin(), nodes_.begin() + 1, nodes_.end());
         --known_;
     }
-    Node& node = nodes_[static_cast<std::size_t>(known_++)];
+    Node& node = nodes_[known_++];
+    fitted_ = false;
     node.t = stepper.t();
     const std::size_t bodies = stepper.y().size() / static_cast<std::size_t>(equations_->numbers_per_body());
     node.y.resize(bodies * kNumbersPerBody);
@@ -96,14 +88,15 @@ void Sampler::take(const TimeStepper& stepper) {
 }
 
 void Sampler::finish() {
-    if (known_ > 0) { give_until(nodes_[static_cast<std::size_t>(known_ - 1)].t); }
+    if (known_ > 0) { give_until(nodes_[known_ - 1].t); }
 }
 
 void Sampler::give_until(double t_end) {
+    const std::span<const Node> known = std::span(nodes_).first(known_);
     for (; next_ < times_.size() && times_[next_] <= t_end; ++next_) {
         const double t = times_[next_];
-        const auto node = std::ranges::find(nodes_.begin(), nodes_.begin() + known_, t, &Node::t);
-        if (node != nodes_.begin() + known_) {
+        const auto node = std::ranges::find(known, t, &Node::t);
+        if (node != known.end()) {
             receive_(t, node->y);
             continue;
         }
@@ -112,16 +105,19 @@ void Sampler::give_until(double t_end) {
     }
 }
 
+void Sampler::fit() {
+    polynomials_.resize(y_.size() / kNumbersPerBody);
+    for (std::size_t n = 0; n < polynomials_.size(); ++n) {
+        polynomials_[n].fit(std::span(nodes_).first(known_), n * kNumbersPerBody);
+    }
+    fitted_ = true;
+}
+
 void Sampler::interpolate(double t) {
-    std::array<double, kNodes> times{};
-    std::array<std::array<Numbers, 3>, kNodes> known;
-    for (std::size_t first = 0; first < y_.size(); first += kNumbersPerBody) {
-        for (std::size_t n = 0; n < static_cast<std::size_t>(known_); ++n) {
-            times[n] = nodes_[n].t;
-            known[n] = derivatives(nodes_[n].y.data() + first, nodes_[n].y_dot.data() + first);
-        }
-        const auto [value, rate] = Hermite(times, known, known_).value_and_rate(t);
-        double* y = y_.data() + first;
+    if (!fitted_) { fit(); }
+    for (std::size_t n = 0; n < polynomials_.size(); ++n) {
+        const auto [value, rate] = polynomials_[n].value_and_rate(t);
+        double* y = body_numbers(y_.data(), n);
         const Vec4 p = value.tail<4>().normalized();
         vec3(y) = value.head<3>();
         vec4(y + 3) = p;

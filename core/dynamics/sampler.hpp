@@ -2,6 +2,8 @@
 
 #include <array>
 #include <functional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/dynamics/time_stepper.hpp"
@@ -27,21 +29,38 @@ public:
     void finish();
 
 private:
+    static constexpr std::size_t kNodes = 4;
     struct Node {
         double t = 0.0;
         std::vector<double> y;
         std::vector<double> y_dot;
     };
+    /// One body between the nodes: Newton's form of Hermite's polynomial for r and p.
+    class Polynomial {
+    public:
+        using Numbers = Eigen::Matrix<double, 7, 1>;
+        /// `body`: where its numbers begin in the flat states.
+        void fit(std::span<const Node> nodes, std::size_t body);
+        std::pair<Numbers, Numbers> value_and_rate(double t) const;
+
+    private:
+        std::size_t size_ = 0;
+        std::array<double, 3 * kNodes> x_{};  ///< every node three times
+        std::array<Numbers, 3 * kNodes> coefficients_;
+    };
+
     void give_until(double t_end);
+    void fit();
     void interpolate(double t);
 
     const MotionEquations* equations_;
     std::vector<double> times_;
     Receive receive_;
     std::size_t next_ = 0;
-    static constexpr int kNodes = 4;
     std::array<Node, kNodes> nodes_;
-    int known_ = 0;  ///< nodes that are set, the latest last
+    std::size_t known_ = 0;                ///< nodes that are set, the latest last
+    std::vector<Polynomial> polynomials_;  ///< one per moving body
+    bool fitted_ = false;                  ///< to the nodes of now
     std::vector<double> y_;
 };
 

@@ -15,9 +15,8 @@ SemiImplicitEuler::SemiImplicitEuler(
 }
 
 bool SemiImplicitEuler::step(double t_end) {
-    const double left = t_end - t_;
-    const bool last = options_.fixed_step >= left * (1.0 - 1e-9);
-    const double h = last ? left : options_.fixed_step;
+    const StepAhead ahead(t_, t_end, options_.fixed_step);
+    const double h = ahead.h;
     for (std::size_t body = 0; body < y_.size(); body += kNumbersPerBody) {
         double* y = y_.data() + body;
         const double* y_dot = y_dot_.data() + body;
@@ -26,7 +25,7 @@ bool SemiImplicitEuler::step(double t_end) {
         // a turn by h ω': p stays unit
         vec4(y + 3) = turned_local(vec4(y + 3), h * vec3(y + 10));
     }
-    t_ = last ? t_end : t_ + h;
+    t_ = ahead.end;
     if (options_.project) {
         equations_->project(t_, y_.data());
         ++counts_.projections;

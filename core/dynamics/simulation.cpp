@@ -15,31 +15,19 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-const MethodName& entry_of(Method method) {
-    return *std::ranges::find(kMethods, method, &MethodName::method);
-}
-
 void require(const SimulationSettings& settings) {
-    const bool adaptive = entry_of(settings.method).adaptive;
-    if (adaptive && !(settings.tolerance > 0.0)) {
-        throw std::invalid_argument("the tolerance must be positive");
-    }
-    const bool is_runge_kutta = settings.method == Method::euler || settings.method == Method::rk4 ||
-                                settings.method == Method::explicit_5 ||
-                                settings.method == Method::explicit_8;
-    const bool is_implicit = settings.method == Method::implicit_5 || settings.method == Method::implicit_9;
-    const bool drifts = settings.treatment == Treatment::none || settings.treatment == Treatment::baumgarte;
-    if (is_implicit && drifts) {
-        throw std::invalid_argument(
-            "implicit methods keep the constraints by themselves; expected treatment projection or tangent");
-    }
-    if (!is_implicit && settings.treatment == Treatment::tangent) {
-        throw std::invalid_argument("treatment tangent needs an implicit method");
-    }
-    if (settings.dense && !is_runge_kutta) {
+    const MethodName& method = entry_of(settings.method);
+    const std::string_view unfit = why_not(settings.method, settings.treatment);
+    if (!unfit.empty()) { throw std::invalid_argument(std::string(unfit)); }
+    if (settings.dense && method.kind != MethodKind::runge_kutta) {
         throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
     }
-    if (!adaptive && !(settings.step > 0.0)) { throw std::invalid_argument("the step must be positive"); }
+    if (method.adaptive && !(settings.tolerance > 0.0)) {
+        throw std::invalid_argument("the tolerance must be positive");
+    }
+    if (!method.adaptive && !(settings.step > 0.0)) {
+        throw std::invalid_argument("the step must be positive");
+    }
 }
 
 Baumgarte stabilisation(const SimulationSettings& settings) {
@@ -114,12 +102,16 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
     return outcome;
 }
 
+std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {
+    std::pair<State, Motion> out{start_state(scene_.mechanism), start_motion(scene_.mechanism)};
+    unpack(y.data(), moving_, out.first, out.second);
+    return out;
+}
+
 Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
     Snapshot snapshot;
     snapshot.t = t;
-    State state = start_state(scene_.mechanism);
-    Motion motion = start_motion(scene_.mechanism);
-    unpack(y.data(), moving_, state, motion);
+    auto [state, motion] = unpacked(y);
     for (const int body : moving_) {
         snapshot.p_drift = std::max(snapshot.p_drift, std::abs(state.p[at(body)].norm() - 1.0));
     }
@@ -164,9 +156,7 @@ Motion Simulation::acceleration(double t, const std::vector<double>& y) const {
 }
 
 Motion Simulation::acceleration_as_given(double t, const std::vector<double>& y) const {
-    State state = start_state(scene_.mechanism);
-    Motion motion = start_motion(scene_.mechanism);
-    unpack(y.data(), moving_, state, motion);
+    const auto [state, motion] = unpacked(y);
     return scene_.acceleration_as_given(state, motion, acceleration(t, y));
 }
 

@@ -53,8 +53,6 @@ public:
     /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
     Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
 
-    /// The start, moved onto the constraints.
-    const std::vector<double>& start() const { return start_; }
     /// From the start to the last of `times` (ascending, from 0 on); every time is given to `receive` in
     /// order.
     SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
@@ -74,12 +72,14 @@ public:
 
 private:
     std::unique_ptr<TimeStepper> stepper() const;
+    /// State and motion of the centroidal frames.
+    std::pair<State, Motion> unpacked(const std::vector<double>& y) const;
 
     Centroidal scene_;
     SimulationSettings settings_;
     std::vector<int> moving_;
     std::vector<int> order_of_body_;
-    std::unique_ptr<MotionEquations> block_;
+    std::unique_ptr<DrivableEquations> block_;
     std::unique_ptr<MotionEquations> dense_;  ///< null unless asked for
     std::vector<double> start_;               ///< flat
 };

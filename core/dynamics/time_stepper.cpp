@@ -5,6 +5,14 @@
 
 namespace jw {
 
+StepAhead::StepAhead(double t, double t_end, double wanted) {
+    const double left = t_end - t;
+    // what rounding left over is no step of its own
+    last = wanted >= left * (1.0 - 1e-12);
+    h = last ? left : std::min(wanted, 0.5 * left);
+    end = last ? t_end : t + h;
+}
+
 /// Largest of the numbers c in [from, to) of all bodies.
 double StateScales::largest(const std::vector<double>& y, std::size_t from, std::size_t to) const {
     double most = 0.0;

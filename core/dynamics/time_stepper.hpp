@@ -24,6 +24,16 @@ struct IntegrationCounts {
     long singular_passages = 0;  ///< steps near a singular position
 };
 
+/// A step of about `wanted` [s] from `t` on that does not pass `t_end`. Of what is left the last two steps
+/// are taken in halves, so that none is tiny.
+struct StepAhead {
+    StepAhead(double t, double t_end, double wanted);
+
+    double h;    ///< [s]
+    double end;  ///< t + h, `t_end` itself for the last one
+    bool last;
+};
+
 /// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
 class StateScales {
 public:

@@ -2,7 +2,7 @@
 
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/driven.hpp"
-#include "tests/support/dynamic_scenes.hpp"
+#include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "tests/support/dynamic_scenes.hpp"
+#include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
 

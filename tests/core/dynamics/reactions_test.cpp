@@ -5,7 +5,7 @@
 
 #include "core/dynamics/reactions.hpp"
 #include "tests/support/driven.hpp"
-#include "tests/support/dynamic_scenes.hpp"
+#include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "tests/support/dynamic_scenes.hpp"
 #include "tests/support/fixed_steps.hpp"
+#include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
 
