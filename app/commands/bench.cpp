@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "app/commands/bench_hard.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/plot_picture.hpp"
@@ -25,6 +26,7 @@ struct Options {
     std::string treatment = "projection";
     std::string output = "table";
     std::string picture;
+    bool hard = false;
 };
 
 struct SceneResult {
@@ -158,6 +160,14 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
 }
 
 Exit bench_command(const Options& options, const Streams& streams) {
+    if (options.hard) { return bench_hard(options.scenes, options.output, streams); }
+    if (options.output == "markdown") {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: --output markdown goes with --hard; expected table, csv or json\nhint: "
+            "jointwise "
+            "bench --help");
+    }
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
@@ -209,8 +219,10 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--treatment", options->treatment, "of the constraints")
         ->check(CLI::IsMember(treatments))
         ->type_name("NAME");
-    command->add_option("--output", options->output, "table, csv or json")
-        ->check(CLI::IsMember({"table", "csv", "json"}))
+    command->add_flag(
+        "--hard", options->hard, "the hard cases of kinematics and dynamics; SCENE then names some of them");
+    command->add_option("--output", options->output, "table, csv, json; markdown with --hard")
+        ->check(CLI::IsMember({"table", "csv", "json", "markdown"}))
         ->type_name("FORMAT");
     command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
         ->type_name("FILE");

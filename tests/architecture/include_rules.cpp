@@ -44,10 +44,14 @@ constexpr std::array<std::string_view, 10> kPanels{
 constexpr std::array<std::string_view, 8> kHost{"app/host/", "app/panels/", "app/session/", "core/",
                                                 "lessons/",  "render/",     "Eigen/",       "imgui.h"};
 
+// the hard cases are run, not drawn
+constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
+
 // the first folder that fits counts
 constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"lessons/", kLessons},
                               FolderRule{"render/", kRender},     FolderRule{"app/session/", kSession},
-                              FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost}};
+                              FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost},
+                              FolderRule{"app/hard/", kHard}};
 
 /// A library that only a few files may know, so that it can be replaced there.
 struct LibraryRule {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/commands/command.hpp"
+
+namespace jw {
+
+/// `jointwise bench --hard`: the cases named, or all. Exit status 1 if a number is out of its bounds.
+/// @throws CommandError for a name that is no case
+Exit bench_hard(const std::vector<std::string>& names, const std::string& output, const Streams& streams);
+
+}  // namespace jw

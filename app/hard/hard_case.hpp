@@ -1,0 +1,60 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The hard cases: what a naive method does where mechanisms are at their worst, run and not told, and what
+/// Jointwise does there. Every case is a test too: its numbers have bounds.
+namespace jw::hard {
+
+/// What a number may be; without limits it is only shown.
+struct Bounds {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+
+    bool hold(double value) const { return value >= least && value <= most; }  // not for NaN
+};
+inline Bounds any() { return {}; }
+inline Bounds at_most(double most) { return {-std::numeric_limits<double>::infinity(), most}; }
+inline Bounds at_least(double least) { return {least, std::numeric_limits<double>::infinity()}; }
+inline Bounds exactly(double value) { return {value, value}; }
+
+struct Bounded {
+    double value = 0.0;
+    Bounds bounds;
+};
+
+/// One line of a case: the same quantity by both, or by one of them.
+struct Measurement {
+    std::string what;  ///< with its unit
+    std::optional<Bounded> naive;
+    std::optional<Bounded> ours;
+};
+
+struct Result {
+    std::string naive;  ///< what it did, one or two sentences
+    std::string ours;
+    std::vector<Measurement> measurements;
+};
+
+struct Case {
+    std::string_view name;  ///< of the command line: lower case and hyphens
+    std::string_view title;
+    std::string_view hard;          ///< what is hard about it, one or two sentences
+    std::string_view naive_method;  ///< what is run as the naive one
+    std::string_view our_method;
+    std::string_view lesson;  ///< that shows it, below lessons/catalogue
+    Result (*run)();
+};
+
+/// All of them, in the order of the page.
+std::span<const Case> cases();
+
+/// Bounds that do not hold, one sentence each; empty if all do.
+std::vector<std::string> broken_bounds(const Result& result);
+
+}  // namespace jw::hard

@@ -1,0 +1,23 @@
+#include "app/hard/shipped.hpp"
+
+#include <stdexcept>
+
+#include "app/session/story.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::hard {
+
+Lesson shipped_lesson(std::string_view name) {
+    const ReadResult read = read_lesson_file(catalogue_folder() / name);
+    if (!read.lesson) { throw std::runtime_error(read.report()); }
+    return *read.lesson;
+}
+
+State assembled(const Lesson& lesson) {
+    const Story story(lesson, poses_only());
+    if (story.failure() != nullptr) { throw std::runtime_error("the lesson does not close"); }
+    return story.steps().back().state;
+}
+
+}  // namespace jw::hard

@@ -1,0 +1,58 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "app/hard/report.hpp"
+#include "lessons/catalogue.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+
+// one test a case, so that ctest runs them side by side
+TEST_CASE("In every hard case the naive method fails and Jointwise keeps its numbers", "[app][hard]") {
+    for (const hard::Case& c : hard::cases()) {
+        DYNAMIC_SECTION(c.name) {
+            const hard::Result result = c.run();
+            INFO(hard::text_of(c, result));
+            CHECK_FALSE(result.measurements.empty());
+            for (const std::string& sentence : hard::broken_bounds(result)) {
+                INFO(sentence);
+                CHECK(false);
+            }
+            const auto is_bounded = [](const hard::Measurement& m) {
+                return m.ours && (std::isfinite(m.ours->bounds.least) || std::isfinite(m.ours->bounds.most));
+            };
+            CHECK(std::ranges::any_of(result.measurements, is_bounded));
+        }
+    }
+}
+
+TEST_CASE(
+    "Every hard case has a name of its own, a shipped lesson and a section on the page", "[app][hard]") {
+    std::ifstream file(std::filesystem::path(JW_SOURCE_ROOT) / "docs" / "hard-cases.md");
+    std::stringstream page;
+    page << file.rdbuf();
+    std::set<std::string_view> names;
+    for (const hard::Case& c : hard::cases()) {
+        INFO(c.name);
+        CHECK(names.insert(c.name).second);
+        CHECK(std::filesystem::is_regular_file(catalogue_folder() / c.lesson));
+        CHECK(page.str().find("## " + std::string(c.title)) != std::string::npos);
+    }
+}
+
+TEST_CASE("bench --hard runs the cases that are named, in every form", "[app][hard]") {
+    const Ran table = run({"bench", "--hard", "kept-pair-at-90"});
+    CHECK(table.status == 0);
+    CHECK(table.out.find("least rank") != std::string::npos);
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "json"}).out.starts_with("{"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "csv"}).out.starts_with("case,"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "markdown"}).out.starts_with("# Hard"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-9"}).status == 2);
+    CHECK(run({"bench", "simple-pendulum", "--output", "markdown"}).status == 2);
+}
+
+}  // namespace jw::test
