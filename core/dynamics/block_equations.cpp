@@ -316,17 +316,23 @@ int BlockEquations<B>::rows_left_out() const {
 }
 
 template class BlockEquations<3>;
+template class BlockEquations<5>;
 template class BlockEquations<6>;
 // what block_projection.cpp needs besides
 template void BlockEquations<3>::evaluate_links<false>(double);
+template void BlockEquations<5>::evaluate_links<false>(double);
 template void BlockEquations<6>::evaluate_links<false>(double);
 template void BlockEquations<3>::set_bodies<false>(const double*);
+template void BlockEquations<5>::set_bodies<false>(const double*);
 template void BlockEquations<6>::set_bodies<false>(const double*);
 
 std::unique_ptr<DrivableEquations> block_equations(const Centroidal& centroidal, const Baumgarte& baumgarte) {
     std::vector<Link> links = with_drivers_joined(links_of(centroidal.mechanism));
-    const bool small = std::ranges::all_of(links, [](const Link& link) { return link.rows <= 3; });
-    if (small) { return std::make_unique<BlockEquations<3>>(centroidal, std::move(links), baumgarte); }
+    int most = 0;
+    for (const Link& link : links) { most = std::max(most, link.rows); }
+    // spherical joints; revolute and prismatic ones; everything else
+    if (most <= 3) { return std::make_unique<BlockEquations<3>>(centroidal, std::move(links), baumgarte); }
+    if (most <= 5) { return std::make_unique<BlockEquations<5>>(centroidal, std::move(links), baumgarte); }
     return std::make_unique<BlockEquations<6>>(centroidal, std::move(links), baumgarte);
 }
 

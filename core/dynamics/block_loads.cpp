@@ -37,10 +37,13 @@ double BlockEquations<B>::potential_energy(const double* y) const {
 }
 
 template void BlockEquations<3>::evaluate_forces(double, const double*);
+template void BlockEquations<5>::evaluate_forces(double, const double*);
 template void BlockEquations<6>::evaluate_forces(double, const double*);
 template double BlockEquations<3>::kinetic_energy(const double*) const;
+template double BlockEquations<5>::kinetic_energy(const double*) const;
 template double BlockEquations<6>::kinetic_energy(const double*) const;
 template double BlockEquations<3>::potential_energy(const double*) const;
+template double BlockEquations<5>::potential_energy(const double*) const;
 template double BlockEquations<6>::potential_energy(const double*) const;
 
 }  // namespace jw

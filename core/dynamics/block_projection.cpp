@@ -203,14 +203,19 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
 }
 
 template double BlockEquations<3>::project(double, double*);
+template double BlockEquations<5>::project(double, double*);
 template double BlockEquations<6>::project(double, double*);
 template bool BlockEquations<3>::choose_rows(double, const double*);
+template bool BlockEquations<5>::choose_rows(double, const double*);
 template bool BlockEquations<6>::choose_rows(double, const double*);
 template void BlockEquations<3>::take_back_rows();
+template void BlockEquations<5>::take_back_rows();
 template void BlockEquations<6>::take_back_rows();
 template std::pair<double, double> BlockEquations<3>::violation(double, const double*);
+template std::pair<double, double> BlockEquations<5>::violation(double, const double*);
 template std::pair<double, double> BlockEquations<6>::violation(double, const double*);
 template MatrixX BlockEquations<3>::free_motions(double, const double*);
+template MatrixX BlockEquations<5>::free_motions(double, const double*);
 template MatrixX BlockEquations<6>::free_motions(double, const double*);
 
 }  // namespace jw
