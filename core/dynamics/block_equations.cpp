@@ -98,7 +98,7 @@ void BlockEquations<B>::build_structure() {
 
 template <int B>
 template <bool WithMotion>
-void BlockEquations<B>::set_bodies(const double* y) {
+[[gnu::flatten]] void BlockEquations<B>::set_bodies(const double* y) {
     for (const MovingBody& moving : moving_) {
         Kinematics6& body = bodies_[at(moving.body)];
         body.r = vec3(y);
@@ -136,7 +136,7 @@ void BlockEquations<B>::write_jacobian(
 
 template <int B>
 template <bool WithMotion>
-void BlockEquations<B>::evaluate_links(double t) {
+[[gnu::flatten]] void BlockEquations<B>::evaluate_links(double t) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const Node& node = nodes_[n];
         const Kinematics6& i = bodies_[at(node.link.body_i)];
