@@ -100,7 +100,7 @@ Vec3 turn_local_between(const Vec4& from, const Vec4& to) {
     const Vec3 e = difference.tail<3>();
     const double sine = e.norm();
     const double half = std::atan2(sine, difference(0));
-    return sine < kSmallTurn ? Vec3(2.0 * e / difference(0)) : Vec3(2.0 * half / sine * e);
+    return sine > 0.0 ? Vec3(2.0 * half / sine * e) : Vec3::Zero();
 }
 
 Vec4 p_dot_of_omega_global(const Vec4& p, const Vec3& omega_global) {
