@@ -256,16 +256,4 @@ Jet<C, K, 1, kTheta> artificial(double theta, double theta_dot) {
     return out;
 }
 
-/// A constant.
-template <class C, Content K>
-Jet<C, K, 1, kNone> constant(double value) {
-    Jet<C, K, 1, kNone> out;
-    out.value(0) = value;
-    if constexpr (K == Content::motion) {
-        out.rate(0) = 0.0;
-        out.bias(0) = 0.0;
-    }
-    return out;
-}
-
 }  // namespace jw
