@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/assembler.hpp"
+#include "core/body_kinematics.hpp"
 #include "tests/support/random_mechanisms.hpp"
 #include "tests/support/reference_phi.hpp"
 
@@ -54,6 +55,40 @@ Positions moved(const System& system, const State& state, const VectorX& v, cons
     return q;
 }
 
+/// Rates of the rows of joints and drivers, from their jets of motion.
+template <class C>
+VectorX rates_of(const System& system, const State& state, const Motion& motion) {
+    const auto body = [&](int index) {
+        const auto b = static_cast<std::size_t>(index);
+        return kinematics_at<C>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
+    };
+    const auto theta = [&](int index) {
+        const auto k = static_cast<std::size_t>(index);
+        return index < 0 ? Theta{} : Theta{state.theta[k], motion.theta_dot[k]};
+    };
+    VectorX rates(system.rows());
+    for (const Constraint& c : system.constraints()) {
+        int row = c.first_row;
+        const auto write = [&](const auto& primitive) {
+            const auto jet =
+                equations<Content::motion>(primitive, body(c.body_i), body(c.body_j), theta(c.theta));
+            for (int k = 0; k < jet.kDim; ++k) {
+                if (c.has_row(k)) { rates(row++) = jet.rate(k); }
+            }
+        };
+        std::visit(write, c.primitive);
+    }
+    for (const DriverConstraint& c : system.drivers()) {
+        const Driver& d = system.mechanism().drivers[static_cast<std::size_t>(c.driver)];
+        const auto write = [&](const auto& measure) {
+            const auto i = body(d.body_i);
+            rates(c.row) = measured<Content::motion>(measure, i, body(d.body_j), theta(c.theta)).rate(0);
+        };
+        std::visit(write, d.measure);
+    }
+    return rates;
+}
+
 template <class C>
 void check_against_differences(
     const Mechanism& mechanism, const State& state, const Motion& motion, unsigned seed) {
@@ -98,6 +133,8 @@ void check_against_differences(
     const VX second =
         (16 * (along(h) + along(-h)) - (along(2 * h) + along(-2 * h)) - 30 * along(0)) / (12 * h * h);
     CHECK(close(assembler.jacobian() * a - assembler.gamma(), second));
+    const VectorX rates = rates_of<C>(system, state, motion);
+    CHECK(close(rates, (assembler.jacobian().topRows(rates.size()) * v).template cast<Real>()));
 }
 
 State random_theta(State state, test::Random& random) {
@@ -192,4 +229,42 @@ TEST_CASE("Derivatives hold at and next to the hard spots", "[core][derivatives]
         check_against_differences<OmegaLocal>(mechanism, state, start_motion(mechanism), 3);
         check_against_differences<ModifiedEulerParameters>(mechanism, state, start_motion(mechanism), 3);
     }
+}
+
+TEMPLATE_TEST_CASE(
+    "Columns hold a motion, and a step along them changes Phi as the Jacobian says", "[core][derivatives]",
+    TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
+    test::Random random(4);
+    const Mechanism mechanism = test::random_drivers(random);
+    const System system(mechanism, everything(mechanism));
+    const State state = start_state(mechanism);
+    const Motion motion = random_theta_rate(start_motion(mechanism), random);
+    Assembler<TestType> assembler(system);
+    const VectorX columns = assembler.layout().columns_of(state, motion);
+
+    const Motion back = assembler.layout().motion_of(state, columns);
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        CHECK((back.r_dot[b] - motion.r_dot[b]).norm() == 0.0);
+        CHECK((back.omega_local[b] - motion.omega_local[b]).norm() < 1e-14);  // rounding
+    }
+    CHECK(back.theta_dot == motion.theta_dot);
+
+    // h² and 1e-15 / h are below 1e-9, and third derivatives below 100
+    const double h = 1e-5;
+    const auto stepped = [&](double step) {
+        State moved = state;
+        assembler.layout().advance(moved, step * columns);
+        return moved;
+    };
+    const auto phi = [&](double step) {
+        assembler.assemble_phi_and_jacobian(stepped(step), 0.3);
+        return VectorX(assembler.phi());
+    };
+    const VectorX slope = (phi(h) - phi(-h)) / (2.0 * h);
+    assembler.assemble_phi_and_jacobian(state, 0.3);
+    CHECK((assembler.jacobian() * columns - slope).cwiseAbs().maxCoeff() < 1e-7);
+
+    // bodies turn by |ω'| h, the fastest the furthest
+    const double fastest = std::max(motion.omega_local[0].norm(), motion.omega_local[1].norm());
+    CHECK(std::abs(assembler.layout().largest_turn(h * columns) - fastest * h) < 1e-15);
 }

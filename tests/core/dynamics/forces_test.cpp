@@ -1,5 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
+#include <Eigen/LU>
+
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
@@ -124,4 +128,53 @@ TEST_CASE("A spring without length between its ends does not pull", "[core][dyna
     loads.springs.push_back({0, 1, Vec3::Zero(), Vec3::Zero(), 10.0, 0.5, 1.0});
     const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
     CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
+}
+
+TEST_CASE(
+    "A spring about an axis turns to its free angle by the shorter way, its damper against the turning",
+    "[core][dynamics][forces]") {
+    const double stiffness = 3.0;
+    const double damping = 0.7;
+    const double free_angle = 2.5;
+    // 2.5 - (-3) is more than half a turn: the shorter way to the free angle is the other one
+    for (const double angle : {2.0, -3.0}) {
+        for (const double rate : {-1.5, 2.0}) {
+            CAPTURE(angle, rate);
+            Pair pair = random_pair(6);
+            State& state = pair.moment.state;
+            Motion& motion = pair.moment.motion;
+            const Vec3 axis = Vec3(1.0, 2.0, 2.0) / 3.0;
+            const Vec3 u = perpendicular_to(axis);
+            state.p[1] = turned_local(state.p[0], angle * axis);
+            // both turn, j about the axis faster by `rate`
+            motion.omega_local[1] =
+                rotation_matrix(euler_parameters_of(axis, -angle)) * motion.omega_local[0] + rate * axis;
+            Loads loads = without_loads(pair.mechanism, 6);
+            loads.rotational_springs.push_back({0, 1, {axis, u, u}, stiffness, free_angle, damping});
+            const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
+            const double way = angle > 0.0 ? angle - free_angle : angle - free_angle + 2.0 * std::numbers::pi;
+            const Vec3 torque = (-stiffness * way - damping * rate) * axis;
+            // rounding
+            CHECK((forces[1].n_local - torque).norm() < 1e-14);
+            CHECK((forces[0].n_local + torque).norm() < 1e-14);
+            CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
+        }
+    }
+}
+
+TEST_CASE("A body that nothing turns keeps its angular momentum", "[core][dynamics][forces]") {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        test::Random random(seed);
+        CAPTURE(seed);
+        const Mat3 J = test::random_mass(random).J_local;
+        const Vec4 p = random.unit_p();
+        const Vec3 omega_local = random.vector(3.0);
+        const Vec3 omega_dot = J.inverse() * gyroscopic_torque(J, omega_local);
+        const auto momentum = [&](double t) -> Vec3 {
+            const Vec4 turned = turned_local(p, t * omega_local);
+            return rotation_matrix(turned) * J * (omega_local + t * omega_dot);
+        };
+        const double h = 1e-5;  // h² and 1e-16 / h are below 1e-9
+        CHECK((momentum(h) - momentum(-h)).norm() / (2.0 * h) < 1e-8);
+    }
 }

@@ -1,0 +1,151 @@
+#include <catch2/catch.hpp>
+
+#include "core/assembler.hpp"
+#include "core/body_kinematics.hpp"
+#include "core/dynamics/link_equations.hpp"
+#include "tests/support/moved_along.hpp"
+#include "tests/support/random_mechanisms.hpp"
+
+using namespace jw;
+
+namespace {
+
+using Columns = Eigen::Matrix<double, 6, 1>;
+
+struct Rows {
+    VectorX value;
+    VectorX first;   ///< Jacobian times velocities, or rate, less the rate of a driver's function
+    VectorX second;  ///< Jacobian times accelerations, or bias less the second derivative of the function
+};
+
+Columns columns_of(const Motion& motion, int body) {
+    Columns columns;
+    columns << motion.r_dot[static_cast<std::size_t>(body)],
+        motion.omega_local[static_cast<std::size_t>(body)];
+    return columns;
+}
+
+struct Scene {
+    Mechanism mechanism;
+    State state;
+    Motion velocity;
+    Motion acceleration;
+
+    BodyKinematics<OmegaLocal> body(int index, const State& at) const {
+        const auto b = static_cast<std::size_t>(index);
+        return kinematics_at<OmegaLocal>(at.r[b], at.p[b], velocity.r_dot[b], velocity.omega_local[b]);
+    }
+
+    Rows by_jacobian(const Link& link, const LinkPrimitive& primitive, const State& at, double t) const {
+        Rows rows;
+        visit_rows<Content::jacobian>(
+            primitive, body(link.body_i, at), body(link.body_j, at), t,
+            [&](const auto& jet, double f_dot, double f_ddot) {
+                using J = std::decay_t<decltype(jet)>;
+                rows = {jet.value, VectorX::Constant(J::kDim, -f_dot), VectorX::Constant(J::kDim, -f_ddot)};
+                const auto add = [&](const auto& block, int index) {
+                    rows.first += block * columns_of(velocity, index);
+                    rows.second += block * columns_of(acceleration, index);
+                };
+                if constexpr ((J::kSides & kBodyI) != 0) { add(jet.block_i, link.body_i); }
+                if constexpr ((J::kSides & kBodyJ) != 0) { add(jet.block_j, link.body_j); }
+            });
+        return rows;
+    }
+
+    Rows by_motion(const Link& link, const LinkPrimitive& primitive, double t) const {
+        Rows rows;
+        visit_rows<Content::motion>(
+            primitive, body(link.body_i, state), body(link.body_j, state), t,
+            [&](const auto& jet, double f_dot, double) {
+                rows = {jet.value, jet.rate.array() - f_dot, jet.bias};
+            });
+        return rows;
+    }
+};
+
+Scene moving(test::Random& random, Mechanism mechanism) {
+    Scene scene{std::move(mechanism), {}, {}, {}};
+    scene.state = start_state(scene.mechanism);
+    scene.velocity = start_motion(scene.mechanism);
+    scene.acceleration = zero_motion(scene.mechanism);
+    for (Vec3& r_ddot : scene.acceleration.r_dot) { r_ddot = random.vector(); }
+    for (Vec3& omega_dot : scene.acceleration.omega_local) { omega_dot = random.vector(); }
+    return scene;
+}
+
+/// A screw without θ leaves out whole turns: the value nearest to the one before.
+VectorX without_jump(const LinkPrimitive& primitive, const VectorX& value, const VectorX& before) {
+    const auto* screw = std::get_if<ScrewTurned>(&primitive);
+    if (screw == nullptr) { return value; }
+    const double turn = 2.0 * std::numbers::pi * screw->alpha;
+    return before + VectorX::Constant(1, std::remainder(value(0) - before(0), turn));
+}
+
+void check_against_differences(const Scene& scene) {
+    const double t0 = 0.3;
+    for (const Link& link : links_of(scene.mechanism)) {
+        for (const LinkEquation& equation : link.equations) {
+            CAPTURE(link.joint, link.driver, equation.first_row);
+            const Rows rows = scene.by_jacobian(link, equation.primitive, scene.state, t0);
+            const auto value = [&](double t) {
+                const State at = test::moved_along(scene.state, scene.velocity, scene.acceleration, t);
+                const Rows moved = scene.by_jacobian(link, equation.primitive, at, t0 + t);
+                return without_jump(equation.primitive, moved.value, rows.value);
+            };
+            const Rows motion = scene.by_motion(link, equation.primitive, t0);
+            // functions grow to some ten in a second
+            const double rate_error = 100.0 * test::kRateError;
+            const double error = 100.0 * test::kAccelerationError;
+            CHECK((rows.first - test::rate_by_difference(value)).norm() < rate_error);
+            CHECK((motion.first - test::rate_by_difference(value)).norm() < rate_error);
+            CHECK((rows.second + motion.second - test::acceleration_by_difference(value)).norm() < error);
+            CHECK((rows.value - motion.value).norm() == 0.0);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Jacobian, rate and bias of the rows of every link are differences of their values", "[core][dynamics]") {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        test::Random random(seed);
+        CAPTURE(seed);
+        for (const ParallelForm form : {ParallelForm::rule, ParallelForm::drop_y}) {
+            for (const JointType& type : kJointTypes) {
+                CAPTURE(type.name);
+                check_against_differences(
+                    moving(random, test::random_joint(random, type, form, ScrewAngleForm::rotation)));
+            }
+        }
+        check_against_differences(moving(random, test::random_drivers(random)));
+    }
+}
+
+TEST_CASE("A screw without θ is as far off as with it, but for whole turns", "[core][dynamics]") {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        test::Random random(seed);
+        const Mechanism mechanism = test::random_joint(
+            random, *find_joint_type("screw"), ParallelForm::rule, ScrewAngleForm::rotation);
+        const Scene scene = moving(random, mechanism);  // θ is the angle between the bodies
+        const System system(mechanism, everything(mechanism));
+        double with_theta = 0.0;
+        for (const Constraint& c : system.constraints()) {
+            if (c.role == Role::screw_advance) { with_theta = values_of(c, scene.state)(0); }
+        }
+        const double turn = 2.0 * std::numbers::pi * std::abs(mechanism.joints[0].geometry.alpha);
+        CAPTURE(seed, with_theta, turn);
+        bool found = false;
+        for (const Link& link : links_of(mechanism)) {
+            for (const LinkEquation& equation : link.equations) {
+                if (!std::holds_alternative<ScrewTurned>(equation.primitive)) { continue; }
+                found = true;
+                const double value = scene.by_jacobian(link, equation.primitive, scene.state, 0.0).value(0);
+                CHECK(std::abs(std::remainder(value - with_theta, turn)) < 1e-14);  // rounding
+                CHECK(std::abs(value) <= 0.5 * turn + 1e-14);
+            }
+        }
+        CHECK(found);
+    }
+}
