@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdlib>
+
+/// What the marked copies of the sources call where they can be made wrong; see marks.hpp.
+namespace jw::mutation {
+
+/// Number of the one mutant that is at work in this run, from the environment; 0: none.
+inline int active() {
+    static const int number = [] {
+        const char* text = std::getenv("JW_MUTANT");
+        return text == nullptr ? 0 : std::atoi(text);
+    }();
+    return number;
+}
+
+/// Of the term that follows.
+inline double sign(int mutant) { return active() == mutant ? -1.0 : 1.0; }
+
+inline double number(int mutant, double value) { return active() == mutant ? 1.25 * value : value; }
+
+/// Four mutants: the derivatives that a jet hands on, each without regard to its value.
+template <class J>
+J jet(int first, J out) {
+    if constexpr (J::kMotion) {
+        out.rate *= sign(first + 2);
+        out.bias *= sign(first + 3);
+    } else {
+        const auto flip_block = [&](unsigned side, int mutant) {
+            if constexpr ((J::kSides & 1U) != 0) { out.block_i *= side == 1U ? sign(mutant) : 1.0; }
+            if constexpr ((J::kSides & 2U) != 0) { out.block_j *= side == 2U ? sign(mutant) : 1.0; }
+            if constexpr ((J::kSides & 4U) != 0) { out.block_theta *= side == 4U ? sign(mutant) : 1.0; }
+        };
+        constexpr unsigned sides = J::kSides;
+        constexpr unsigned lowest = sides & (~sides + 1U);
+        constexpr unsigned highest = (sides & 4U) != 0 ? 4U : (sides & 2U) != 0 ? 2U : 1U;
+        flip_block(lowest, first);
+        flip_block(highest, first + 1);
+    }
+    return out;
+}
+
+}  // namespace jw::mutation
+
+namespace jw {
+
+/// A sign before a jet turns all of it.
+template <class J>
+requires requires { J::kMotion; }
+J operator*(double factor, J out) {
+    out.value *= factor;
+    if constexpr (J::kMotion) {
+        out.rate *= factor;
+        out.bias *= factor;
+    } else {
+        if constexpr ((J::kSides & 1U) != 0) { out.block_i *= factor; }
+        if constexpr ((J::kSides & 2U) != 0) { out.block_j *= factor; }
+        if constexpr ((J::kSides & 4U) != 0) { out.block_theta *= factor; }
+    }
+    return out;
+}
+
+}  // namespace jw
