@@ -148,8 +148,9 @@ Motion accelerations_of(
 
 /// Of the equations of motion in a coordinate choice.
 template <class C>
-Motion dense_accelerations(const Centroidal& scene, const Moment& moment, double t) {
-    DenseEquations<C> equations(scene);
+Motion dense_accelerations(
+    const Centroidal& scene, const Moment& moment, double t, const Baumgarte& baumgarte = {}) {
+    DenseEquations<C> equations(scene, baumgarte);
     std::vector<double> y(static_cast<std::size_t>(equations.size()));
     std::vector<double> y_dot(y.size());
     equations.pack(moment.state, moment.motion, y.data());

@@ -29,8 +29,9 @@ std::vector<Mechanism> scenes(test::Random& random) {
     return out;
 }
 
-Motion block_accelerations(const Centroidal& scene, const test::Moment& moment, double t) {
-    const std::unique_ptr<MotionEquations> equations = block_equations(scene);
+Motion block_accelerations(
+    const Centroidal& scene, const test::Moment& moment, double t, const Baumgarte& baumgarte = {}) {
+    const std::unique_ptr<MotionEquations> equations = block_equations(scene, baumgarte);
     const std::vector<int> moving = test::moving_bodies_of(scene.mechanism);
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
     std::vector<double> y_dot(y.size());
@@ -82,6 +83,36 @@ TEST_CASE("Block and dense equations give the same accelerations in all four cho
             CHECK(differs(test::dense_accelerations<OmegaGlobal>(scene, moment, t)) < 1e-10);
             CHECK(differs(test::dense_accelerations<TrueEulerParameters>(scene, moment, t)) < 1e-10);
             CHECK(differs(test::dense_accelerations<ModifiedEulerParameters>(scene, moment, t)) < 1e-10);
+        }
+    }
+}
+
+TEST_CASE("Baumgarte's terms are the same in block and dense equations", "[core][dynamics]") {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        test::Random random(seed);
+        // primitives that have one form only: off the constraints two rows and a pair are not the same
+        test::SceneBuilder builder;
+        const int first = builder.add_body("first", random.vector(2.0));
+        const int second = builder.add_body("second", random.vector(2.0));
+        builder.add_joint("spherical", 0, first, random.vector(), random.direction());
+        const Vec3 axis = random.direction();
+        Joint& universal = builder.add_joint("universal", first, second, random.vector(), axis);
+        universal.geometry.s_j_local = builder.local(second, perpendicular_to(axis));
+        builder.add_distance(0, second, random.vector(), random.vector() + Vec3(3.0, 0.0, 0.0));
+        const Mechanism& mechanism = builder.mechanism;
+        const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
+        test::Moment off{start_state(scene.mechanism), zero_motion(scene.mechanism)};
+        for (const std::size_t b : {1U, 2U}) {
+            off.state.r[b] += random.vector(0.1);
+            off.motion.r_dot[b] = random.vector();
+            off.motion.omega_local[b] = random.vector();
+        }
+        CAPTURE(seed);
+        for (const Baumgarte& baumgarte : {Baumgarte{5.0, 0.0}, Baumgarte{0.0, 8.0}}) {
+            const Motion block = block_accelerations(scene, off, 0.3, baumgarte);
+            const Motion dense = test::dense_accelerations<OmegaLocal>(scene, off, 0.3, baumgarte);
+            CHECK(test::difference(block, dense) < 1e-10 * size_of(block));  // as without them
+            CHECK(test::difference(block, block_accelerations(scene, off, 0.3)) > 1e-2 * size_of(block));
         }
     }
 }
