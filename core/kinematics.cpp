@@ -31,6 +31,16 @@ void Kinematics<C>::set_state(const State& state, double t) {
 }
 
 template <class C>
+State Kinematics<C>::corrected_state() {
+    right_side_ = -assembler_.phi();
+    least_squares_.solve(right_side_, rank_, solution_);
+    State state = state_;
+    assembler_.layout().advance(state, solution_);
+    for (const int body : system_->moving_bodies()) { state.p[static_cast<std::size_t>(body)].normalize(); }
+    return state;
+}
+
+template <class C>
 double Kinematics<C>::last_pivot_ratio() const {
     if (rank_ < 2) { return 1.0; }
     return least_squares_.relative_pivot(rank_ - 1) / least_squares_.relative_pivot(rank_ - 2);

@@ -32,6 +32,8 @@ public:
 
     /// Factors Φq at `state`; call first.
     void set_state(const State& state, double t);
+    /// The state one step of Newton further: from Newton's tolerance to rounding, where the rows are sound.
+    State corrected_state();
     /// The velocities nearest to `reference` (zero: minimum norm) that satisfy Φq q̇ = -Φ_t.
     VelocityOutcome solve_velocity(const Motion& reference);
     /// Minimum-norm accelerations with Φq q̈ = γ at `velocity`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/driven_frames.hpp"
+
 namespace jw {
 
 namespace {
@@ -57,7 +59,20 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
     frame_.velocity = start_motion(system.mechanism());
     frame_.acceleration = zero_motion(system.mechanism());
     frame_.rows_switched = system_->choose_rows(frame_.state);
+    if (with_accelerations && DrivenFrames::can_follow(system)) {
+        quick_ = std::make_unique<DrivenFrames>(system);
+    }
     analyse(0.0);
+    restart_quick_way();
+}
+
+MotionTracker::~MotionTracker() = default;
+
+/// Where the rows are sound again after a thorough step.
+void MotionTracker::restart_quick_way() {
+    quick_is_sound_ = quick_ && !frame_.change_point && frame_.velocity_verdict.unique &&
+                      frame_.velocity_verdict.consistent && frame_.acceleration_verdict.consistent &&
+                      quick_->start(frame_.state, frame_.velocity, frame_.acceleration, frame_.t);
 }
 
 /// @param h time since the velocities and accelerations of the frame [s]
@@ -69,6 +84,11 @@ void MotionTracker::analyse(double h) {
     if (kinematics_.last_pivot_ratio() < kLostPivotRatio) { kinematics_.leave_out_weakest(); }
     frame_.change_point =
         kinematics_.rank() < full_rank_ || kinematics_.last_pivot_ratio() < kChangePointRatio;
+
+    if (!frame_.change_point) {
+        frame_.state = kinematics_.corrected_state();
+        kinematics_.set_state(frame_.state, frame_.t);
+    }
 
     // nearest to the expected velocity: at a change point this is the tangent of the branch that one came on
     VelocityOutcome velocity = kinematics_.solve_velocity(expected);
@@ -107,7 +127,26 @@ void MotionTracker::follow_branch() {
     }
 }
 
+/// Verdicts stay those of the last thorough step: rows that are sound have the full rank.
+bool MotionTracker::try_quick_step(double h) {
+    if (!quick_is_sound_ || !quick_->advance(frame_.t + h)) { return false; }
+    reached_ = frame_;
+    quick_->write(reached_.state, reached_.velocity, reached_.acceleration);
+    if (find_wrong_branch(*system_, reached_.state, sides_)) { return false; }
+    std::swap(frame_, reached_);
+    frame_.t += h;
+    frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
+    return true;
+}
+
 bool MotionTracker::try_step(double h) {
+    if (try_quick_step(h)) { return true; }
+    if (!try_thorough_step(h)) { return false; }
+    restart_quick_way();
+    return true;
+}
+
+bool MotionTracker::try_thorough_step(double h) {
     // at a change point accelerations are not determined by the rows: predict along the tangent alone
     MotionFrame base = frame_;
     if (frame_.change_point) { base.acceleration = zero_motion(system_->mechanism()); }
@@ -143,7 +182,6 @@ bool MotionTracker::try_step(double h) {
     }
     frame_.t += h;
     frame_.state = newton_.state();
-    frame_.newton_iterations += outcome.iterations;
     frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
     analyse(h);
     failure_.reset();
@@ -158,7 +196,6 @@ void MotionTracker::explain_end(double t) {
 
 bool MotionTracker::advance_to(double t) {
     const double whole = t - frame_.t;
-    frame_.newton_iterations = 0;
     frame_.substeps = 0;
     frame_.rows_switched = false;
     double h = whole;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <memory>
+
 #include "core/kinematics.hpp"
 #include "core/position.hpp"
 
 /// Follows the motion of a driven mechanism through time, on its branch.
 namespace jw {
+
+class DrivenFrames;
 
 /// Last pivot over the one before, below which a pose is reported as a change point.
 inline constexpr double kChangePointRatio = 1e-3;
@@ -19,19 +23,20 @@ struct MotionFrame {
     Motion acceleration;
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
-    int newton_iterations = 0;
     int substeps = 1;
     bool rows_switched = false;  ///< a p1 / p2 choice changed on the way to this frame
     bool change_point = false;   ///< the pose is singular or nearly so: passed along the previous tangent
 };
 
 /// Predicts along velocity and acceleration, corrects with Newton, and halves the step where the correction
-/// is not small against the step: a jump to another branch would be.
+/// is not small against the step: a jump to another branch would be. Where the rows are sound and leave
+/// nothing open the quick way of DrivenFrames is taken, everywhere else ranks are decided.
 class MotionTracker {
 public:
     /// `system` must outlive this; the rows of p1 / p2 are chosen anew between frames.
     /// `state` must satisfy the constraints at time `t`.
     MotionTracker(System& system, State state, double t, bool with_accelerations = true);
+    ~MotionTracker();
 
     const MotionFrame& frame() const { return frame_; }
 
@@ -41,7 +46,10 @@ public:
     const std::optional<PositionFailure>& failure() const { return failure_; }
 
 private:
+    void restart_quick_way();
     bool try_step(double h);
+    bool try_quick_step(double h);
+    bool try_thorough_step(double h);
     void analyse(double h);
     void follow_branch();
     void explain_end(double t);
@@ -53,6 +61,9 @@ private:
     Kinematics<OmegaLocal> kinematics_;
     std::vector<int> sides_;
     int full_rank_ = 0;
+    std::unique_ptr<DrivenFrames> quick_;
+    bool quick_is_sound_ = false;
+    MotionFrame reached_;
     std::optional<PositionFailure> failure_;
 };
 

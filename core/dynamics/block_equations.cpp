@@ -276,19 +276,36 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
     factor_by_mass();
 
     evaluate_forces(t, y);
+    constrain_accelerations();
+
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const Kinematics6& body = bodies_[at(moving_[m].body)];
+        vec3(body_numbers(y_dot, m)) = body.r_dot;
+        vec4(body_numbers(y_dot, m) + 3) = body.p_dot;
+    }
+    write_accelerations(y_dot);
+    return {smallest_pivot(), violation_of_rows()};
+}
+
+template <int B>
+void BlockEquations<B>::constrain_accelerations() {
     set_lambda(gamma_);
     subtract_products(six_.data(), lambda_.data());
     matrix_.solve(lambda_.data());
     add_reactions(lambda_.data(), six_.data());
+}
 
+template <int B>
+void BlockEquations<B>::write_accelerations(double* y_dot) const {
     for (std::size_t m = 0; m < moving_.size(); ++m) {
-        const Kinematics6& body = bodies_[at(moving_[m].body)];
-        double* rates = body_numbers(y_dot, m);
-        vec3(rates) = body.r_dot;
-        vec4(rates + 3) = body.p_dot;
-        std::copy_n(&six_[6 * m], 6, rates + 7);
+        std::copy_n(&six_[6 * m], 6, body_numbers(y_dot, m) + 7);
     }
-    return {smallest_pivot(), violation_of_rows()};
+}
+
+template <int B>
+void BlockEquations<B>::refine(double* y_dot) {
+    constrain_accelerations();
+    write_accelerations(y_dot);
 }
 
 template <int B>

@@ -54,6 +54,7 @@ public:
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
     MatrixX free_motions(double t, const double* y) override;
+    void refine(double* y_dot) override;
     void set_driver(int driver, double f0, double f1) override;
     int rows() const override;
     int rows_left_out() const override;
@@ -89,10 +90,14 @@ private:
     /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored.
     void factor_by_mass();
     double violation_of_rows() const;
-    double violation_of_kept_rows() const;
+    /// Of Φ or Φ̇, each by the size of its equation.
+    double largest_of_kept_rows(const std::vector<double>& numbers) const;
     /// λ = numbers of the kept rows, 0 for the others.
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);
+    /// Adds M⁻¹ Φqᵀ λ to the accelerations so that Φq q̈ = γ.
+    void constrain_accelerations();
+    void write_accelerations(double* y_dot) const;
     /// M⁻¹ Q of every body.
     void evaluate_forces(double t, const double* y);
     /// b_node -= J x for six numbers per moving body.

@@ -60,7 +60,7 @@ double BlockEquations<B>::project(double t, double* y) {
     for (int round = 0; round < most_rounds; ++round) {
         set_bodies<false>(y);
         evaluate_links<false>(t);
-        const double worst = violation_of_kept_rows();
+        const double worst = largest_of_kept_rows(phi_);
         if (round == 0) { before = worst; }
         // rounding has been reached where it does not get better any more
         if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
@@ -83,24 +83,37 @@ double BlockEquations<B>::project(double t, double* y) {
 }
 
 template <int B>
-double BlockEquations<B>::violation_of_kept_rows() const {
+double BlockEquations<B>::largest_of_kept_rows(const std::vector<double>& numbers) const {
     double worst = 0.0;
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         for (int row = 0; row < nodes_[n].link.rows; ++row) {
             const std::size_t k = n * B + at(row);
-            if (has(nodes_[n].kept, row)) { worst = std::max(worst, std::abs(phi_[k]) * inverse_unit_[k]); }
+            if (has(nodes_[n].kept, row)) {
+                worst = std::max(worst, std::abs(numbers[k]) * inverse_unit_[k]);
+            }
         }
     }
     return worst;
 }
 
-/// With Φq of now and a factorisation from nearby: the second round corrects what the first one left.
+/// With Φq of now and a factorisation from nearby: every round leaves the share by which that is off.
 template <int B>
 void BlockEquations<B>::project_velocities(double* y) {
-    for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(body_numbers(y, m) + 7, 6, &six_[6 * m]); }
-    for (int round = 0; round < 2; ++round) {
+    constexpr int most_rounds = 12;
+    double size = 0.0;
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const double* v = body_numbers(y, m) + 7;
+        std::copy_n(v, 6, &six_[6 * m]);
+        size = std::max({size, vec3(v).norm() / extent_, vec3(v + 3).norm()});
+    }
+    double last = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round) {
         set_lambda(nu_);
         subtract_products(six_.data(), lambda_.data());
+        const double worst = largest_of_kept_rows(lambda_);
+        // rounding has been reached, as for positions
+        if (round > 0 && (worst <= kExact * size || worst > 0.5 * last)) { break; }
+        last = worst;
         matrix_.solve(lambda_.data());
         add_reactions(lambda_.data(), six_.data());
     }

@@ -67,12 +67,15 @@ public:
     virtual int rows_left_out() const = 0;
 };
 
-/// What independent coordinates need besides: the freedoms, and drivers that can be told anew what to do.
+/// What independent coordinates and driven mechanisms need besides.
 class DrivableEquations : public MotionEquations {
 public:
     /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
     /// metric of M. Dense, for small mechanisms.
     virtual MatrixX free_motions(double t, const double* y) = 0;
+    /// Accelerations of the last `evaluate` once more, from what they leave of Φq q̈ = γ: twice the digits
+    /// near singular positions.
+    virtual void refine(double* y_dot) = 0;
     /// The function of a driver of the mechanism becomes f0 + f1 t.
     virtual void set_driver(int driver, double f0, double f1) = 0;
 };
