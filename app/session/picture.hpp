@@ -50,6 +50,8 @@ struct PictureStyle {
     bool ground_axes = true;  ///< false: they are too far away to be shown
     render::Bounds bounds;    ///< everything that is ever in sight: one camera serves the whole story
     render::Ground ground;
+    double newton = 0.0;        ///< length of an arrow for 1 N; 0: there are no forces
+    double newton_metre = 0.0;  ///< and for 1 N m
 };
 PictureStyle picture_style(const Story& story);
 

@@ -69,6 +69,11 @@ void add_vector(
 void add_distance(
     const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture);
 
+/// Lengths of the arrows of forces and torques, from what is usual in the story.
+void set_reaction_scales(const Story& story, PictureStyle& style);
+/// What joints and drivers do to their second bodies, in dynamics.
+void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
+
 /// All of a step but the ground plane and the path.
 Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index);
 

@@ -175,6 +175,7 @@ PictureStyle picture_style(const Story& story) {
         style.joints.push_back(joint_style(story, style, j, moments));
     }
     set_traced_point(story, style);
+    set_reaction_scales(story, style);
     set_bounds(story, moments, style);
     style.ground = render::ground_below(style.bounds, style.up);
     return style;

@@ -204,6 +204,25 @@ std::string assembled_sentence(
     return text + ". " + freedoms_text(rank.dof) + " " + closing_text(step);
 }
 
+/// Of the arrows that stand for them.
+std::string reactions_text(const Mechanism& m, const Reactions& found) {
+    const Reaction* largest = nullptr;
+    for (const Reaction& r : found.reactions) {
+        if (largest == nullptr || r.wrench.force.norm() > largest->wrench.force.norm()) { largest = &r; }
+    }
+    if (largest == nullptr) { return ""; }
+    const std::string name = largest->joint >= 0 ? m.joints[static_cast<std::size_t>(largest->joint)].name
+                                                 : m.drivers[static_cast<std::size_t>(largest->driver)].name;
+    std::string text =
+        " The arrows show what joints do to their second bodies: forces, and with two heads torques; the "
+        "largest force is " +
+        number_text(largest->wrench.force.norm(), 3) + " N, in " + name + ".";
+    if (!found.unique()) {
+        text += " Pale ones are one answer of many: equations that repeat each other leave them open.";
+    }
+    return text;
+}
+
 std::string motion_sentence(const Lesson& lesson, const Step& step, const RankReport& rank) {
     std::string text = "t = " + fixed_text(step.t, 3) + " s: ";
     const Mechanism& m = lesson.mechanism;
@@ -227,6 +246,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
                 "nearest to those before, the accelerations the shortest";
     }
     text += ".";
+    if (step.reactions) { text += reactions_text(m, *step.reactions); }
     if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
     return text;
 }

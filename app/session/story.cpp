@@ -36,6 +36,7 @@ void thin_out_iterations(std::vector<Step>& steps) {
 
 // of one that is told again at every change: a scene that somebody made stiff or endless ends early
 constexpr long kMostStepsOfStory = 2000;
+constexpr std::size_t kMostJointsWithReactions = 30;
 
 }  // namespace
 
@@ -240,6 +241,8 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
     const std::vector<double> times = equal_times(plan.to, intervals);
+    // found by dense matrices: for large mechanisms longer than the motion itself
+    const bool shows_reactions = with_ranks_ && lesson_->mechanism.joints.size() <= kMostJointsWithReactions;
     System system = *system_;
     std::shared_ptr<const System> shared = system_;
     simulation.run(times, [&](double t, const std::vector<double>& y) {
@@ -255,6 +258,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         step.velocity = snapshot.velocity;
         step.acceleration = simulation.acceleration_as_given(t, y);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
+        if (shows_reactions) { step.reactions = std::make_shared<Reactions>(reactions_at(simulation, t, y)); }
         steps_.push_back(std::move(step));
         if (options.progress) { options.progress(t / plan.to); }
     });

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/dynamics/reactions.hpp"
 #include "core/motion_tracker.hpp"
 #include "core/rank.hpp"
 #include "lessons/lesson.hpp"
@@ -36,6 +37,7 @@ struct Step {
     bool change_point = false;   ///< motion
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
+    std::shared_ptr<const Reactions> reactions;  ///< motion by masses and forces, where they are shown
 };
 
 /// The joint or driver that a step is about, if any.
