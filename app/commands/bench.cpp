@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/commands/bench_hard.hpp"
+#include "app/commands/bench_kinematics.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/plot_picture.hpp"
@@ -27,6 +28,7 @@ struct Options {
     std::string output = "table";
     std::string picture;
     bool hard = false;
+    bool kinematics = false;
 };
 
 struct SceneResult {
@@ -164,10 +166,10 @@ Exit bench_command(const Options& options, const Streams& streams) {
     if (options.output == "markdown") {
         throw CommandError(
             Exit::bad_input,
-            "jointwise: error: --output markdown goes with --hard; expected table, csv or json\nhint: "
-            "jointwise "
-            "bench --help");
+            "jointwise: error: --output markdown goes with --hard; expected table, csv or json\n"
+            "hint: jointwise bench --help");
     }
+    if (options.kinematics) { return bench_kinematics(options.scenes, options.output, streams); }
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
@@ -202,7 +204,7 @@ Exit bench_command(const Options& options, const Streams& streams) {
 }  // namespace
 
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "dynamics: what a digit costs, method by method");
+    CLI::App* command = app.add_subcommand("bench", "what a digit costs, method by method; the hard cases");
     auto options = std::make_shared<Options>();
     std::vector<std::string> methods;
     for (const MethodName& entry : kMethods) { methods.emplace_back(entry.name); }
@@ -212,20 +214,30 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         ->add_option(
             "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped")
         ->type_name("");
-    command
-        ->add_option("--method", options->methods, "one or several; default explicit-5, -8, implicit-5, -9")
-        ->check(CLI::IsMember(methods))
-        ->type_name("NAME");
-    command->add_option("--treatment", options->treatment, "of the constraints")
-        ->check(CLI::IsMember(treatments))
-        ->type_name("NAME");
-    command->add_flag(
-        "--hard", options->hard, "the hard cases of kinematics and dynamics; SCENE then names some of them");
+    CLI::Option* method =
+        command
+            ->add_option(
+                "--method", options->methods, "one or several; default explicit-5, -8, implicit-5, -9")
+            ->check(CLI::IsMember(methods))
+            ->type_name("NAME");
+    CLI::Option* treatment = command->add_option("--treatment", options->treatment, "of the constraints")
+                                 ->check(CLI::IsMember(treatments))
+                                 ->type_name("NAME");
+    CLI::Option* picture =
+        command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
+            ->type_name("FILE");
+    CLI::Option* kinematics = command->add_flag(
+        "--kinematics", options->kinematics,
+        "instead: position, velocity and acceleration of driven lessons in every choice of coordinates and "
+        "rows");
+    CLI::Option* hard = command->add_flag(
+        "--hard", options->hard,
+        "instead: the hard cases of kinematics and dynamics; SCENE then names some of them");
+    for (CLI::Option* other : {kinematics, hard}) { other->excludes(method, treatment, picture); }
+    hard->excludes(kinematics);
     command->add_option("--output", options->output, "table, csv, json; markdown with --hard")
         ->check(CLI::IsMember({"table", "csv", "json", "markdown"}))
         ->type_name("FORMAT");
-    command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
-        ->type_name("FILE");
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     command->callback([options, &streams, &run] {
         run = [options, &streams] { return bench_command(*options, streams); };

@@ -1,0 +1,108 @@
+#include "app/commands/bench_kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/session/csv.hpp"
+#include "app/session/json.hpp"
+#include "app/session/kinematics_bench.hpp"
+#include "lessons/catalogue.hpp"
+
+namespace jw {
+
+namespace {
+
+/// Files as given, or by their name in the catalogue; by default all of it but what fails on purpose.
+std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
+    std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder());
+    std::vector<std::filesystem::path> files;
+    for (const std::string& scene : scenes) {
+        const auto found =
+            std::ranges::find_if(shipped, [&](const auto& file) { return file.stem() == scene; });
+        files.push_back(found != shipped.end() ? *found : std::filesystem::path(scene));
+    }
+    if (!scenes.empty()) { return files; }
+    std::erase_if(shipped, [](const auto& file) { return file.parent_path().filename() == "hard"; });
+    return shipped;
+}
+
+void write_table(const KinematicsScene& scene, std::ostream& out) {
+    out << scene.name << ": " << scene.bodies << " moving bodies, " << scene.equations << " equations, "
+        << scene.moments << " moments\n"
+        << "  coordinates   rows       us/moment  ratio  rounds  position  velocity  acceleration  missed\n";
+    const double first = scene.runs.front().microseconds;
+    for (const KinematicsRun& run : scene.runs) {
+        char line[160];
+        char rounds[16] = "-";
+        if (!std::isnan(run.iterations)) { std::snprintf(rounds, sizeof rounds, "%.1f", run.iterations); }
+        std::snprintf(
+            line, sizeof line, "  %-13s %-9s %10.1f %6.2f %7s %9.1e %9.1e %13.1e %7d\n",
+            run.coordinates.c_str(), run.rows.c_str(), run.microseconds, run.microseconds / first, rounds,
+            run.position, run.velocity, run.acceleration, run.missed);
+        out << line;
+    }
+    out << '\n' << std::flush;
+}
+
+void write_csv_rows(const KinematicsScene& scene, std::ostream& out) {
+    for (const KinematicsRun& run : scene.runs) {
+        out << csv_cell(scene.name) << ',' << run.coordinates << ',' << run.rows << ','
+            << csv_number(run.microseconds) << ',' << csv_number(run.iterations) << ','
+            << csv_number(run.position) << ',' << csv_number(run.velocity) << ','
+            << csv_number(run.acceleration) << ',' << run.missed << '\n';
+    }
+}
+
+Json json_of(const KinematicsScene& scene) {
+    Json runs = Json::array();
+    for (const KinematicsRun& run : scene.runs) {
+        runs.push_back(
+            {{"coordinates", run.coordinates},
+             {"rows", run.rows},
+             {"us_per_moment", run.microseconds},
+             {"newton_iterations", std::isnan(run.iterations) ? Json() : Json(run.iterations)},
+             {"position", run.position},
+             {"velocity", run.velocity},
+             {"acceleration", run.acceleration},
+             {"missed", run.missed}});
+    }
+    return {
+        {"scene", scene.name},
+        {"bodies", scene.bodies},
+        {"equations", scene.equations},
+        {"moments", scene.moments},
+        {"runs", runs}};
+}
+
+}  // namespace
+
+Exit bench_kinematics(
+    const std::vector<std::string>& scenes, const std::string& output, const Streams& streams) {
+    Json all = Json::array();
+    if (output == "csv") {
+        streams.out
+            << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,acceleration,"
+               "missed\n";
+    }
+    for (const std::filesystem::path& file : files_of(scenes)) {
+        const auto scene = bench_kinematics(lesson_of(file, streams), file.stem().string());
+        if (!scene) {
+            if (scenes.empty()) { continue; }
+            throw CommandError(
+                Exit::bad_input, file.string() +
+                                     ": error: no motion by drivers that can be followed to its end\n"
+                                     "hint: docs/writing-a-lesson.md, [[driver]] and [motion]");
+        }
+        if (output == "table") { write_table(*scene, streams.out); }
+        if (output == "csv") { write_csv_rows(*scene, streams.out); }
+        if (output == "json") { all.push_back(json_of(*scene)); }
+    }
+    if (output == "json") {
+        const Json json{{"format", "jointwise bench kinematics"}, {"version", kJsonVersion}, {"scenes", all}};
+        streams.out << json.dump(1) << '\n';
+    }
+    return Exit::done;
+}
+
+}  // namespace jw
