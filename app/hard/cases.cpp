@@ -57,6 +57,27 @@ constexpr std::array kCases{
         "A student's start estimate: the body is nearly upside down.", "plain Newton, no check of the branch",
         "Newton with limited steps, wrong branches recognised and left", "hard/anti-parallel.toml",
         start_170_degrees_off},
+    Case{
+        "parallel-arms", "A universal joint whose arms start parallel",
+        "n1 asks for perpendicular arms; where they are parallel, its derivative vanishes.",
+        "plain Newton", "Newton with limited steps, then a diagnosis", "joints/universal.toml", parallel_arms},
+    Case{
+        "bend-90", "Two shafts at right angles",
+        "At a bend of 90 degrees a universal joint turns nothing: one shaft is locked, and in one pose two ways "
+        "of moving cross. Nothing of that happens where the shafts become parallel.",
+        "the normal equations JᵀJ q̇ = Jᵀν", "rank-revealing least squares with a verdict",
+        "loops/cardan.toml", bend_of_90_degrees},
+    Case{
+        "change-points", "A parallelogram through its change points",
+        "Twice a turn all bars lie in one line, and there two branches cross: the parallelogram and the crossed "
+        "one. Every equation holds on both.",
+        "Newton from the last pose", "prediction along the tangent, checked", "loops/parallelogram.toml",
+        parallelogram_through_change_points},
+    Case{
+        "near-singular", "Closer and closer to a change point",
+        "The parallelogram 10^-1 to 10^-7 rad from the pose where its bars are in line. A condition number of "
+        "10^k costs k digits; more need not be lost.",
+        "the normal equations JᵀJ q̇ = Jᵀν", "pivoted QR", "loops/parallelogram.toml", towards_a_change_point},
 };
 
 }  // namespace

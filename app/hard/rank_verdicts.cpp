@@ -196,8 +196,9 @@ Result long_and_short_vectors() {
         "so large that its rounding passes for an equation.";
     result.ours = "every row is divided by its own size |s_i||s_j|: the numbers are those of unit vectors.";
     const double all = double(kLoops.size()) * kTurns;
+    // elimination with full pivoting survives where the lengths happen to be alike
     result.measurements.push_back(
-        {"right ranks, of 200", Bounded{double(naive_right), at_most(0.5 * all)},
+        {"right ranks, of 200", Bounded{double(naive_right), at_most(0.8 * all)},
          Bounded{double(ours.right), exactly(all)}});
     // as without the long vectors, and for the same reason
     result.measurements.push_back(

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "app/hard/shipped.hpp"
 #include "core/assembler.hpp"
 
@@ -79,6 +81,10 @@ int rank_by_elimination(MatrixX matrix, double threshold) {
         }
     }
     return static_cast<int>(most);
+}
+
+VectorX by_normal_equations(const MatrixX& J, const VectorX& b) {
+    return (J.transpose() * J).ldlt().solve(J.transpose() * b);
 }
 
 int mobility_by_counting(const Mechanism& mechanism) {

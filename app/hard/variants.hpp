@@ -39,6 +39,9 @@ RankReport verdict_on(const Mechanism& mechanism);
 /// scaled.
 int rank_by_elimination(MatrixX matrix, double threshold);
 
+/// Least squares as a textbook has them: JᵀJ x = Jᵀb, which squares the condition number. Nothing is scaled.
+VectorX by_normal_equations(const MatrixX& J, const VectorX& b);
+
 /// Grübler's count at all revolutes, prismatic joints ...: 6 for each moving body less what joints take.
 int mobility_by_counting(const Mechanism& mechanism);
 
