@@ -95,15 +95,17 @@ Result anti_parallel_start() {
         "turn and solved again.";
     // 180 deg: cosines of rounded vectors
     result.measurements.push_back(
-        {"s_i · s_j found, from exactly 180 deg off", Bounded{axes_cosine(joint, naive.state), at_most(-0.99)},
+        {"s_i · s_j found, from exactly 180 deg off",
+         Bounded{axes_cosine(joint, naive.state), at_most(-0.99)},
          Bounded{outcome.ok() ? axes_cosine(joint, state) : -1.0, at_least(0.999999)}});
     result.measurements.push_back(
-        {"upside down or not closed, of 18 starts 5 to 175 deg off",
+        {"not as meant, of 18 starts 5 to 175 deg off",
          Bounded{double(sweep.naive_wrong + sweep.starts - sweep.naive_closed), at_least(8.0)},
          Bounded{double(sweep.starts - sweep.ours_right), exactly(0.0)}});
     // half way between the two: the equations have lost their rank there, and no side is nearer
     result.measurements.push_back(
-        {"exactly 90 deg off: said to be singular (1)", {},
+        {"exactly 90 deg off: said to be singular (1)",
+         {},
          Bounded{!at_90.ok() && at_90.failure->cause == FailureCause::singular ? 1.0 : 0.0, exactly(1.0)}});
     return result;
 }

@@ -118,7 +118,7 @@ Result loops_turned_at_random() {
         {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e11)}});
     // n1 pair, since the rule keeps other rows in other positions; 1e-12: a thousand roundings of p
     result.measurements.push_back(
-        {"largest change of a singular value, of σ_1", {}, Bounded{change, at_most(1e-12)}});
+        {"largest change of a singular value, in σ_1", {}, Bounded{change, at_most(1e-12)}});
     return result;
 }
 
@@ -157,15 +157,16 @@ Result loops_of_any_size() {
     result.measurements.push_back(
         {"right ranks, of 52", Bounded{double(naive_right), at_most(48.0)},
          Bounded{double(ours.right), exactly(52.0)}});
-    // between two units lengths are up to 32 times the unit or a 32nd of it, which takes 1.5 digits of 11 twice
+    // between two units lengths are up to 32 times the unit or a 32nd of it, which takes 1.5 digits of 11
+    // twice
     result.measurements.push_back(
         {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e8)}});
     // the unit goes in steps of 1000; pow and the products round
     result.measurements.push_back(
-        {"largest change of a singular value at 10^±3, 10^±6, of σ_1", {}, Bounded{change, at_most(1e-12)}});
+        {"largest change of σ at 10^±3, 10^±6, in σ_1", {}, Bounded{change, at_most(1e-12)}});
     // Newton's tolerance is 1e-13 of the unit, the largest coordinate is up to 32 units
     result.measurements.push_back(
-        {"worst misfit after Newton, in sizes of the machine", Bounded{naive_misfit, at_least(0.01)},
+        {"worst misfit after Newton, in machine sizes", Bounded{naive_misfit, at_least(0.01)},
          Bounded{misfit, at_most(1e-11)}});
     return result;
 }
@@ -205,9 +206,9 @@ Result long_and_short_vectors() {
         {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e11)}});
     // one rounding for each product
     result.measurements.push_back(
-        {"largest change of a singular value, of σ_1", {}, Bounded{change, at_most(1e-13)}});
+        {"largest change of a singular value, in σ_1", {}, Bounded{change, at_most(1e-13)}});
     result.measurements.push_back(
-        {"loops that Newton does not close from 0.05 rad off", {}, Bounded{double(unfinished), exactly(0.0)}});
+        {"loops not closed from 0.05 rad off", {}, Bounded{double(unfinished), exactly(0.0)}});
     return result;
 }
 

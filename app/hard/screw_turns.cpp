@@ -89,7 +89,7 @@ Result cosine_row_at_half_turns() {
          Bounded{ours.condition, at_most(1.415)}});
     // Newton's tolerance is 1e-13 rad; degrees, and ten times that for what is added up
     result.measurements.push_back(
-        {"largest error of the nut's angle in two turns [deg]",
+        {"error of the nut's angle in two turns [deg]",
          Bounded{error_after_two_turns(ScrewAngleForm::cosine), at_least(90.0)},
          Bounded{error_after_two_turns(ScrewAngleForm::rotation), at_most(1e-10)}});
     return result;
@@ -120,11 +120,10 @@ Result a_thousand_turns() {
     Result result;
     result.naive = "the angle is back where it was after every turn, and with it the advance.";
     result.ours = "θ is a coordinate of its own: it is predicted along with the motion and counts turns.";
-    result.measurements.push_back(
-        {"poses lost, of 4000", {}, Bounded{double(lost), exactly(0.0)}});
+    result.measurements.push_back({"poses lost, of 4000", {}, Bounded{double(lost), exactly(0.0)}});
     // 120 m are known to 1.4e-14 m, and Newton stops at 1e-13 of the largest coordinate
     result.measurements.push_back(
-        {"largest error of the advance in 1000 turns [m]", Bounded{naive, at_least(119.0)},
+        {"error of the advance in 1000 turns [m]", Bounded{naive, at_least(119.0)},
          Bounded{ours, at_most(1.2e-11)}});
     return result;
 }

@@ -49,7 +49,9 @@ int mobility_by_counting(const Mechanism& mechanism);
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
-    double number(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
+    double number(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
     Vec3 vector(double size);
     Vec3 direction();
     Vec4 turn();  ///< unit p
