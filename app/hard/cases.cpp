@@ -32,11 +32,16 @@ constexpr std::array kCases{
         "singular values in the scene's unit of length", "loops/double-scott-russell.toml",
         loops_of_any_size},
     Case{
+        "two-sizes", "A watch in a crane",
+        "Each of these loops beside itself a million times as small, in one scene and one matrix.",
+        "elimination with full pivoting, |entry| <= 1e-6 is zero", "singular values, threshold 10^-9",
+        "loops/bricard.toml", large_and_small_side_by_side},
+    Case{
         "any-vectors", "Long and short vectors",
         "An axis is a direction, so a lesson may write it with any length; yet |s_i| and |s_j| multiply the "
         "equation. Here each vector has a length of its own between 10^-6 and 10^6.",
-        "elimination with full pivoting, |entry| <= 1e-6 is zero", "rows divided by their size",
-        "loops/bricard.toml", long_and_short_vectors},
+        "elimination with full pivoting, |entry| <= 1e-6 is zero",
+        "every row divided by its own size |s_i||s_j|", "loops/bricard.toml", long_and_short_vectors},
     Case{
         "diagonal-axis", "An axis at the diagonal, with noise",
         "For an axis along (1, 1, 1) all three pairs of rows are equally good: which one is the best is "

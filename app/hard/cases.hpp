@@ -11,8 +11,10 @@ Result kept_pair_at_right_angle();
 // ---- kinematics
 // rank_verdicts.cpp
 Result loops_turned_at_random();
-Result loops_of_any_size();
 Result long_and_short_vectors();
+// sizes.cpp
+Result loops_of_any_size();
+Result large_and_small_side_by_side();
 // hysteresis.cpp
 Result axis_at_the_diagonal();
 // screw_turns.cpp

@@ -119,7 +119,7 @@ Result a_thousand_turns() {
     }
     Result result;
     result.naive = "the angle is back where it was after every turn, and with it the advance.";
-    result.ours = "θ is a coordinate of its own: it is predicted along with the motion and counts turns.";
+    result.ours = "it is predicted along with the motion, and counts turns.";
     result.measurements.push_back({"poses lost, of 4000", {}, Bounded{double(lost), exactly(0.0)}});
     // 120 m are known to 1.4e-14 m, and Newton stops at 1e-13 of the largest coordinate
     result.measurements.push_back(

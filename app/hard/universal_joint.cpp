@@ -178,7 +178,7 @@ Result bend_of_90_degrees() {
          Bounded{std::abs(fast.ratio / ratio - 1.0), at_most(1e-8)}});
     // asked for is 1 rad/s; the miss of a contradiction is a part of it, that of rounding some 1e-16
     result.measurements.push_back(
-        {"locked shaft driven: largest |Φq q̇ - ν|", Bounded{locked.naive_miss, at_least(0.05)},
+        {"locked shaft driven: largest miss of an equation", Bounded{locked.naive_miss, at_least(0.05)},
          Bounded{locked.verdict.residual, at_least(0.05)}});
     result.measurements.push_back(
         {"locked shaft driven: contradiction told (1)",

@@ -111,4 +111,14 @@ Vec4 Dice::turn() {
     return euler_parameters_of(direction(), angle);
 }
 
+State disturbed(const Mechanism& mechanism, Dice& dice) {
+    State state = start_state(mechanism);
+    const double size = extent(mechanism);
+    for (std::size_t b = 1; b < state.r.size(); ++b) {
+        state.r[b] += dice.vector(0.05 * size);
+        state.p[b] = turned_local(state.p[b], dice.vector(0.05));
+    }
+    return state;
+}
+
 }  // namespace jw::hard

@@ -60,4 +60,7 @@ private:
     std::mt19937 engine_;
 };
 
+/// A start pose with every moving body up to 0.05 of the machine and 0.05 rad off.
+State disturbed(const Mechanism& mechanism, Dice& dice);
+
 }  // namespace jw::hard
