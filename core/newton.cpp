@@ -22,6 +22,8 @@ constexpr double kLargestGrowth = 10.0;
 // millionth of the step brings none, the direction leads nowhere
 constexpr double kSufficient = 1e-4;
 constexpr double kSmallestFraction = 1e-6;
+// where the rank goes up and down for so long, it is rounding that counts as equations
+constexpr int kLastReach = 20;
 
 double largest_coordinate(const State& state) {
     double largest = 0.0;
@@ -54,6 +56,8 @@ void NewtonStepper<C>::start(State state, double t) {
     state_ = std::move(state);
     t_ = t;
     iteration_ = 0;
+    previous_rank_ = 0;
+    reached_further_ = false;
     tolerance_ = residual_tolerance(*system_, state_);
     outcome_.reset();
 }
@@ -144,7 +148,8 @@ NewtonStep NewtonStepper<C>::step() {
         finish(step, true, false);
         return step;
     }
-    const bool stalled = iteration_ > 0 && step.residual > 0.5 * previous_residual_;
+    // equations of a small part of the scene come in last, and their first step may well raise the residual
+    const bool stalled = iteration_ > 0 && !reached_further_ && step.residual > 0.5 * previous_residual_;
     if (stalled && step.residual <= kFloorTolerance) {
         step.converged = true;
         // within a factor of a hundred the arithmetic itself is the floor (long chains, many rows)
@@ -158,6 +163,8 @@ NewtonStep NewtonStepper<C>::step() {
     previous_residual_ = step.residual;
 
     step.rank = solve_for_delta(step.residual);
+    reached_further_ = iteration_ > 0 && step.rank > previous_rank_ && iteration_ < kLastReach;
+    previous_rank_ = step.rank;
     step.fraction = searched_fraction();
     if (step.fraction == 0.0) {
         step.converged = step.residual <= kFloorTolerance;

@@ -88,6 +88,8 @@ private:
     int iteration_ = 0;
     double tolerance_ = 0.0;
     double previous_residual_ = 0.0;
+    int previous_rank_ = 0;
+    bool reached_further_ = false;  ///< the last step used more equations than the one before
     VectorX right_side_;
     VectorX delta_;
     VectorX linear_residual_;

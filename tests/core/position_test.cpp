@@ -163,3 +163,34 @@ TEMPLATE_TEST_CASE(
         }
     }
 }
+
+TEST_CASE(
+    "A loop up to a million times as small as one beside it closes as well as that", "[core][position]") {
+    const double ratio = GENERATE(1.0, 1e-2, 1e-4, 1e-6);
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        CAPTURE(ratio, seed);
+        Mechanism both = test::bricard(1.2);
+        const Mechanism small = test::scaled(test::bricard(1.2), ratio);
+        const int bodies = static_cast<int>(both.bodies.size()) - 1;
+        both.bodies.insert(both.bodies.end(), small.bodies.begin() + 1, small.bodies.end());
+        // with a ground of its own: the frame that its joints are given in
+        both.bodies.push_back(small.bodies.front());
+        const int ground = static_cast<int>(both.bodies.size()) - 1;
+        for (Joint joint : small.joints) {
+            for (int* body : {&joint.body_i, &joint.body_j}) { *body = *body > 0 ? *body + bodies : ground; }
+            both.joints.push_back(joint);
+        }
+        test::Random random(seed);
+        State state = test::disturbed(both, start_state(both), random, 0.0, 0.05);
+        for (std::size_t b = 1; b < state.r.size(); ++b) {
+            const double size = static_cast<int>(b) > bodies ? ratio : 1.0;
+            if (!both.bodies[b].fixed) { state.r[b] += random.vector(0.05 * size); }
+        }
+        const System system(both, everything(both));
+        const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
+        REQUIRE(outcome.ok());
+        CHECK_FALSE(outcome.newton.at_floor);
+        // a hundred times Newton's tolerance is where its floor begins
+        CHECK(outcome.newton.residual < 1e-11);
+    }
+}

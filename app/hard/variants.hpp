@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+#include "core/rank.hpp"
+#include "lessons/lesson.hpp"
+
+/// The mechanisms of lessons altered, so that one can see whether verdicts stay.
+namespace jw::hard {
+
+/// The joints of a shipped lesson, nothing driven; it starts at the pose that the lesson closes to.
+/// @param name below lessons/catalogue
+Mechanism assembled_mechanism(std::string_view name);
+/// The same of a lesson that has been altered.
+Mechanism assembled_mechanism(const Lesson& lesson);
+
+/// The whole scene, ground included, turned by p.
+Mechanism turned(Mechanism mechanism, const Vec4& p);
+
+/// Every length of the bodies and joints times `factor`; drivers are left alone.
+Mechanism scaled(Mechanism mechanism, double factor);
+
+/// p1 and p2 of all joints in this form.
+Mechanism with_form(Mechanism mechanism, ParallelForm form);
+
+/// Φq in (r, ω') at the start pose, with its residuals.
+struct Equations {
+    MatrixX jacobian;
+    VectorX phi;
+};
+Equations equations_of(const Mechanism& mechanism);
+
+/// Verdict of the program on all joints and drivers at the start pose, t = 0.
+RankReport verdict_on(const Mechanism& mechanism);
+
+/// Rank as a textbook has it: elimination with full pivoting, entries up to `threshold` are zero. Nothing is
+/// scaled.
+int rank_by_elimination(MatrixX matrix, double threshold);
+
+/// Least squares as a textbook has them: JᵀJ x = Jᵀb, which squares the condition number. Nothing is scaled.
+VectorX by_normal_equations(const MatrixX& J, const VectorX& b);
+
+/// Grübler's count at all revolutes, prismatic joints ...: 6 for each moving body less what joints take.
+int mobility_by_counting(const Mechanism& mechanism);
+
+/// The same random numbers on every machine.
+class Dice {
+public:
+    explicit Dice(std::uint32_t seed) : engine_(seed) {}
+    double number(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
+    Vec3 vector(double size);
+    Vec3 direction();
+    Vec4 turn();  ///< unit p
+
+private:
+    std::mt19937 engine_;
+};
+
+/// A start pose with every moving body up to 0.05 of the machine and 0.05 rad off.
+State disturbed(const Mechanism& mechanism, Dice& dice);
+
+}  // namespace jw::hard
