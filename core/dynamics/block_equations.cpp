@@ -207,8 +207,8 @@ void BlockEquations<B>::form_matrix() {
 }
 
 template <int B>
-void BlockEquations<B>::factor_by_mass() {
-    weigh(Metric::mass);
+void BlockEquations<B>::factor_in_metric() {
+    weigh(masses_apart_ ? Metric::geometry : Metric::mass);
     form_matrix();
     matrix_.factor();
 }
@@ -273,13 +273,17 @@ template <int B>
 RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot) {
     set_bodies<true>(y);
     evaluate_links<true>(t);
-    factor_by_mass();
+    factor_in_metric();
 
     evaluate_forces(t, y);
-    set_lambda(gamma_);
-    subtract_products(six_.data(), lambda_.data());
-    matrix_.solve(lambda_.data());
-    add_reactions(lambda_.data(), six_.data());
+    if (masses_apart_) {
+        solve_by_pivoting();
+    } else {
+        set_lambda(gamma_);
+        subtract_products(six_.data(), lambda_.data());
+        matrix_.solve(lambda_.data());
+        add_reactions(lambda_.data(), six_.data());
+    }
 
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const Kinematics6& body = bodies_[at(moving_[m].body)];

@@ -67,7 +67,7 @@ double BlockEquations<B>::project(double t, double* y) {
         const bool slow = worst > kFastConvergence * last;
         last = worst;
         if (!factored || (slow && worst > kNearlyExact)) {
-            factor_by_mass();
+            factor_in_metric();
             factored = true;
         }
         set_lambda(phi_);
@@ -77,7 +77,7 @@ double BlockEquations<B>::project(double t, double* y) {
         add_reactions(lambda_.data(), six_.data());
         displace(y, six_.data(), moving_.size());
     }
-    if (!factored) { factor_by_mass(); }
+    if (!factored) { factor_in_metric(); }
     project_velocities(y);
     return before;
 }
@@ -140,6 +140,7 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         changed = changed || nodes_[n].kept != kept_before_[n];
     }
+    compare_masses(t);
     return changed;
 }
 
@@ -185,12 +186,16 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
         jacobian.template block<B, 6>(
             static_cast<Eigen::Index>(n * B), static_cast<Eigen::Index>(6 * moving)) = j.transpose();
     });
-    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ
+    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ. Where masses are far apart their M
+    // would hide constraints of heavy bodies
     MatrixX root = MatrixX::Zero(columns, columns);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const auto first = static_cast<Eigen::Index>(6 * m);
-        root.template block<3, 3>(first, first) = std::sqrt(moving_[m].mass) * Mat3::Identity();
-        root.template block<3, 3>(first + 3, first + 3) = moving_[m].J.llt().matrixL();
+        root.template block<3, 3>(first, first)
+            .diagonal()
+            .setConstant(masses_apart_ ? 1.0 : std::sqrt(moving_[m].mass));
+        root.template block<3, 3>(first + 3, first + 3) =
+            masses_apart_ ? Mat3(extent_ * Mat3::Identity()) : Mat3(moving_[m].J.llt().matrixL());
     }
     const MatrixX scaled =
         root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();

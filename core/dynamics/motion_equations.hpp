@@ -71,7 +71,7 @@ public:
 class DrivableEquations : public MotionEquations {
 public:
     /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
-    /// metric of M. Dense, for small mechanisms.
+    /// metric of M, or in one of lengths where masses are far apart. Dense, for small mechanisms.
     virtual MatrixX free_motions(double t, const double* y) = 0;
     /// The function of a driver of the mechanism becomes f0 + f1 t.
     virtual void set_driver(int driver, double f0, double f1) = 0;
