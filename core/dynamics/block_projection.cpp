@@ -197,14 +197,15 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
         root.template block<3, 3>(first + 3, first + 3) =
             masses_apart_ ? Mat3(extent_ * Mat3::Identity()) : Mat3(moving_[m].J.llt().matrixL());
     }
+    const auto upper = root.transpose().template triangularView<Eigen::Upper>();
+    if (nodes_.empty()) { return upper.solve(MatrixX::Identity(columns, columns)); }
     const MatrixX scaled =
         root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();
     const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
     const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
     Eigen::Index rank = 0;
     while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kRepeats * largest) { ++rank; }
-    return root.transpose().template triangularView<Eigen::Upper>().solve(
-        svd.matrixV().rightCols(columns - rank));
+    return upper.solve(svd.matrixV().rightCols(columns - rank));
 }
 
 template double BlockEquations<3>::project(double, double*);
