@@ -13,6 +13,9 @@ namespace {
 /// Rows whose pivot is below this share of their size repeat earlier ones: far above rounding (1e-15 times a
 /// condition of 1e3), far below the pivots of sound joints (1e-3).
 constexpr double kRepeats = 1e-9;
+/// A row of a sound joint has the size 1 or, of directions, 1 / extent; this small it has none, and what is
+/// left is rounding.
+constexpr double kVanishes = 1e-12;
 /// Residuals of position equations, by their sizes, that are rounding only.
 constexpr double kExact = 1e-15;
 /// From here on a factorisation of the round before is as good as a new one.
@@ -122,8 +125,12 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
         const double size = extent_ * std::sqrt(row_size_[k]);
         inverse_unit_[k] = size > 0.0 ? 1.0 / size : 1.0;
     }
+    const double vanishing = std::pow(kVanishes * std::min(1.0, 1.0 / extent_), 2);
     matrix_.factor([&](int n, double* diagonal) {
         Node& node = nodes_[at(n)];
+        for (int row = 0; row < B; ++row) {
+            if (row_size_[at(n) * B + at(row)] < vanishing) { node.kept &= ~(1U << row); }
+        }
         node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept);
         for (int row = 0; row < B; ++row) {
             if (has(node.kept, row)) { continue; }
