@@ -34,4 +34,31 @@ Result accidental_redundancy();
 // near_singular.cpp
 Result towards_a_change_point();
 
+// ---- dynamics
+// four_bar_line.cpp
+Result four_bar_through_its_line();
+// masses_apart.cpp
+Result masses_eighteen_decades_apart();
+// scaled_scenes.cpp
+Result scene_of_any_size();
+Result scene_turned();
+// stiff_governor.cpp
+Result stiff_governor();
+// million_steps.cpp
+Result million_steps_of_a_free_body();
+// drift.cpp
+Result drift_off_the_constraints();
+// rows_in_every_stage.cpp
+Result rank_in_every_stage();
+// measured_orders.cpp
+Result orders_measured();
+// energy_is_not_accuracy.cpp
+Result energy_is_not_accuracy();
+// which_reactions.cpp
+Result which_reactions();
+// middle_axis.cpp
+Result turning_about_the_middle_axis();
+// tilted_loop.cpp
+Result loop_with_a_tilted_axis();
+
 }  // namespace jw::hard

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/numbers.hpp"
+#include "lessons/diagnostics.hpp"
 
 namespace jw {
 
@@ -121,6 +122,12 @@ std::vector<double> equal_times(double duration, int intervals) {
 std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings) {
     const std::string where = "the simulation ends at t = " + number_text(failure.t, 6) + " s: ";
     switch (failure.cause) {
+        case SimulationFailure::Cause::contradiction:
+            return where + "equations of " + in_quotes(failure.equation_of) +
+                   " repeat those of other joints, yet ask for something else (off by " +
+                   number_text(failure.violation, 2) +
+                   " of their size); joints of a loop whose axes or points do not fit cannot be kept "
+                   "together (look at that pose with 'jointwise inspect')";
         case SimulationFailure::Cause::not_finite:
             return where +
                    "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "

@@ -207,8 +207,8 @@ void BlockEquations<B>::form_matrix() {
 }
 
 template <int B>
-void BlockEquations<B>::factor_by_mass() {
-    weigh(Metric::mass);
+void BlockEquations<B>::factor_in_metric() {
+    weigh(masses_apart_ ? Metric::geometry : Metric::mass);
     form_matrix();
     matrix_.factor();
 }
@@ -273,7 +273,7 @@ template <int B>
 RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot) {
     set_bodies<true>(y);
     evaluate_links<true>(t);
-    factor_by_mass();
+    factor_in_metric();
 
     evaluate_forces(t, y);
     constrain_accelerations();
@@ -289,6 +289,10 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
 
 template <int B>
 void BlockEquations<B>::constrain_accelerations() {
+    if (masses_apart_) {
+        solve_by_pivoting();
+        return;
+    }
     set_lambda(gamma_);
     subtract_products(six_.data(), lambda_.data());
     matrix_.solve(lambda_.data());

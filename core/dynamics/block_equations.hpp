@@ -87,8 +87,13 @@ private:
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void form_matrix();
-    /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored.
-    void factor_by_mass();
+    /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored; with the M of geometry where masses
+    /// are far apart.
+    void factor_in_metric();
+    /// Whether Φq M⁻¹ Φqᵀ keeps its digits, at the bodies as they were set last.
+    void compare_masses(double t);
+    /// M⁻¹ Q of every body becomes its accelerations.
+    void solve_by_pivoting();
     double violation_of_rows() const;
     /// Of Φ or Φ̇, each by the size of its equation.
     double largest_of_kept_rows(const std::vector<double>& numbers) const;
@@ -126,6 +131,7 @@ private:
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
     double extent_ = 1.0;
+    bool masses_apart_ = false;  ///< light bodies carry heavy ones: see block_pivoting.cpp
 };
 
 }  // namespace jw

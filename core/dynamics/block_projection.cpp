@@ -13,6 +13,9 @@ namespace {
 /// Rows whose pivot is below this share of their size repeat earlier ones: far above rounding (1e-15 times a
 /// condition of 1e3), far below the pivots of sound joints (1e-3).
 constexpr double kRepeats = 1e-9;
+/// A row of a sound joint has the size 1 or, of directions, 1 / extent; this small it has none, and what is
+/// left is rounding.
+constexpr double kVanishes = 1e-12;
 /// Residuals of position equations, by their sizes, that are rounding only.
 constexpr double kExact = 1e-15;
 /// From here on a factorisation of the round before is as good as a new one.
@@ -67,7 +70,7 @@ double BlockEquations<B>::project(double t, double* y) {
         const bool slow = worst > kFastConvergence * last;
         last = worst;
         if (!factored || (slow && worst > kNearlyExact)) {
-            factor_by_mass();
+            factor_in_metric();
             factored = true;
         }
         set_lambda(phi_);
@@ -77,7 +80,7 @@ double BlockEquations<B>::project(double t, double* y) {
         add_reactions(lambda_.data(), six_.data());
         displace(y, six_.data(), moving_.size());
     }
-    if (!factored) { factor_by_mass(); }
+    if (!factored) { factor_in_metric(); }
     project_velocities(y);
     return before;
 }
@@ -135,8 +138,12 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
         const double size = extent_ * std::sqrt(row_size_[k]);
         inverse_unit_[k] = size > 0.0 ? 1.0 / size : 1.0;
     }
+    const double vanishing = std::pow(kVanishes * std::min(1.0, 1.0 / extent_), 2);
     matrix_.factor([&](int n, double* diagonal) {
         Node& node = nodes_[at(n)];
+        for (int row = 0; row < B; ++row) {
+            if (row_size_[at(n) * B + at(row)] < vanishing) { node.kept &= ~(1U << row); }
+        }
         node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept);
         for (int row = 0; row < B; ++row) {
             if (has(node.kept, row)) { continue; }
@@ -153,6 +160,7 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         changed = changed || nodes_[n].kept != kept_before_[n];
     }
+    compare_masses(t);
     return changed;
 }
 
@@ -198,21 +206,26 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
         jacobian.template block<B, 6>(
             static_cast<Eigen::Index>(n * B), static_cast<Eigen::Index>(6 * moving)) = j.transpose();
     });
-    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ
+    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ. Where masses are far apart their M
+    // would hide constraints of heavy bodies
     MatrixX root = MatrixX::Zero(columns, columns);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const auto first = static_cast<Eigen::Index>(6 * m);
-        root.template block<3, 3>(first, first) = std::sqrt(moving_[m].mass) * Mat3::Identity();
-        root.template block<3, 3>(first + 3, first + 3) = moving_[m].J.llt().matrixL();
+        root.template block<3, 3>(first, first)
+            .diagonal()
+            .setConstant(masses_apart_ ? 1.0 : std::sqrt(moving_[m].mass));
+        root.template block<3, 3>(first + 3, first + 3) =
+            masses_apart_ ? Mat3(extent_ * Mat3::Identity()) : Mat3(moving_[m].J.llt().matrixL());
     }
+    const auto upper = root.transpose().template triangularView<Eigen::Upper>();
+    if (nodes_.empty()) { return upper.solve(MatrixX::Identity(columns, columns)); }
     const MatrixX scaled =
         root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();
     const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
     const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
     Eigen::Index rank = 0;
     while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kRepeats * largest) { ++rank; }
-    return root.transpose().template triangularView<Eigen::Upper>().solve(
-        svd.matrixV().rightCols(columns - rank));
+    return upper.solve(svd.matrixV().rightCols(columns - rank));
 }
 
 template double BlockEquations<3>::project(double, double*);

@@ -19,6 +19,13 @@ constexpr double kDistinct = 0.05;
 /// Share of its first value to which the sine between coordinates may fall on the way.
 constexpr double kStillDistinct = 0.3;
 
+/// How much a coordinate tells of a motion along its gradient, 1 at best. e_k is a cosine: near ±1 it says
+/// nothing of a turn, and on which side of it the body stands.
+double sharpness_of(const IndependentCoordinate& c, const MeasureJet& jet) {
+    const auto* of_body = std::get_if<CoordinateMeasure>(&c.measure);
+    return of_body != nullptr && of_body->coordinate >= 3 ? 2.0 * jet.by_j.norm() : 1.0;
+}
+
 }  // namespace
 
 IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations)
@@ -84,19 +91,30 @@ double IndependentCoordinates::along(
 }
 
 VectorX IndependentCoordinates::choose(double t, const double* y) {
-    const MatrixX free = equations_->free_motions(t, y);
+    // lengths and turns by the size of the scene; orthonormal, so that masses do not decide
+    MatrixX free = equations_->free_motions(t, y);
+    const double length = extent(scene_->mechanism);
+    for (Eigen::Index k = 0; k < free.rows(); ++k) { free.row(k) *= k % 6 < 3 ? 1.0 : length; }
     const Eigen::Index d = free.cols();
+    free = (Eigen::HouseholderQR<MatrixX>(free).householderQ() * MatrixX::Identity(free.rows(), d)).eval();
     const auto choose_from = [&](const std::vector<IndependentCoordinate>& candidates) {
-        // rows of equal size, so that units do not decide
-        MatrixX rows = gradients(candidates, y) * free;
-        rows.rowwise().normalize();
-        const Eigen::ColPivHouseholderQR<MatrixX> qr(rows.transpose());
+        // what is left of a gradient of size 1: a coordinate at its end tells nothing of any motion
+        MatrixX rows = gradients(candidates, y);
+        for (Eigen::Index k = 0; k < rows.cols(); ++k) { rows.col(k) /= k % 6 < 3 ? 1.0 : length; }
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            auto row = rows.row(static_cast<Eigen::Index>(k));
+            const double size = row.norm();
+            row *= size > 0.0 ? sharpness_of(candidates[k], jet_at(candidates[k], y)) / size : 0.0;
+        }
+        rows = (rows * free).eval();
         chosen_.clear();
+        if (d == 0) { return 1.0; }
         if (rows.rows() < d) { return 0.0; }
+        const Eigen::ColPivHouseholderQR<MatrixX> qr(rows.transpose());
         for (Eigen::Index k = 0; k < d; ++k) {
             chosen_.push_back(candidates[at(qr.colsPermutation().indices()(k))]);
         }
-        return d == 0 ? 1.0 : std::abs(qr.matrixR()(d - 1, d - 1) / qr.matrixR()(0, 0));
+        return std::abs(qr.matrixR()(d - 1, d - 1) / qr.matrixR()(0, 0));
     };
     if (!(choose_from(of_joints_) > kDistinct)) {
         std::vector<IndependentCoordinate> all = of_joints_;
@@ -123,7 +141,8 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
 }
 
 bool IndependentCoordinates::is_sound() const {
-    return driven_->smallest_pivot() > kStillDistinct * kStillDistinct * pivot_at_choice_;
+    return driven_->smallest_pivot() > kStillDistinct * kStillDistinct * pivot_at_choice_ &&
+           sharpness_ > kStillDistinct;
 }
 
 void IndependentCoordinates::evaluate(
@@ -136,10 +155,12 @@ void IndependentCoordinates::evaluate(
     driven_->project(t, y);
     equations_->evaluate(t, y, y_dot);
     x_dot.head(d) = x.tail(d);
+    sharpness_ = 1.0;
     for (Eigen::Index k = 0; k < d; ++k) {
         const IndependentCoordinate& c = chosen_[static_cast<std::size_t>(k)];
         const MeasureJet jet = jet_at(c, y);
         x_dot(d + k) = jet.bias + along(c, jet, y_dot);
+        sharpness_ = std::min(sharpness_, sharpness_of(c, jet));
     }
 }
 

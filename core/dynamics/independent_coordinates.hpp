@@ -50,6 +50,7 @@ private:
     std::vector<IndependentCoordinate> of_bodies_;
     std::vector<IndependentCoordinate> chosen_;
     double pivot_at_choice_ = 1.0;  ///< of the driven equations
+    double sharpness_ = 1.0;        ///< of the coordinate that told least where it was evaluated last
     Centroidal driven_scene_;       ///< with a driver for every chosen coordinate
     std::unique_ptr<DrivableEquations> driven_;
 };

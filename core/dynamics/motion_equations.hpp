@@ -71,7 +71,7 @@ public:
 class DrivableEquations : public MotionEquations {
 public:
     /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
-    /// metric of M. Dense, for small mechanisms.
+    /// metric of M, or in one of lengths where masses are far apart. Dense, for small mechanisms.
     virtual MatrixX free_motions(double t, const double* y) = 0;
     /// Accelerations of the last `evaluate` once more, from what they leave of Φq q̈ = γ: twice the digits
     /// near singular positions.

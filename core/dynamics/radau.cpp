@@ -256,7 +256,7 @@ void RadauIntegrator::accept(double h, double t) {
     y_before_.resize(y_rate_.size(), stages + 1);
     x_before_ << x_, x_stages_;
     y_before_ << Eigen::Map<const VectorX>(y_.data(), y_rate_.size()), y_stages_;
-    step_before_ = h;
+    step_before_ = last_step_ = h;
     t_ = t;
     x_ = x_stages_.col(stages - 1);
     std::copy_n(y_stages_.col(stages - 1).data(), y_.size(), y_.data());
@@ -313,8 +313,8 @@ bool RadauIntegrator::step(double t_end) {
 }
 
 bool RadauIntegrator::interpolate(double t, double* y) const {
-    if (step_before_ == 0.0) { return false; }
-    const VectorX at = y_before_ * weights(1.0 - (t_ - t) / step_before_);
+    if (last_step_ == 0.0) { return false; }
+    const VectorX at = y_before_ * weights(1.0 - (t_ - t) / last_step_);
     std::copy_n(at.data(), at.size(), y);
     return true;
 }

@@ -83,7 +83,8 @@ private:
     VectorX y_rate_;            ///< of the stage evaluated last
     MatrixX x_before_;          ///< x at the start and at the stages of the last accepted step
     MatrixX y_before_;          ///< y there
-    double step_before_ = 0.0;  ///< its h [s]; 0: there was none
+    double step_before_ = 0.0;  ///< its h [s]; 0: there was none in these coordinates
+    double last_step_ = 0.0;    ///< its h in any coordinates [s]
 };
 
 }  // namespace jw

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/QR>
+
 namespace jw {
 
 SaddlePoint::SaddlePoint(Scaling scaling) : scaling_(std::move(scaling)) {}
@@ -27,53 +29,42 @@ void SaddlePoint::factor(const MatrixX& mass, const MatrixX& jacobian) {
     const auto columns = scaling_.column.asDiagonal();
     const Eigen::Index n = jacobian.cols();
     const auto rank = static_cast<Eigen::Index>(kept_.size());
-    mass_ = columns * mass * columns;
-    transposed_.resize(n, rank);
+    MatrixX transposed(n, rank);
     for (Eigen::Index k = 0; k < rank; ++k) {
         const int row = kept_[static_cast<std::size_t>(k)];
-        transposed_.col(k) = columns * jacobian.row(row).transpose() / scaling_.row(row);
+        transposed.col(k) = columns * jacobian.row(row).transpose() / scaling_.row(row);
     }
-    Q_.setIdentity(n, n);
+    MatrixX whole = MatrixX::Zero(n + rank, n + rank);
+    whole.topLeftCorner(n, n) = columns * mass * columns;
+    whole.topRightCorner(n, rank) = transposed;
+    whole.bottomLeftCorner(rank, n) = transposed.transpose();
+    lu_.compute(whole);
+
     smallest_pivot_ = 1.0;
-    if (rank > 0) {
-        qr_.compute(transposed_);
-        Q_ = qr_.householderQ();
-        for (Eigen::Index k = 0; k < rank; ++k) {
-            const double pivot = qr_.matrixQR()(k, k);
-            smallest_pivot_ = std::min(smallest_pivot_, pivot * pivot / transposed_.col(k).squaredNorm());
-        }
+    if (rank == 0) { return; }
+    const Eigen::HouseholderQR<MatrixX> qr(transposed);
+    for (Eigen::Index k = 0; k < rank; ++k) {
+        const double pivot = qr.matrixQR()(k, k);
+        smallest_pivot_ = std::min(smallest_pivot_, pivot * pivot / transposed.col(k).squaredNorm());
     }
-    const auto Q2 = Q_.rightCols(n - rank);
-    if (n > rank) { free_mass_.compute(Q2.transpose() * mass_ * Q2); }
 }
 
 void SaddlePoint::solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX& lambda) const {
-    const Eigen::Index n = Q_.rows();
+    const Eigen::Index n = f.size();
     const auto rank = static_cast<Eigen::Index>(kept_.size());
-    const auto Q1 = Q_.leftCols(rank);
-    const auto Q2 = Q_.rightCols(n - rank);
-    const VectorX force = scaling_.column.cwiseProduct(f);
-    VectorX scaled = VectorX::Zero(n);
-    if (rank > 0) {
-        VectorX right(rank);
-        for (Eigen::Index k = 0; k < rank; ++k) {
-            const int row = kept_[static_cast<std::size_t>(k)];
-            right(k) = b(row) / scaling_.row(row);
-        }
-        const auto R = qr_.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
-        scaled = Q1 * R.transpose().solve(right);
+    VectorX right(n + rank);
+    right.head(n) = scaling_.column.cwiseProduct(f);
+    for (Eigen::Index k = 0; k < rank; ++k) {
+        const int row = kept_[static_cast<std::size_t>(k)];
+        right(n + k) = b(row) / scaling_.row(row);
     }
-    if (n > rank) { scaled += Q2 * free_mass_.solve(Q2.transpose() * (force - mass_ * scaled)); }
+    const VectorX solution = lu_.solve(right);
+    x = scaling_.column.cwiseProduct(solution.head(n));
     lambda.setZero(scaling_.row.size());
-    if (rank > 0) {
-        const auto R = qr_.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
-        const VectorX multipliers = R.solve(Q1.transpose() * (mass_ * scaled - force));
-        for (Eigen::Index k = 0; k < rank; ++k) {
-            const int row = kept_[static_cast<std::size_t>(k)];
-            lambda(row) = multipliers(k) / scaling_.row(row);
-        }
+    for (Eigen::Index k = 0; k < rank; ++k) {
+        const int row = kept_[static_cast<std::size_t>(k)];
+        lambda(row) = -solution(n + k) / scaling_.row(row);
     }
-    x = scaling_.column.cwiseProduct(scaled);
 }
 
 }  // namespace jw

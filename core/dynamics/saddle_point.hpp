@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 
 #include "core/least_squares.hpp"
 #include "core/rank.hpp"
@@ -24,12 +24,11 @@ inline double rank_threshold(double residual) {
 ///   | M   Φqᵀ | |  x |   | f |
 ///   | Φq   0  | | -λ | = | b |
 ///
-/// for accelerations, velocities and displacements alike, over rows that do not repeat each other.
-///
-/// With Φqᵀ = Q1 R and Q2 the motions that Φq leaves free: x = Q1 R⁻ᵀ b + Q2 z, where z follows from the part
-/// of M x = f that no constraint force enters, Q2ᵀ M Q2 z = Q2ᵀ (f - M Q1 R⁻ᵀ b), and λ from the rest. M may
-/// be singular (a screw's θ has no mass, nor has the length of p) as long as no motion that is left free is
-/// without kinetic energy. The condition of Φq enters once, not squared as in Φq M⁻¹ Φqᵀ.
+/// by Gauss with pivoting, for accelerations, velocities and displacements alike, over rows that do not
+/// repeat each other. M may be singular (a screw's θ has no mass, nor has the length of p) as long as no
+/// motion that is left free is without kinetic energy. The condition of Φq enters once, not squared as in
+/// Φq M⁻¹ Φqᵀ, and masses may be far apart: pivots decide whether a body follows its forces or its
+/// constraints.
 class SaddlePoint {
 public:
     explicit SaddlePoint(Scaling scaling);
@@ -53,11 +52,7 @@ public:
 private:
     Scaling scaling_;
     std::vector<int> kept_;
-    MatrixX mass_;        ///< in scaled unknowns
-    MatrixX transposed_;  ///< Φqᵀ of the kept rows, scaled
-    Eigen::HouseholderQR<MatrixX> qr_;
-    MatrixX Q_;                                                  ///< [Q1, Q2]
-    Eigen::CompleteOrthogonalDecomposition<MatrixX> free_mass_;  ///< Q2ᵀ M Q2
+    Eigen::PartialPivLU<MatrixX> lu_;  ///< of the whole matrix, in scaled unknowns and rows
     double smallest_pivot_ = 1.0;
 };
 

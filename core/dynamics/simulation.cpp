@@ -30,6 +30,21 @@ void require(const SimulationSettings& settings) {
     }
 }
 
+/// Equations left out because they repeat others hold as well as the numbers of a lesson were typed, seven
+/// digits at least; where they are off by more they say something else.
+constexpr double kRepeatsUpTo = 1e-6;
+
+/// Joint or driver of a row.
+std::string name_of(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const auto index = at(origin.index);
+    const Mechanism& mechanism = system.mechanism();
+    if (origin.kind == RowOrigin::Kind::driver) {
+        return mechanism.drivers[at(system.drivers()[index].driver)].name;
+    }
+    return mechanism.joints[at(system.constraints()[index].joint)].name;
+}
+
 Baumgarte stabilisation(const SimulationSettings& settings) {
     if (settings.treatment != Treatment::baumgarte) { return {}; }
     return {settings.baumgarte, settings.baumgarte};
@@ -50,6 +65,22 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     pack(start_state(scene_.mechanism), start_motion(scene_.mechanism), moving_, start_.data());
     block_->choose_rows(0.0, start_.data());
     block_->project(0.0, start_.data());
+    look_for_contradiction();
+}
+
+void Simulation::look_for_contradiction() {
+    const double violation = block_->violation(0.0, start_.data()).first;
+    if (violation <= kRepeatsUpTo) { return; }
+    const System system(scene_.mechanism, everything(scene_.mechanism));
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(unpacked(start_).first, 0.0);
+    int worst = 0;
+    const auto size = [&](int row) { return std::abs(assembler.phi()(row)) / system.row_unit(row); };
+    for (int row = 1; row < system.rows(); ++row) {
+        if (size(row) > size(worst)) { worst = row; }
+    }
+    contradiction_ =
+        SimulationFailure{SimulationFailure::Cause::contradiction, 0.0, name_of(system, worst), violation};
 }
 
 std::unique_ptr<TimeStepper> Simulation::stepper() const {
@@ -79,6 +110,7 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
 }
 
 SimulationOutcome Simulation::run(const std::vector<double>& times, const Sampler::Receive& receive) {
+    if (contradiction_) { return {{}, contradiction_}; }
     const std::unique_ptr<TimeStepper> integration = stepper();
     Sampler sampler(dense_ ? *dense_ : *block_, times, receive);
     sampler.take(*integration);
@@ -89,11 +121,11 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
         const bool finite = std::ranges::all_of(integration->y(), [](double x) { return std::isfinite(x); });
         using Cause = SimulationFailure::Cause;
         if (!finite) {
-            outcome.failure = SimulationFailure{Cause::not_finite, integration->t()};
+            outcome.failure = SimulationFailure{Cause::not_finite, integration->t(), {}, 0.0};
         } else if (!went_on) {
-            outcome.failure = SimulationFailure{Cause::step_too_small, integration->t()};
+            outcome.failure = SimulationFailure{Cause::step_too_small, integration->t(), {}, 0.0};
         } else if (integration->counts().steps >= settings_.most_steps) {
-            outcome.failure = SimulationFailure{Cause::too_many_steps, integration->t()};
+            outcome.failure = SimulationFailure{Cause::too_many_steps, integration->t(), {}, 0.0};
         }
         if (finite) { sampler.take(*integration); }
     }
@@ -104,7 +136,12 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
 
 std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {
     std::pair<State, Motion> out{start_state(scene_.mechanism), start_motion(scene_.mechanism)};
-    unpack(y.data(), moving_, out.first, out.second);
+    State& state = out.first;
+    unpack(y.data(), moving_, state, out.second);
+    std::size_t theta = 0;
+    for (const Joint& joint : scene_.mechanism.joints) {
+        if (joint.type->artificial > 0) { state.theta[theta++] = relative_angle(joint, state); }
+    }
     return out;
 }
 
@@ -118,10 +155,6 @@ Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
     snapshot.kinetic = block_->kinetic_energy(y.data());
     snapshot.potential = block_->potential_energy(y.data());
     std::tie(snapshot.position_violation, snapshot.velocity_violation) = block_->violation(t, y.data());
-    std::size_t theta = 0;
-    for (const Joint& joint : scene_.mechanism.joints) {
-        if (joint.type->artificial > 0) { state.theta[theta++] = relative_angle(joint, state); }
-    }
     snapshot.state = scene_.as_given(state);
     snapshot.velocity = scene_.as_given(state, motion);
     return snapshot;

@@ -38,9 +38,16 @@ struct Snapshot {
 
 /// Why a simulation ended before its time.
 struct SimulationFailure {
-    enum class Cause { step_too_small, not_finite, too_many_steps };
+    enum class Cause {
+        contradiction,  ///< at the start: equations that should repeat others ask for something else
+        step_too_small,
+        not_finite,
+        too_many_steps
+    };
     Cause cause = Cause::step_too_small;
     double t = 0.0;
+    std::string equation_of;  ///< contradiction: the joint or driver whose equation is off most
+    double violation = 0.0;   ///< contradiction: by how much, by the size of the equation
 };
 
 struct SimulationOutcome {
@@ -54,7 +61,7 @@ public:
     Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
 
     /// From the start to the last of `times` (ascending, from 0 on); every time is given to `receive` in
-    /// order.
+    /// order. None is where the equations contradict each other at the start.
     SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
 
     Snapshot snapshot(double t, const std::vector<double>& y) const;
@@ -72,6 +79,7 @@ public:
 
 private:
     std::unique_ptr<TimeStepper> stepper() const;
+    void look_for_contradiction();
     /// State and motion of the centroidal frames.
     std::pair<State, Motion> unpacked(const std::vector<double>& y) const;
 
@@ -82,6 +90,7 @@ private:
     std::unique_ptr<DrivableEquations> block_;
     std::unique_ptr<MotionEquations> dense_;  ///< null unless asked for
     std::vector<double> start_;               ///< flat
+    std::optional<SimulationFailure> contradiction_;
 };
 
 }  // namespace jw
