@@ -106,7 +106,7 @@ constexpr std::array kCases{
 
     // ---- dynamics
     Case{
-        "change-points", "Four-bars through the line where they could fold",
+        "falling-through-the-line", "Four-bars through the line where they could fold",
         "Twice in every turn all rods lie in one line: the equations lose rank, and a parallelogram could go "
         "on folded.",
         "explicit-8 at tolerance 1e-6 without treatment of the constraints", "explicit-8 at tolerance 1e-9",
@@ -117,7 +117,7 @@ constexpr std::array kCases{
         "λ from Φq M⁻¹ Φqᵀ", "explicit-8, equations as they choose themselves",
         "dynamics/bricard-falling.toml", masses_eighteen_decades_apart},
     Case{
-        "any-size", "The same linkage from a micrometre to a thousand kilometres",
+        "falling-at-any-size", "The same linkage from a micrometre to a thousand kilometres",
         "With lengths times s, and times times √s, nothing changes but the units.",
         "Dormand-Prince 5(4) with a tolerance of 1e-6 in SI units", "explicit-8 at tolerance 1e-9",
         "dynamics/bricard-falling.toml", scene_of_any_size},
@@ -166,7 +166,7 @@ constexpr std::array kCases{
         "explicit Euler with steps of 1 ms", "explicit-8 at tolerance 1e-12",
         "dynamics/free-asymmetric-body.toml", turning_about_the_middle_axis},
     Case{
-        "tilted-axis", "A loop with one axis tilted",
+        "falling-tilted-loop", "A loop with one axis tilted",
         "Three of 20 rows of a four-bar repeat others. With its last axis tilted by 5 degrees they ask for "
         "something else.",
         "rows that repeat others are left out, and nobody looks at them again", "simulate as it is",

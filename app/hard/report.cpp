@@ -35,6 +35,16 @@ std::string bound_text(const std::optional<Bounded>& number) {
     return number ? bounds_text(number->bounds) : "";
 }
 
+/// In a table of Markdown "|" would begin a new cell.
+std::string cell_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') { out += '\\'; }
+        out += c;
+    }
+    return out;
+}
+
 std::string padded(std::string text, std::size_t columns) {
     const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
     const auto width = static_cast<std::size_t>(std::ranges::count_if(text, is_letter));
@@ -79,7 +89,7 @@ std::string markdown_of(const Case& hard_case, const Result& result) {
     out += "- Lesson: [" + lesson + "](../lessons/catalogue/" + lesson + ")\n\n";
     out += "| | naive | Jointwise | asked of Jointwise |\n| --- | --- | --- | --- |\n";
     for (const Measurement& m : result.measurements) {
-        out += "| " + m.what + " | " + value_text(m.naive) + " | " + value_text(m.ours) + " | " +
+        out += "| " + cell_text(m.what) + " | " + value_text(m.naive) + " | " + value_text(m.ours) + " | " +
                bound_text(m.ours) + " |\n";
     }
     return out + "\n";

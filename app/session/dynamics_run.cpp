@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/numbers.hpp"
+#include "core/dynamics/reactions.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -54,6 +55,15 @@ std::vector<double> row_of(const Snapshot& snapshot, const Mechanism& mechanism)
     return row;
 }
 
+/// In the centroidal frames, on which they do not depend.
+Reactions reactions_at(const Simulation& simulation, double t, const std::vector<double>& y) {
+    const Centroidal& scene = simulation.scene();
+    const Snapshot snapshot = simulation.snapshot(t, y);
+    const State state = scene.to_centroidal(snapshot.state);
+    const Motion velocity = scene.to_centroidal(snapshot.state, snapshot.velocity);
+    return find_reactions(scene, t, state, velocity, simulation.acceleration(t, y));
+}
+
 void add_reactions(
     const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
     const bool first = table.rows.empty();
@@ -91,15 +101,6 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
 }
 
 }  // namespace
-
-/// In the centroidal frames, on which they do not depend.
-Reactions reactions_at(const Simulation& simulation, double t, const std::vector<double>& y) {
-    const Centroidal& scene = simulation.scene();
-    const Snapshot snapshot = simulation.snapshot(t, y);
-    const State state = scene.to_centroidal(snapshot.state);
-    const Motion velocity = scene.to_centroidal(snapshot.state, snapshot.velocity);
-    return find_reactions(scene, t, state, velocity, simulation.acceleration(t, y));
-}
 
 DynamicsRequest request_of(const Lesson& lesson) {
     if (!lesson.dynamics) { throw std::invalid_argument("the lesson has no [dynamics]"); }

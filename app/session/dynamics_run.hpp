@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/reactions.hpp"
 #include "core/dynamics/simulation.hpp"
 #include "lessons/lesson.hpp"
 
@@ -33,9 +32,6 @@ struct DynamicsTable {
 };
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);
-
-/// Forces and torques of all joints at a moment of a run.
-Reactions reactions_at(const Simulation& simulation, double t, const std::vector<double>& y);
 
 /// Equal times from 0 to `duration`.
 std::vector<double> equal_times(double duration, int intervals);

@@ -163,7 +163,7 @@ Picture compose(const Story& story, const PictureStyle& style, const Step& step,
     if (const int failing = failing_joint(step); failing >= 0 && failing != joint) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
     }
-    if (step.reactions) { add_reactions(style, *step.reactions, picture); }
+    if (const auto reactions = reactions_of(step)) { add_reactions(style, *reactions, picture); }
     add_names(lesson, style, step, picture);
     return picture;
 }

@@ -7,6 +7,7 @@ namespace jw::picture {
 namespace {
 
 constexpr render::Colour kForce = render::from_hex(0x8E4585);
+constexpr std::size_t kMoments = 40;   // enough to know what is usual
 constexpr double kUsual = 0.25;        // of the unit: nine tenths of the story stay below
 constexpr double kLongest = 0.60;      // of the unit: what is larger ends there
 constexpr double kNothing = 0.015;     // of the unit: shorter arrows would be nothing but a dot
@@ -60,11 +61,13 @@ void add_effect(
 void set_reaction_scales(const Story& story, PictureStyle& style) {
     std::vector<double> forces;
     std::vector<double> torques;
-    for (const Step& step : story.steps()) {
-        if (!step.reactions || step.reactions->reactions.empty()) { continue; }
+    const std::size_t stride = 1 + story.steps().size() / kMoments;
+    for (std::size_t k = 0; k < story.steps().size(); k += stride) {
+        const auto reactions = reactions_of(story.steps()[k]);
+        if (!reactions || reactions->reactions.empty()) { continue; }
         double force = 0.0;
         double torque = 0.0;
-        for (const Reaction& reaction : step.reactions->reactions) {
+        for (const Reaction& reaction : reactions->reactions) {
             force = std::max(force, reaction.wrench.force.norm());
             torque = std::max(torque, reaction.wrench.torque.norm());
         }

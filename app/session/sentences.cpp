@@ -246,7 +246,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
                 "nearest to those before, the accelerations the shortest";
     }
     text += ".";
-    if (step.reactions) { text += reactions_text(m, *step.reactions); }
+    if (const auto reactions = reactions_of(step)) { text += reactions_text(m, *reactions); }
     if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
     return text;
 }

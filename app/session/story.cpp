@@ -36,9 +36,24 @@ void thin_out_iterations(std::vector<Step>& steps) {
 
 // of one that is told again at every change: a scene that somebody made stiff or endless ends early
 constexpr long kMostStepsOfStory = 2000;
+// their reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
+constexpr double kNoMoment = 1e-6;  // far above rounding, 1e-13 by the forces
 
 }  // namespace
+
+std::optional<Reactions> reactions_of(const Step& step) {
+    if (!step.centroidal || step.centroidal->mechanism.joints.size() > kMostJointsWithReactions) {
+        return std::nullopt;
+    }
+    const Centroidal& scene = *step.centroidal;
+    Reactions found = find_reactions(
+        scene, step.t, scene.to_centroidal(step.state), scene.to_centroidal(step.state, step.velocity),
+        step.centroidal_acceleration);
+    // a pose that somebody has pulled elsewhere is no moment of the motion: these are not its accelerations
+    if (found.residual > kNoMoment) { return std::nullopt; }
+    return found;
+}
 
 std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     if (lesson.motion || !lesson.dynamics) { return lesson.motion; }
@@ -241,8 +256,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
     const std::vector<double> times = equal_times(plan.to, intervals);
-    // found by dense matrices: for large mechanisms longer than the motion itself
-    const bool shows_reactions = with_ranks_ && lesson_->mechanism.joints.size() <= kMostJointsWithReactions;
+    const auto centroidal = std::make_shared<Centroidal>(simulation.scene());
     System system = *system_;
     std::shared_ptr<const System> shared = system_;
     simulation.run(times, [&](double t, const std::vector<double>& y) {
@@ -258,7 +272,8 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         step.velocity = snapshot.velocity;
         step.acceleration = simulation.acceleration_as_given(t, y);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
-        if (shows_reactions) { step.reactions = std::make_shared<Reactions>(reactions_at(simulation, t, y)); }
+        step.centroidal = centroidal;
+        step.centroidal_acceleration = simulation.acceleration(t, y);
         steps_.push_back(std::move(step));
         if (options.progress) { options.progress(t / plan.to); }
     });

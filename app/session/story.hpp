@@ -37,8 +37,14 @@ struct Step {
     bool change_point = false;   ///< motion
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
-    std::shared_ptr<const Reactions> reactions;  ///< motion by masses and forces, where they are shown
+    /// Motion by masses and forces: what reactions are found from when somebody looks at them.
+    std::shared_ptr<const Centroidal> centroidal;
+    Motion centroidal_acceleration;
 };
+
+/// What joints do to their bodies at a moment of a motion by masses and forces; nothing at other steps, and
+/// for mechanisms so large that finding it would take longer than the motion.
+std::optional<Reactions> reactions_of(const Step& step);
 
 /// The joint or driver that a step is about, if any.
 std::optional<Addition> subject_of(const Lesson& lesson, const Step& step);
