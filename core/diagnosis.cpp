@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include "core/newton.hpp"
 #include "core/rank.hpp"
+#include "core/svd.hpp"
 
 namespace jw {
 

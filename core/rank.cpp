@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include "core/assembler.hpp"
 #include "core/least_squares.hpp"
+#include "core/svd.hpp"
 
 namespace jw {
 

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
+
+#include "core/svd.hpp"
 
 /// What the block equations do besides accelerations: back onto the constraints, choice of rows, freedoms.
 namespace jw {

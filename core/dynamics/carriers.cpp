@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
-
 #include "core/body_kinematics.hpp"
 #include "core/rank.hpp"
+#include "core/svd.hpp"
 
 namespace jw {
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
-
 #include "core/dynamics/carriers.hpp"
 #include "core/dynamics/forces.hpp"
 #include "core/dynamics/saddle_point.hpp"
+#include "core/svd.hpp"
 
 namespace jw {
 

@@ -1,0 +1,4 @@
+#include "core/svd.hpp"
+
+template class Eigen::JacobiSVD<jw::MatrixX>;
+template class Eigen::BDCSVD<jw::MatrixX>;
