@@ -20,6 +20,8 @@ Result stiff_governor() {
         "steps are as short as the dampers need them, whatever the tolerance: asking for less accuracy saves "
         "nothing.";
     result.ours = "the step follows the motion that one sees, and errors follow the tolerance.";
+    // stability bounds the naive steps, whatever the tolerance: half of what was measured is its least;
+    // ours has twice what was measured, and errors of a hundred tolerances and ten
     result.measurements = {
         of_both(
             "evaluations in 1 s, tolerance 1e-3", double(naive_coarse.counts.evaluations), at_least(5000),
