@@ -8,6 +8,7 @@
 
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
+#include "tests/bench/peers/jointwise_runs.hpp"
 #include "tests/bench/peers/read_scene.hpp"
 
 namespace jw::peers {
@@ -75,6 +76,9 @@ bool measure_file(const fs::path& file, bool named, double limit, const char* pe
         Report report(peer, *scene);
         measure(*scene, limit, report);
         report.print_best();
+        Report ours("jointwise", *scene);
+        measure_jointwise(*read.lesson, *scene, limit, ours);
+        ours.print_best();
     } else if (named) {
         std::fprintf(stderr, "%s: %s\n", file.string().c_str(), why_not.c_str());
     }

@@ -68,7 +68,7 @@ private:
 using Measure = std::function<void(const PeerScene& scene, double limit, Report& report)>;
 
 /// The arguments of a peer's program: [--limit SECONDS] [LESSON.toml...]. Without lessons: all below lessons/
-/// that have a reference. @return exit status
+/// that have a reference. After the peer every scene is measured with Jointwise. @return exit status
 int for_every_scene(int count, char** arguments, const char* peer, const Measure& measure);
 
 }  // namespace jw::peers

@@ -1,0 +1,51 @@
+#include "tests/bench/peers/jointwise_runs.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/dynamics/simulation.hpp"
+
+namespace jw::peers {
+
+namespace {
+
+Outcome simulate(
+    const Lesson& lesson, const PeerScene& scene, const SimulationSettings& settings, double limit) {
+    Run run(scene, limit);
+    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
+    std::vector<double> times{0.0};
+    for (int k = 1; k <= 100; ++k) { times.push_back(run.sample_time(k)); }
+    const auto& point = *lesson.dynamics->point;
+    int sample = 0;
+    const SimulationOutcome outcome = simulation.run(times, [&](double, const std::vector<double>& y) {
+        if (sample > 0) { run.at_sample(sample, simulation.point(y, point.body, point.point_local)); }
+        ++sample;
+    });
+    Outcome out;
+    out.milliseconds = run.milliseconds();
+    out.error = run.error();
+    out.evaluations = outcome.counts.evaluations;
+    out.out_of_time = run.out_of_time();
+    if (outcome.failure) { out.remark = "ended early"; }
+    return out;
+}
+
+}  // namespace
+
+void measure_jointwise(const Lesson& lesson, const PeerScene& scene, double limit, Report& report) {
+    for (const MethodName& method : kMethods) {
+        if (!method.adaptive) { continue; }
+        SimulationSettings settings;
+        settings.method = method.method;
+        for (int half_decade = 4; half_decade <= 26; ++half_decade) {
+            settings.tolerance = std::pow(10.0, -0.5 * half_decade);
+            const Outcome outcome = simulate(lesson, scene, settings, limit);
+            char setting[30];
+            std::snprintf(setting, sizeof setting, "tolerance %.0e", settings.tolerance);
+            report.add(std::string(method.name), setting, outcome);
+            if (outcome.out_of_time || outcome.error < kEnough) { break; }
+        }
+    }
+}
+
+}  // namespace jw::peers

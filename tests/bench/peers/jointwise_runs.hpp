@@ -1,0 +1,12 @@
+#pragma once
+
+#include "lessons/lesson.hpp"
+#include "tests/bench/peers/sweep.hpp"
+
+namespace jw::peers {
+
+/// Jointwise on the same scene in the same run: every method that follows a tolerance, the making of the
+/// equations included in the time.
+void measure_jointwise(const Lesson& lesson, const PeerScene& scene, double limit, Report& report);
+
+}  // namespace jw::peers
