@@ -5,6 +5,13 @@
 
 #include <Eigen/LU>
 
+// everything that a function calls compiled into it; with sanitizers that takes minutes and gigabytes
+#if defined(__SANITIZE_ADDRESS__)
+#define JW_FLATTEN
+#else
+#define JW_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace jw {
 
 namespace {
@@ -98,7 +105,7 @@ void BlockEquations<B>::build_structure() {
 
 template <int B>
 template <bool WithMotion>
-[[gnu::flatten]] void BlockEquations<B>::set_bodies(const double* y) {
+JW_FLATTEN void BlockEquations<B>::set_bodies(const double* y) {
     for (const MovingBody& moving : moving_) {
         Kinematics6& body = bodies_[at(moving.body)];
         body.r = vec3(y);
@@ -136,7 +143,7 @@ void BlockEquations<B>::write_jacobian(
 
 template <int B>
 template <bool WithMotion>
-[[gnu::flatten]] void BlockEquations<B>::evaluate_links(double t) {
+JW_FLATTEN void BlockEquations<B>::evaluate_links(double t) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const Node& node = nodes_[n];
         const Kinematics6& i = bodies_[at(node.link.body_i)];
