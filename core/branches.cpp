@@ -14,10 +14,6 @@ namespace {
 constexpr double kClearSide = 0.1;
 // a lesson's own numbers may close to 1e-7 only; the pair that the rule keeps passes on twice that
 constexpr double kHolds = 1e-6;
-// a correction of a third of the step means that prediction and solution are on different curves
-constexpr double kLargestCorrection = 0.3;
-// movements below this are rounding [scene's unit, rad]
-constexpr double kNoMovement = 1e-9;
 
 const Joint& joint_of(const System& system, const Constraint& c) {
     return system.mechanism().joints[static_cast<std::size_t>(c.joint)];
@@ -144,12 +140,18 @@ double movement(const System& system, const State& from, const State& to) {
     return largest;
 }
 
+bool is_on_tangent(double step, double correction) {
+    constexpr double largest_correction = 0.3;
+    constexpr double no_movement = 1e-9;  // rounding
+    return correction <= std::max(largest_correction * step, no_movement);
+}
+
 bool same_curve(
     const System& system, const State& from, const State& prediction, const State& reached,
     const std::vector<int>& sides) {
     const double step = movement(system, from, reached);
     const double correction = movement(system, prediction, reached);
-    return correction <= std::max(kLargestCorrection * step, kNoMovement) && is_meant(system, reached, sides);
+    return is_on_tangent(step, correction) && is_meant(system, reached, sides);
 }
 
 }  // namespace jw

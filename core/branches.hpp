@@ -39,9 +39,14 @@ void leave_branch(const System& system, const WrongBranch& wrong, State& state);
 /// Largest movement of a body between two states, in the scene's unit of length and rad.
 double movement(const System& system, const State& from, const State& to);
 
+/// True if Newton's correction of a prediction along the tangent is small beside the whole step: beyond a
+/// third of it prediction and solution are on different curves.
+/// @param step, correction movements in the scene's unit of length and rad; where nothing moves, anything
+/// goes
+bool is_on_tangent(double step, double correction);
+
 /// True if Newton, from a `prediction` along the tangent at `from`, has `reached` a state of the same curve:
-/// a correction of a third of the step means that prediction and solution are on different curves, and a
-/// wrong branch or an equation that does not hold is on none.
+/// a wrong branch or an equation that does not hold is on none.
 /// @param sides from `intended_sides`
 bool same_curve(
     const System& system, const State& from, const State& prediction, const State& reached,

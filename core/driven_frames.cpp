@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/branches.hpp"
 #include "core/dynamics/flat_state.hpp"
 
 namespace jw {
@@ -14,10 +15,6 @@ namespace {
 constexpr double kLeastPivot = 1e-2;
 /// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
 constexpr double kExact = 1e-13;
-/// Newton's correction by the way of the step: beyond it prediction and solution are on different curves.
-constexpr double kLargestCorrection = 1.0 / 3.0;
-/// A step below this is none, whatever is corrected in it.
-constexpr double kNoMovement = 1e-9;
 
 Loads unit_masses(const Mechanism& mechanism) {
     const double length = extent(mechanism);
@@ -81,8 +78,7 @@ bool DrivenFrames::start(const State& state, const Motion& velocity, const Motio
 }
 
 bool DrivenFrames::led_on() const {
-    const double step = movement(y_, y_new_, length_);
-    return movement(predicted_, y_new_, length_) <= std::max(kLargestCorrection * step, kNoMovement);
+    return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
 }
 
 bool DrivenFrames::advance(double t) {
