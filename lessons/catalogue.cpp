@@ -5,13 +5,14 @@
 
 namespace jw {
 
-std::filesystem::path catalogue_folder() {
+namespace fs = std::filesystem;
+
+fs::path catalogue_folder() {
     const char* chosen = std::getenv("JOINTWISE_LESSONS");
     return chosen != nullptr && *chosen != '\0' ? chosen : JW_CATALOGUE_FOLDER;
 }
 
-std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& folder) {
-    namespace fs = std::filesystem;
+std::vector<fs::path> lessons_below(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
@@ -22,6 +23,17 @@ std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& fo
         }
     }
     std::ranges::sort(files);
+    return files;
+}
+
+std::vector<fs::path> named_lessons(
+    const std::vector<std::string>& names, const std::vector<fs::path>& shipped) {
+    std::vector<fs::path> files;
+    for (const std::string& name : names) {
+        const auto found =
+            std::ranges::find(shipped, name, [](const fs::path& file) { return file.stem().string(); });
+        files.push_back(found != shipped.end() ? *found : fs::path(name));
+    }
     return files;
 }
 

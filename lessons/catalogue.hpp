@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 /// The lessons that come with the program.
@@ -12,5 +13,10 @@ std::filesystem::path catalogue_folder();
 
 /// Lesson files (*.toml) below a folder, sorted by path; empty if the folder is not there or cannot be read.
 std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& folder);
+
+/// What somebody has named: lessons by their file's name without .toml where `shipped` has them, else paths
+/// as they are.
+std::vector<std::filesystem::path> named_lessons(
+    const std::vector<std::string>& names, const std::vector<std::filesystem::path>& shipped);
 
 }  // namespace jw

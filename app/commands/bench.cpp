@@ -43,14 +43,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scen
     const std::vector<std::filesystem::path> large =
         lessons_below(catalogue_folder().parent_path() / "benchmark");
     shipped.insert(shipped.end(), large.begin(), large.end());
-    if (scenes.empty()) { return shipped; }
-    std::vector<std::filesystem::path> files;
-    for (const std::string& scene : scenes) {
-        const auto same = [&](const std::filesystem::path& file) { return file.stem() == scene; };
-        const auto found = std::ranges::find_if(shipped, same);
-        files.push_back(found != shipped.end() ? *found : std::filesystem::path(scene));
-    }
-    return files;
+    return scenes.empty() ? shipped : named_lessons(scenes, shipped);
 }
 
 BenchPlan plan_of(const Options& options) {

@@ -16,13 +16,7 @@ namespace {
 /// Files as given, or by their name in the catalogue; by default all of it but what fails on purpose.
 std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
     std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder());
-    std::vector<std::filesystem::path> files;
-    for (const std::string& scene : scenes) {
-        const auto found =
-            std::ranges::find_if(shipped, [&](const auto& file) { return file.stem() == scene; });
-        files.push_back(found != shipped.end() ? *found : std::filesystem::path(scene));
-    }
-    if (!scenes.empty()) { return files; }
+    if (!scenes.empty()) { return named_lessons(scenes, shipped); }
     std::erase_if(shipped, [](const auto& file) { return file.parent_path().filename() == "hard"; });
     return shipped;
 }
