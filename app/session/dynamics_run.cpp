@@ -55,15 +55,6 @@ std::vector<double> row_of(const Snapshot& snapshot, const Mechanism& mechanism)
     return row;
 }
 
-/// In the centroidal frames, on which they do not depend.
-Reactions reactions_at(const Simulation& simulation, double t, const std::vector<double>& y) {
-    const Centroidal& scene = simulation.scene();
-    const Snapshot snapshot = simulation.snapshot(t, y);
-    const State state = scene.to_centroidal(snapshot.state);
-    const Motion velocity = scene.to_centroidal(snapshot.state, snapshot.velocity);
-    return find_reactions(scene, t, state, velocity, simulation.acceleration(t, y));
-}
-
 void add_reactions(
     const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
     const bool first = table.rows.empty();
@@ -152,9 +143,12 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
     const std::size_t kinetic = table.columns.size() - 5;
     table.outcome = simulation.run(
         equal_times(request.duration, request.samples), [&](double t, const std::vector<double>& y) {
-            std::vector<double> row = row_of(simulation.snapshot(t, y), lesson.mechanism);
+            const Snapshot now = simulation.snapshot(t, y);
+            std::vector<double> row = row_of(now, lesson.mechanism);
             if (request.reactions) {
-                add_reactions(reactions_at(simulation, t, y), lesson.mechanism, table, row);
+                const Reactions found = reactions_from_body_frames(
+                    simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
+                add_reactions(found, lesson.mechanism, table, row);
             }
             table.rows.push_back(std::move(row));
         });

@@ -46,10 +46,8 @@ std::optional<Reactions> reactions_of(const Step& step) {
     if (!step.centroidal || step.centroidal->mechanism.joints.size() > kMostJointsWithReactions) {
         return std::nullopt;
     }
-    const Centroidal& scene = *step.centroidal;
-    Reactions found = find_reactions(
-        scene, step.t, scene.to_centroidal(step.state), scene.to_centroidal(step.state, step.velocity),
-        step.centroidal_acceleration);
+    Reactions found = reactions_from_body_frames(
+        *step.centroidal, step.t, step.state, step.velocity, step.centroidal_acceleration);
     // a pose that somebody has pulled elsewhere is no moment of the motion: these are not its accelerations
     if (found.residual > kNoMoment) { return std::nullopt; }
     return found;

@@ -191,4 +191,11 @@ Reactions find_reactions(
     return out;
 }
 
+Reactions reactions_from_body_frames(
+    const Centroidal& scene, double t, const State& state, const Motion& velocity,
+    const Motion& centroidal_acceleration) {
+    return find_reactions(
+        scene, t, scene.to_centroidal(state), scene.to_centroidal(state, velocity), centroidal_acceleration);
+}
+
 }  // namespace jw

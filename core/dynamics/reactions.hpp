@@ -57,4 +57,10 @@ Reactions find_reactions(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const Motion& acceleration);
 
+/// The same where state and velocity are those of the bodies' own frames; the acceleration is centroidal all
+/// the same, since that is what the equations of motion give.
+Reactions reactions_from_body_frames(
+    const Centroidal& scene, double t, const State& state, const Motion& velocity,
+    const Motion& centroidal_acceleration);
+
 }  // namespace jw
