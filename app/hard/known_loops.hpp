@@ -5,7 +5,7 @@
 
 #include "app/hard/variants.hpp"
 
-/// Loops that move although counting says no, and verdicts on them.
+/// Loops that move although counting says no, and verdicts on them, ours and the naive one's.
 namespace jw::hard {
 
 struct KnownLoop {
@@ -18,6 +18,7 @@ inline constexpr std::array kKnownLoops{
 
 struct Verdicts {
     int right = 0;
+    int naive_right = 0;
     int least_dof = 1000;
     double least_margin = 1e300;
 
@@ -26,6 +27,12 @@ struct Verdicts {
         least_dof = std::min(least_dof, report.dof);
         least_margin = std::min(least_margin, report.largest_gap);
     }
+    void add_naive(const KnownLoop& loop, int rank) { naive_right += rank == loop.rank ? 1 : 0; }
 };
+
+/// Of singular values, by the largest one.
+inline double relative_change(const VectorX& now, const VectorX& before) {
+    return (now - before).cwiseAbs().maxCoeff() / before(0);
+}
 
 }  // namespace jw::hard

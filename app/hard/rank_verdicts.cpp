@@ -5,6 +5,7 @@
 #include "app/hard/known_loops.hpp"
 #include "core/assembler.hpp"
 #include "core/position.hpp"
+#include "core/transformed.hpp"
 
 /// Rank and redundancy of loops that move although counting says no: turned, and with vectors of any length.
 namespace jw::hard {
@@ -40,8 +41,7 @@ Mechanism with_vectors_of_any_length(Mechanism mechanism, Dice& dice) {
 
 Result loops_turned_at_random() {
     Dice dice(1);
-    Verdicts ours;
-    int naive_right = 0;
+    Verdicts verdicts;
     int least_counted = 1;
     double change = 0.0;
     for (const KnownLoop& loop : kKnownLoops) {
@@ -49,10 +49,10 @@ Result loops_turned_at_random() {
         const VectorX before = pair_singular_values(mechanism);
         least_counted = std::min(least_counted, mobility_by_counting(mechanism));
         for (int k = 0; k < kTurns; ++k) {
-            const Mechanism now = turned(mechanism, dice.turn());
-            ours.add(loop, verdict_on(now));
-            naive_right += rank_without_normalisation(now) == loop.rank ? 1 : 0;
-            change = std::max(change, (pair_singular_values(now) - before).cwiseAbs().maxCoeff() / before(0));
+            const Mechanism now = moved_rigidly(mechanism, dice.turn());
+            verdicts.add(loop, verdict_on(now));
+            verdicts.add_naive(loop, rank_without_normalisation(now));
+            change = std::max(change, relative_change(pair_singular_values(now), before));
         }
     }
     Result result;
@@ -62,25 +62,23 @@ Result loops_turned_at_random() {
     result.ours = "the same verdict in every position, with the redundant equations named.";
     const double all = double(kKnownLoops.size()) * kTurns;
     // (r, p) happens to be right where all axes are parallel and global: not where the scene is turned
-    result.measurements.push_back(
-        {"right ranks, of 200", Bounded{double(naive_right), at_most(50.0)},
-         Bounded{double(ours.right), exactly(all)}});
-    result.measurements.push_back(
-        {"freedoms found, least of the four", Bounded{double(least_counted), exactly(-9.0)},
-         Bounded{double(ours.least_dof), exactly(1.0)}});
+    result.measurements.push_back(of_both(
+        "right ranks, of 200", double(verdicts.naive_right), at_most(50.0), double(verdicts.right),
+        exactly(all)));
+    result.measurements.push_back(of_both(
+        "freedoms found, least of the four", double(least_counted), exactly(-9.0), double(verdicts.least_dof),
+        exactly(1.0)));
     // σ_r is some 0.1; redundant ones are half the position error, which Newton brings below 1e-13
-    result.measurements.push_back(
-        {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e11)}});
+    result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e11)));
     // n1 pair, since the rule keeps other rows in other positions; 1e-12: a thousand roundings of p
     result.measurements.push_back(
-        {"largest change of a singular value, in σ_1", {}, Bounded{change, at_most(1e-12)}});
+        of_ours("largest change of a singular value, in σ_1", change, at_most(1e-12)));
     return result;
 }
 
 Result long_and_short_vectors() {
     Dice dice(3);
-    Verdicts ours;
-    int naive_right = 0;
+    Verdicts verdicts;
     double change = 0.0;
     int unfinished = 0;
     for (const KnownLoop& loop : kKnownLoops) {
@@ -89,9 +87,9 @@ Result long_and_short_vectors() {
         for (int k = 0; k < kTurns; ++k) {
             const Mechanism now = with_vectors_of_any_length(mechanism, dice);
             const RankReport report = verdict_on(now);
-            ours.add(loop, report);
-            naive_right += rank_by_elimination(equations_of(now).jacobian, 1e-6) == loop.rank ? 1 : 0;
-            change = std::max(change, (report.singular_values - before).cwiseAbs().maxCoeff() / before(0));
+            verdicts.add(loop, report);
+            verdicts.add_naive(loop, rank_by_elimination(equations_of(now).jacobian, 1e-6));
+            change = std::max(change, relative_change(report.singular_values, before));
             const System system(now, everything(now));
             State state = disturbed(now, dice);
             unfinished += solve_position<OmegaLocal>(system, state, 0.0).ok() ? 0 : 1;
@@ -104,17 +102,16 @@ Result long_and_short_vectors() {
     result.ours = "the numbers are those of unit vectors.";
     const double all = double(kKnownLoops.size()) * kTurns;
     // elimination with full pivoting survives where the lengths happen to be alike
-    result.measurements.push_back(
-        {"right ranks, of 200", Bounded{double(naive_right), at_most(0.8 * all)},
-         Bounded{double(ours.right), exactly(all)}});
+    result.measurements.push_back(of_both(
+        "right ranks, of 200", double(verdicts.naive_right), at_most(0.8 * all), double(verdicts.right),
+        exactly(all)));
     // as without the long vectors, and for the same reason
-    result.measurements.push_back(
-        {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e11)}});
+    result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e11)));
     // one rounding for each product
     result.measurements.push_back(
-        {"largest change of a singular value, in σ_1", {}, Bounded{change, at_most(1e-13)}});
+        of_ours("largest change of a singular value, in σ_1", change, at_most(1e-13)));
     result.measurements.push_back(
-        {"loops not closed from 0.05 rad off", {}, Bounded{double(unfinished), exactly(0.0)}});
+        of_ours("loops not closed from 0.05 rad off", double(unfinished), exactly(0.0)));
     return result;
 }
 

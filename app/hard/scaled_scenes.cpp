@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
+#include <utility>
 
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
+#include "app/hard/variants.hpp"
+#include "core/transformed.hpp"
 
 namespace jw::hard {
 
@@ -14,12 +16,8 @@ namespace {
 constexpr std::array kSizes{1e-6, 1e-3, 1.0, 1e3, 1e6};
 
 /// The lesson, which starts at rest, `s` times as large. With gravity as it is, its clock runs √s as fast.
-Lesson scaled(Lesson lesson, double s) {
-    for (Body& body : lesson.mechanism.bodies) { body.r *= s; }
-    for (Joint& joint : lesson.mechanism.joints) {
-        joint.geometry.P_i_local *= s;
-        joint.geometry.P_j_local *= s;
-    }
+Lesson lesson_scaled(Lesson lesson, double s) {
+    lesson.mechanism = scaled(std::move(lesson.mechanism), s);
     for (auto& mass : lesson.dynamics->loads.masses) {
         if (mass) { mass->J_local *= s * s; }
     }
@@ -53,7 +51,7 @@ Path path_in_si(const Lesson& lesson, double tolerance, double duration) {
     const RungeKuttaTable& table = dormand_prince_54();
     const Centroidal scene = centroidal_of(lesson);
     const auto equations = block_equations(scene);
-    std::vector<double> y = start_of(scene);
+    std::vector<double> y = flat_start(scene.mechanism);
     equations->choose_rows(0.0, y.data());
     RungeKuttaTable other = table;  // of fourth order: its weights are b - e
     for (std::size_t s = 0; s < RungeKuttaTable::kMostStages; ++s) { other.b[s] = table.b[s] - table.e[s]; }
@@ -80,14 +78,9 @@ Path path_in_si(const Lesson& lesson, double tolerance, double duration) {
 }
 
 /// The lesson turned about the origin, gravity and all.
-Lesson turned(Lesson lesson, const Vec4& p) {
-    const Mat3 A = rotation_matrix(p);
-    for (Body& body : lesson.mechanism.bodies) {
-        body.r = A * body.r;
-        body.p = product(p, body.p);
-        body.r_dot = A * body.r_dot;
-    }
-    lesson.dynamics->loads.gravity = A * lesson.dynamics->loads.gravity;
+Lesson lesson_turned(Lesson lesson, const Vec4& p) {
+    lesson.mechanism = moved_rigidly(std::move(lesson.mechanism), p);
+    lesson.dynamics->loads.gravity = rotation_matrix(p) * lesson.dynamics->loads.gravity;
     return lesson;
 }
 
@@ -104,11 +97,8 @@ double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b
 /// A quarter turn about x, which brings z into the plane x-y, then turns at random.
 std::vector<Vec4> turns() {
     std::vector<Vec4> out{euler_parameters_of(Vec3::UnitX(), std::numbers::pi / 2.0)};
-    std::mt19937 random(5);
-    std::normal_distribution<double> normal;
-    while (out.size() < 10) {
-        out.push_back(Vec4(normal(random), normal(random), normal(random), normal(random)).normalized());
-    }
+    Dice dice(5);
+    while (out.size() < 10) { out.push_back(dice.turn()); }
     return out;
 }
 
@@ -124,15 +114,15 @@ Result scene_of_any_size() {
     long most = unit.counts.steps;
     double wrong_verdicts = 0.0;
     for (const double s : kSizes) {
-        Path path = path_of(scaled(lesson, s), settings, std::sqrt(s));
+        Path path = path_of(lesson_scaled(lesson, s), settings, std::sqrt(s));
         for (Vec3& point : path.points) { point /= s; }
         differs = std::max(differs, largest_difference(path.points, unit.points, Mat3::Identity()));
         fewest = std::min(fewest, path.counts.steps);
         most = std::max(most, path.counts.steps);
         wrong_verdicts += path.rows_left_out == 1 ? 0.0 : 1.0;
     }
-    const Path small = path_in_si(scaled(lesson, 1e-6), 1e-6, 1e-3);
-    const Path large = path_in_si(scaled(lesson, 1e6), 1e-6, 1e3);
+    const Path small = path_in_si(lesson_scaled(lesson, 1e-6), 1e-6, 1e-3);
+    const Path large = path_in_si(lesson_scaled(lesson, 1e6), 1e-6, 1e3);
 
     Result result;
     result.naive =
@@ -168,8 +158,8 @@ Result scene_turned() {
     double naive_verdicts = 0.0;
     double verdicts = 0.0;
     for (const Vec4& p : turns()) {
-        const Path path = path_of(turned(lesson, p), settings, duration);
-        const Path naive = path_of(turned(dropped, p), settings, duration);
+        const Path path = path_of(lesson_turned(lesson, p), settings, duration);
+        const Path naive = path_of(lesson_turned(dropped, p), settings, duration);
         const Mat3 A = rotation_matrix(p);
         differs = std::max(differs, largest_difference(path.points, unturned.points, A));
         naive_differs = std::max(naive_differs, largest_difference(naive.points, unturned.points, A));

@@ -4,6 +4,7 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/known_loops.hpp"
 #include "core/position.hpp"
+#include "core/transformed.hpp"
 
 /// Rank, and closing, of very large and very small machines.
 namespace jw::hard {
@@ -53,8 +54,7 @@ State disturbed_side_by_side(const Mechanism& large, const Mechanism& both, doub
 }  // namespace
 
 Result loops_of_any_size() {
-    Verdicts ours;
-    int naive_right = 0;
+    Verdicts verdicts;
     double naive_misfit = 0.0;
     double misfit = 0.0;
     double change = 0.0;
@@ -65,11 +65,10 @@ Result loops_of_any_size() {
             const double factor = std::pow(10.0, power);
             const Mechanism now = scaled(mechanism, factor);
             const RankReport report = verdict_on(now);
-            ours.add(loop, report);
-            naive_right += rank_by_elimination(equations_of(now).jacobian, 1e-6) == loop.rank ? 1 : 0;
+            verdicts.add(loop, report);
+            verdicts.add_naive(loop, rank_by_elimination(equations_of(now).jacobian, 1e-6));
             if (power % 3 == 0) {
-                change =
-                    std::max(change, (report.singular_values - before).cwiseAbs().maxCoeff() / before(0));
+                change = std::max(change, relative_change(report.singular_values, before));
             }
             Dice dice(2);
             const System system(now, everything(now));
@@ -84,27 +83,24 @@ Result loops_of_any_size() {
         "what is a length and what is an angle is not told apart: in a machine of a micrometre lengths pass "
         "for zero.";
     result.ours = "lengths are compared in the scene's own unit (µm, mm, m, km ...).";
-    result.measurements.push_back(
-        {"right ranks, of 52", Bounded{double(naive_right), at_most(48.0)},
-         Bounded{double(ours.right), exactly(52.0)}});
+    result.measurements.push_back(of_both(
+        "right ranks, of 52", double(verdicts.naive_right), at_most(48.0), double(verdicts.right),
+        exactly(52.0)));
     // between two units lengths are up to 32 times the unit or a 32nd of it, which takes 1.5 digits of 11
     // twice
-    result.measurements.push_back(
-        {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e8)}});
+    result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e8)));
     // the unit goes in steps of 1000; pow and the products round
     result.measurements.push_back(
-        {"largest change of σ at 10^±3, 10^±6, in σ_1", {}, Bounded{change, at_most(1e-12)}});
+        of_ours("largest change of σ at 10^±3, 10^±6, in σ_1", change, at_most(1e-12)));
     // Newton's tolerance is 1e-13 of the unit, the largest coordinate is up to 32 units
-    result.measurements.push_back(
-        {"worst misfit after Newton, in machine sizes", Bounded{naive_misfit, at_least(0.01)},
-         Bounded{misfit, at_most(1e-11)}});
+    result.measurements.push_back(of_both(
+        "worst misfit after Newton, in machine sizes", naive_misfit, at_least(0.01), misfit, at_most(1e-11)));
     return result;
 }
 
 Result large_and_small_side_by_side() {
     constexpr double kFactor = 1e-6;
-    Verdicts ours;
-    int naive_right = 0;
+    Verdicts verdicts;
     int closed = 0;
     double residual = 0.0;
     Dice dice(9);
@@ -112,8 +108,8 @@ Result large_and_small_side_by_side() {
         const Mechanism large = assembled_mechanism(loop.lesson);
         const Mechanism both = beside_a_small_one(large, kFactor);
         const KnownLoop two{loop.lesson, 2 * loop.rank};
-        ours.add(two, verdict_on(both));
-        naive_right += rank_by_elimination(equations_of(both).jacobian, 1e-6) == two.rank ? 1 : 0;
+        verdicts.add(two, verdict_on(both));
+        verdicts.add_naive(two, rank_by_elimination(equations_of(both).jacobian, 1e-6));
         const System system(both, everything(both));
         State state = disturbed_side_by_side(large, both, kFactor, dice);
         const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
@@ -125,17 +121,15 @@ Result large_and_small_side_by_side() {
     result.ours =
         "the verdict is right down to some 10^-8 of the machine; below that a loop counts as a point. Newton "
         "brings in the small equations when the large ones hold.";
-    result.measurements.push_back(
-        {"right ranks, of 4", Bounded{double(naive_right), at_most(1.0)},
-         Bounded{double(ours.right), exactly(4.0)}});
+    result.measurements.push_back(of_both(
+        "right ranks, of 4", double(verdicts.naive_right), at_most(1.0), double(verdicts.right),
+        exactly(4.0)));
     // σ_r is 1e-7 here, the threshold 1e-9
-    result.measurements.push_back(
-        {"least margin σ_r / σ_r+1", {}, Bounded{ours.least_margin, at_least(1e6)}});
-    result.measurements.push_back(
-        {"closed from 0.05 rad off, of 4", {}, Bounded{double(closed), exactly(4.0)}});
+    result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e6)));
+    result.measurements.push_back(of_ours("closed from 0.05 rad off, of 4", double(closed), exactly(4.0)));
     // Newton's tolerance; a millionth of it would be the small loop's own, which is left to its last step
     result.measurements.push_back(
-        {"largest misfit then, in the unit of the large one", {}, Bounded{residual, at_most(1e-12)}});
+        of_ours("largest misfit then, in the unit of the large one", residual, at_most(1e-12)));
     return result;
 }
 

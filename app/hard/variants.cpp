@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "app/hard/shipped.hpp"
+#include "app/session/story.hpp"
 #include "core/assembler.hpp"
 
 namespace jw::hard {
@@ -26,29 +27,6 @@ Mechanism assembled_mechanism(const Lesson& lesson) {
     return mechanism;
 }
 
-Mechanism turned(Mechanism mechanism, const Vec4& p) {
-    for (Body& body : mechanism.bodies) {
-        body.r = rotation_matrix(p) * body.r;
-        body.p = product(p, body.p);
-        body.r_dot = rotation_matrix(p) * body.r_dot;
-    }
-    return mechanism;
-}
-
-Mechanism scaled(Mechanism mechanism, double factor) {
-    for (Body& body : mechanism.bodies) {
-        body.r *= factor;
-        body.r_dot *= factor;
-    }
-    for (Joint& joint : mechanism.joints) {
-        JointGeometry& g = joint.geometry;
-        for (double* length : {&g.length, &g.alpha, &g.d_0}) { *length *= factor; }
-        g.P_i_local *= factor;
-        g.P_j_local *= factor;
-    }
-    return mechanism;
-}
-
 Mechanism with_form(Mechanism mechanism, ParallelForm form) {
     for (Joint& joint : mechanism.joints) { joint.parallel_form = form; }
     return mechanism;
@@ -63,8 +41,7 @@ Equations equations_of(const Mechanism& mechanism) {
 
 RankReport verdict_on(const Mechanism& mechanism) {
     const System system(mechanism, everything(mechanism));
-    const Equations equations = equations_of(mechanism);
-    return analyse_rank(system, equations.jacobian, equations.phi);
+    return rank_of(system, start_state(mechanism), 0.0);
 }
 
 int rank_by_elimination(MatrixX matrix, double threshold) {

@@ -16,12 +16,6 @@ Mechanism assembled_mechanism(std::string_view name);
 /// The same of a lesson that has been altered.
 Mechanism assembled_mechanism(const Lesson& lesson);
 
-/// The whole scene, ground included, turned by p.
-Mechanism turned(Mechanism mechanism, const Vec4& p);
-
-/// Every length of the bodies and joints times `factor`; drivers are left alone.
-Mechanism scaled(Mechanism mechanism, double factor);
-
 /// p1 and p2 of all joints in this form.
 Mechanism with_form(Mechanism mechanism, ParallelForm form);
 

@@ -279,7 +279,7 @@ TEST_CASE("A pull does not depend on the size of the machine", "[core][manifold]
     for (const double size : {1e-3, 0.05, 40.0, 1e3}) {
         CAPTURE(size);
         Scene one(mechanism);
-        Scene other(test::scaled(mechanism, size));
+        Scene other(scaled(mechanism, size));
         const Vec3 point(0.1, 0.2, -0.1);
         const DragOutcome expected = one.pull_often(2, point, Vec3(0.5, 1.0, 1.0), 12);
         const DragOutcome outcome = other.pull_often(2, size * point, size * Vec3(0.5, 1.0, 1.0), 12);

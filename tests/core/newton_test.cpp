@@ -225,18 +225,17 @@ TEMPLATE_TEST_CASE(
         CHECK(usual <= 6);
         for (const double factor : {1e-6, 1e-3, 1e3, 1e6}) {
             CAPTURE(scene.name, factor);
-            CHECK(iterations(test::scaled(start, factor)) == usual);
+            CHECK(iterations(scaled(start, factor)) == usual);
         }
         for (const double factor : {0.05, 8.0, 300.0}) {
             CAPTURE(scene.name, factor);
             // the unit of length stays a power of 1000: other weights between metres and radians, and with
             // those an iteration or two that leave out weak rows
-            CHECK(std::abs(iterations(test::scaled(start, factor)) - usual) <= 2);
+            CHECK(std::abs(iterations(scaled(start, factor)) - usual) <= 2);
         }
         for (const double distance : {10.0, 1e4, 1e6}) {
             CAPTURE(scene.name, distance);
-            const Mechanism far =
-                test::moved_rigidly(start, random.unit_p(), distance * Vec3(1.0, -2.0, 0.5));
+            const Mechanism far = moved_rigidly(start, random.unit_p(), distance * Vec3(1.0, -2.0, 0.5));
             CHECK(std::abs(iterations(far) - usual) <= 1);
         }
     }

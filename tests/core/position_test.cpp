@@ -170,7 +170,7 @@ TEST_CASE(
     for (unsigned seed = 1; seed <= 5; ++seed) {
         CAPTURE(ratio, seed);
         Mechanism both = test::bricard(1.2);
-        const Mechanism small = test::scaled(test::bricard(1.2), ratio);
+        const Mechanism small = scaled(test::bricard(1.2), ratio);
         const int bodies = static_cast<int>(both.bodies.size()) - 1;
         both.bodies.insert(both.bodies.end(), small.bodies.begin() + 1, small.bodies.end());
         // with a ground of its own: the frame that its joints are given in

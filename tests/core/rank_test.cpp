@@ -124,7 +124,7 @@ TEST_CASE("Turning and moving the whole scene changes no verdict", "[core][rank]
         for (Expected& expected : table()) {
             CAPTURE(seed, expected.name);
             const VectorX before = test::rank_of(expected.mechanism).singular_values;
-            expected.mechanism = test::moved_rigidly(std::move(expected.mechanism), p, r);
+            expected.mechanism = moved_rigidly(std::move(expected.mechanism), p, r);
             check_verdict(expected, test::rank_of(expected.mechanism));
             // with the pair form, which has no preferred global axes, even the singular values stay
             for (Joint& joint : expected.mechanism.joints) { joint.parallel_form = ParallelForm::pair; }
@@ -145,7 +145,7 @@ TEST_CASE("Scaling all lengths from 1e-3 to 1e3 changes no verdict", "[core][ran
         for (Expected& expected : table()) {
             CAPTURE(factor, expected.name);
             const RankReport before = test::rank_of(expected.mechanism);
-            expected.mechanism = test::scaled(std::move(expected.mechanism), factor);
+            expected.mechanism = scaled(std::move(expected.mechanism), factor);
             const RankReport after = test::rank_of(expected.mechanism);
             check_verdict(expected, after);
             // the scene's unit goes in steps of 1000, and there the singular values are the same

@@ -6,6 +6,7 @@
 #include "core/assembler.hpp"
 #include "core/mechanism.hpp"
 #include "core/rank.hpp"
+#include "core/transformed.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 /// Mechanisms put together in code from global points and axes at their assembled pose.
@@ -92,31 +93,6 @@ inline TimeFunction polynomial(std::vector<double> coefficients) {
     TimeFunction function;
     function.polynomial = std::move(coefficients);
     return function;
-}
-
-/// The whole scene, ground included, turned by p and then moved by r.
-inline Mechanism moved_rigidly(Mechanism mechanism, const Vec4& p, const Vec3& r) {
-    for (Body& body : mechanism.bodies) {
-        body.r = r + rotation_matrix(p) * body.r;
-        body.p = product(p, body.p);
-        body.r_dot = rotation_matrix(p) * body.r_dot;
-    }
-    return mechanism;
-}
-
-/// Every length times `factor`.
-inline Mechanism scaled(Mechanism mechanism, double factor) {
-    for (Body& body : mechanism.bodies) {
-        body.r *= factor;
-        body.r_dot *= factor;
-    }
-    for (Joint& joint : mechanism.joints) {
-        JointGeometry& g = joint.geometry;
-        for (double* length : {&g.length, &g.alpha, &g.d_0}) { *length *= factor; }
-        g.P_i_local *= factor;
-        g.P_j_local *= factor;
-    }
-    return mechanism;
 }
 
 /// Moving bodies off their place by up to `distance` [m] and `turn` [rad] in every coordinate.
