@@ -73,18 +73,15 @@ Result parallelogram_through_change_points() {
         const Journey naive = by_newton_from_last_pose(lesson, start, frames);
         const Journey ours = by_tracker(lesson, start, frames);
         const double all = kTurns * frames;
+        result.measurements.push_back(of_both(
+            "frames on the branch, of " + std::to_string(int(all)) + " in three turns",
+            double(naive.on_branch), at_most(0.9 * all), double(ours.on_branch), exactly(all)));
         result.measurements.push_back(
-            {"frames on the branch, of " + std::to_string(int(all)) + " in three turns",
-             Bounded{double(naive.on_branch), at_most(0.9 * all)},
-             Bounded{double(ours.on_branch), exactly(all)}});
-        result.measurements.push_back(
-            {"frames said to be change points", {}, Bounded{double(ours.said), exactly(2.0 * kTurns)}});
+            of_ours("frames said to be change points", double(ours.said), exactly(2.0 * kTurns)));
     }
     const Journey beside = by_tracker(lesson, start, 50);  // 1.8 deg beside them at the least
-    result.measurements.push_back(
-        {"on the branch, of 150 that step over these points",
-         {},
-         Bounded{double(beside.on_branch), exactly(150.0)}});
+    result.measurements.push_back(of_ours(
+        "on the branch, of 150 that step over these points", double(beside.on_branch), exactly(150.0)));
     return result;
 }
 

@@ -94,19 +94,17 @@ Result anti_parallel_start() {
         "s_i · s_j > 0, which is in no equation, is checked after every solve; the body is turned by half a "
         "turn and solved again.";
     // 180 deg: cosines of rounded vectors
-    result.measurements.push_back(
-        {"s_i · s_j found, from exactly 180 deg off",
-         Bounded{axes_cosine(joint, naive.state), at_most(-0.99)},
-         Bounded{outcome.ok() ? axes_cosine(joint, state) : -1.0, at_least(0.999999)}});
-    result.measurements.push_back(
-        {"not as meant, of 18 starts 5 to 175 deg off",
-         Bounded{double(sweep.naive_wrong + sweep.starts - sweep.naive_closed), at_least(8.0)},
-         Bounded{double(sweep.starts - sweep.ours_right), exactly(0.0)}});
+    result.measurements.push_back(of_both(
+        "s_i · s_j found, from exactly 180 deg off", axes_cosine(joint, naive.state), at_most(-0.99),
+        outcome.ok() ? axes_cosine(joint, state) : -1.0, at_least(0.999999)));
+    result.measurements.push_back(of_both(
+        "not as meant, of 18 starts 5 to 175 deg off",
+        double(sweep.naive_wrong + sweep.starts - sweep.naive_closed), at_least(8.0),
+        double(sweep.starts - sweep.ours_right), exactly(0.0)));
     // half way between the two: the equations have lost their rank there, and no side is nearer
-    result.measurements.push_back(
-        {"exactly 90 deg off: said to be singular (1)",
-         {},
-         Bounded{!at_90.ok() && at_90.failure->cause == FailureCause::singular ? 1.0 : 0.0, exactly(1.0)}});
+    result.measurements.push_back(of_ours(
+        "exactly 90 deg off: said to be singular (1)",
+        !at_90.ok() && at_90.failure->cause == FailureCause::singular ? 1.0 : 0.0, exactly(1.0)));
     return result;
 }
 
@@ -119,12 +117,11 @@ Result start_170_degrees_off() {
     result.naive =
         "the solution that is nearest is the one upside down, and that is where whole steps go, or nowhere.";
     result.ours = "steps of at most 0.5 rad go to the nearest solution; it is recognised and left.";
+    result.measurements.push_back(of_both(
+        "joints assembled as meant, of 200", double(count.naive_closed - count.naive_wrong), at_most(20.0),
+        double(count.ours_right), exactly(200.0)));
     result.measurements.push_back(
-        {"joints assembled as meant, of 200",
-         Bounded{double(count.naive_closed - count.naive_wrong), at_most(20.0)},
-         Bounded{double(count.ours_right), exactly(200.0)}});
-    result.measurements.push_back(
-        {"assembled upside down without a word", Bounded{double(count.naive_wrong), at_least(100.0)}, {}});
+        of_naive("assembled upside down without a word", double(count.naive_wrong), at_least(100.0)));
     return result;
 }
 

@@ -34,6 +34,15 @@ struct Measurement {
     std::optional<Bounded> naive;
     std::optional<Bounded> ours;
 };
+inline Measurement of_both(std::string what, double naive, Bounds its, double ours, Bounds ours_bounds) {
+    return {std::move(what), Bounded{naive, its}, Bounded{ours, ours_bounds}};
+}
+inline Measurement of_naive(std::string what, double value, Bounds bounds = any()) {
+    return {std::move(what), Bounded{value, bounds}, {}};
+}
+inline Measurement of_ours(std::string what, double value, Bounds bounds = any()) {
+    return {std::move(what), {}, Bounded{value, bounds}};
+}
 
 struct Result {
     std::string naive;  ///< what it did, one or two sentences

@@ -83,16 +83,16 @@ Result axis_at_the_diagonal() {
         "the choice is kept until the dropped component is below 0.8 of the largest. The price: a condition "
         "of up to √3 / 0.8 instead of √3.";
     // of 20000 random samples two in three choose another component than the one before
-    result.measurements.push_back(
-        {"switches in 20000 poses at (1, 1, 1) ± 1e-12", Bounded{double(noise.naive), at_least(10000.0)},
-         Bounded{double(noise.ours), exactly(0.0)}});
-    result.measurements.push_back(
-        {"switches of an axis wandering over the sphere", Bounded{double(round.naive), any()},
-         Bounded{double(round.ours), at_most(round.naive)}});
+    result.measurements.push_back(of_both(
+        "switches in 20000 poses at (1, 1, 1) ± 1e-12", double(noise.naive), at_least(10000.0),
+        double(noise.ours), exactly(0.0)));
+    result.measurements.push_back(of_both(
+        "switches of an axis wandering over the sphere", double(round.naive), any(), double(round.ours),
+        at_most(round.naive)));
     // closed forms: the largest component is at least 1/√3, the kept one at least 0.8 of that
-    result.measurements.push_back(
-        {"worst condition of the kept pair there", Bounded{round.naive_condition, at_most(1.7321)},
-         Bounded{round.condition, at_most(2.17)}});
+    result.measurements.push_back(of_both(
+        "worst condition of the kept pair there", round.naive_condition, at_most(1.7321), round.condition,
+        at_most(2.17)));
     return result;
 }
 

@@ -55,18 +55,16 @@ Result kept_pair_at_right_angle() {
         "the pair x, y of the start loses its rank where s_i has turned into the plane x-y: the "
         "Jacobian is singular, although the mechanism is not.";
     result.ours = "another pair is kept in time; the conditions stay near those of the start.";
-    result.measurements.push_back(
-        {"poses of one turn found, of 241", {}, Bounded{double(poses), exactly(241)}});
+    result.measurements.push_back(of_ours("poses of one turn found, of 241", double(poses), exactly(241)));
     // 12 equations, 12 unknowns
-    result.measurements.push_back(
-        {"least rank of the 12 rows in one turn", Bounded{double(naive.rank), at_most(11)},
-         Bounded{double(ours.rank), exactly(12)}});
+    result.measurements.push_back(of_both(
+        "least rank of the 12 rows in one turn", double(naive.rank), at_most(11), double(ours.rank),
+        exactly(12)));
     // 2.17 is the worst pair of the rule; the whole matrix has lengths besides
     result.measurements.push_back(
-        {"worst condition number", Bounded{naive.condition, at_least(1e12)},
-         Bounded{ours.condition, at_most(20.0)}});
+        of_both("worst condition number", naive.condition, at_least(1e12), ours.condition, at_most(20.0)));
     result.measurements.push_back(
-        {"turn at which it is worst [deg]", Bounded{naive.turn, any()}, Bounded{ours.turn, any()}});
+        of_both("turn at which it is worst [deg]", naive.turn, any(), ours.turn, any()));
     return result;
 }
 

@@ -87,7 +87,7 @@ Result masses_eighteen_decades_apart() {
     DynamicScene scene = shipped_scene("dynamics/bricard-falling.toml");
     scene.lesson = with_masses_apart(scene.lesson);
     const Centroidal centroidal = centroidal_of(scene.lesson);
-    const std::vector<double> y = start_of(centroidal);
+    const std::vector<double> y = flat_start(centroidal.mechanism);
     const Written w = written(centroidal, y);
     const VectorX truth = true_accelerations(w);
     const VectorX naive = by_schur_complement(w);

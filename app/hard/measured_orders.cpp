@@ -16,7 +16,9 @@ constexpr std::size_t kSample = 25;  // of the reference: 0.5 s of a chain of ba
 class Halving {
 public:
     explicit Halving(const DynamicScene& scene)
-        : scene_(&scene), centroidal_(centroidal_of(scene.lesson)), start_(start_of(centroidal_)) {}
+        : scene_(&scene),
+          centroidal_(centroidal_of(scene.lesson)),
+          start_(flat_start(centroidal_.mechanism)) {}
 
     template <class Stepper, class... Table>
     double error(int steps, const Table&... table) const {
@@ -37,9 +39,9 @@ public:
 private:
     double end() const { return scene_->reference.times[kSample]; }
     double error_of(const std::vector<double>& y) const {
-        Watch watch(*scene_);
-        watch.look_at(kSample, y);
-        return watch.position;
+        TrajectoryErrors errors(scene_->lesson, scene_->reference);
+        errors.look_at(kSample, y);
+        return errors.position();
     }
     template <class Stepper, class... Table>
     Stepper make(DrivableEquations& equations, int steps, const Table&... table) const {

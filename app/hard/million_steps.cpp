@@ -44,7 +44,7 @@ Drift drift_of(double step, bool normalise, const Table&... table) {
     IntegrationOptions options;
     options.fixed_step = step;
     options.project = normalise;
-    Stepper stepper(*equations, table..., options, 0.0, start_of(scene));
+    Stepper stepper(*equations, table..., options, 0.0, flat_start(scene.mechanism));
     const Kept start = kept_at(*equations, J, stepper.y());
     const double far = 2.0 * step * double(kSteps);
     for (long k = 0; k < kSteps && stepper.step(far); ++k) {}

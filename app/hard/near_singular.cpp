@@ -73,20 +73,19 @@ Result towards_a_change_point() {
         worst.naive_acceleration = std::max(worst.naive_acceleration, errors.naive_acceleration / lost);
         worst.acceleration = std::max(worst.acceleration, errors.acceleration / lost);
         worst.condition = errors.condition;
-        result.measurements.push_back(
-            {"error of the velocity at 10^-" + std::to_string(power) + " rad [rad/s]",
-             Bounded{errors.naive_velocity, any()}, Bounded{errors.velocity, any()}});
+        result.measurements.push_back(of_both(
+            "error of the velocity at 10^-" + std::to_string(power) + " rad [rad/s]", errors.naive_velocity,
+            any(), errors.velocity, any()));
     }
     // 11 / φ, from the singular values 3.2 and 0.3 φ
-    result.measurements.push_back(
-        {"condition number at 10^-7 rad", {}, Bounded{worst.condition, at_most(2e8)}});
+    result.measurements.push_back(of_ours("condition number at 10^-7 rad", worst.condition, at_most(2e8)));
     // entries of Φq and of p are rounded once or twice each, 18 of them in a row
-    result.measurements.push_back(
-        {"worst error over condition · 1e-16: velocity", Bounded{worst.naive_velocity, at_least(1e4)},
-         Bounded{worst.velocity, at_most(10.0)}});
-    result.measurements.push_back(
-        {"the same: acceleration", Bounded{worst.naive_acceleration, at_least(1e4)},
-         Bounded{worst.acceleration, at_most(10.0)}});
+    result.measurements.push_back(of_both(
+        "worst error over condition · 1e-16: velocity", worst.naive_velocity, at_least(1e4), worst.velocity,
+        at_most(10.0)));
+    result.measurements.push_back(of_both(
+        "the same: acceleration", worst.naive_acceleration, at_least(1e4), worst.acceleration,
+        at_most(10.0)));
     return result;
 }
 

@@ -117,17 +117,17 @@ Result tilted_axis() {
     result.ours =
         "such a loop cannot close, and that is said with the joint and the gap. With a spherical and a "
         "cylindrical joint nothing repeats, and it closes whatever the tilt.";
-    result.measurements.push_back(
-        {"closed, of 12 tilts from 10^-1 to 10^-6 rad", Bounded{double(tilts.naive_closed), exactly(12.0)},
-         Bounded{double(tilts.count - tilts.refused), exactly(0.0)}});
+    result.measurements.push_back(of_both(
+        "closed, of 12 tilts from 10^-1 to 10^-6 rad", double(tilts.naive_closed), exactly(12.0),
+        double(tilts.count - tilts.refused), exactly(0.0)));
     // the tilt is a length of 1 times the angle in p1; the closest fit shares it out
     result.measurements.push_back(
-        {"largest miss of an equation, in tilts", Bounded{tilts.naive_misfit, at_least(0.3)}, {}});
+        of_naive("largest miss of an equation, in tilts", tilts.naive_misfit, at_least(0.3)));
     // at 0.01 rad about x the closest fit is reached too slowly for a proof: "did not settle" is said there
     result.measurements.push_back(
-        {"said to be impossible, of 12", {}, Bounded{double(tilts.cannot_close), at_least(11.0)}});
+        of_ours("said to be impossible, of 12", double(tilts.cannot_close), at_least(11.0)));
     result.measurements.push_back(
-        {"R-S-C-R closed to 1e-12, of 12", {}, Bounded{double(tilts.closed_with_fewer), exactly(12.0)}});
+        of_ours("R-S-C-R closed to 1e-12, of 12", double(tilts.closed_with_fewer), exactly(12.0)));
     return result;
 }
 
@@ -147,18 +147,14 @@ Result accidental_redundancy() {
         const std::string name = loop.name;
         const auto redundant = [](const Mechanism& m) { return double(verdict_on(m).redundant()); };
         result.measurements.push_back(
-            {name + ": redundant as built", {}, Bounded{redundant(mechanism), exactly(loop.redundant)}});
+            of_ours(name + ": redundant as built", redundant(mechanism), exactly(loop.redundant)));
         result.measurements.push_back(
-            {name + ": with other lengths (1e-3)",
-             {},
-             Bounded{redundant(lengths), exactly(loop.with_lengths)}});
-        result.measurements.push_back(
-            {name + ": with other directions, too",
-             {},
-             Bounded{redundant(directions), exactly(loop.with_directions)}});
-        result.measurements.push_back(
-            {name + ": freedoms then", Bounded{double(verdict_on(kept).dof), exactly(1.0)},
-             Bounded{double(verdict_on(directions).dof), exactly(0.0)}});
+            of_ours(name + ": with other lengths (1e-3)", redundant(lengths), exactly(loop.with_lengths)));
+        result.measurements.push_back(of_ours(
+            name + ": with other directions, too", redundant(directions), exactly(loop.with_directions)));
+        result.measurements.push_back(of_both(
+            name + ": freedoms then", double(verdict_on(kept).dof), exactly(1.0),
+            double(verdict_on(directions).dof), exactly(0.0)));
     }
     double margin = 1e300;
     for (const double change : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
@@ -170,7 +166,7 @@ Result accidental_redundancy() {
     }
     // the new equation is worth about the change; a hundredth leaves room for where the points happen to go
     result.measurements.push_back(
-        {"Bennett: σ_18 / change, from 10^-2 to 10^-6", {}, Bounded{margin, at_least(0.01)}});
+        of_ours("Bennett: σ_18 / change, from 10^-2 to 10^-6", margin, at_least(0.01)));
     return result;
 }
 

@@ -65,7 +65,8 @@ Result rank_in_every_stage() {
     IntegrationOptions options;
     options.tolerance = tolerance;
     options.length_scale = extent(centroidal.mechanism);
-    ExplicitIntegrator integrator(equations, dormand_prince_853(), options, 0.0, start_of(centroidal));
+    ExplicitIntegrator integrator(
+        equations, dormand_prince_853(), options, 0.0, flat_start(centroidal.mechanism));
     const double end = share * scene.reference.times.back();
     while (integrator.t() < end && integrator.counts().evaluations < 5000 && integrator.step(end)) {}
     const double evaluations = double(integrator.counts().evaluations);

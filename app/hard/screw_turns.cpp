@@ -80,18 +80,16 @@ Result cosine_row_at_half_turns() {
         "the derivative of cos θ vanishes at 0, 180, 360 deg: there the row is empty. Beyond it the nut "
         "turns back while θ and the advance go on, since cos does not know the sign.";
     result.ours = "sin(angle - θ) = 0 instead: the same row at every angle.";
-    result.measurements.push_back(
-        {"least rank of the 6 rows at θ = k 180 deg", Bounded{double(naive.rank), exactly(5.0)},
-         Bounded{double(ours.rank), exactly(6.0)}});
+    result.measurements.push_back(of_both(
+        "least rank of the 6 rows at θ = k 180 deg", double(naive.rank), exactly(5.0), double(ours.rank),
+        exactly(6.0)));
     // closed form √(2 + α²), α = 0.12 m / 2π
-    result.measurements.push_back(
-        {"worst condition number there", Bounded{naive.condition, at_least(1e9)},
-         Bounded{ours.condition, at_most(1.415)}});
+    result.measurements.push_back(of_both(
+        "worst condition number there", naive.condition, at_least(1e9), ours.condition, at_most(1.415)));
     // Newton's tolerance is 1e-13 rad; degrees, and ten times that for what is added up
-    result.measurements.push_back(
-        {"error of the nut's angle in two turns [deg]",
-         Bounded{error_after_two_turns(ScrewAngleForm::cosine), at_least(90.0)},
-         Bounded{error_after_two_turns(ScrewAngleForm::rotation), at_most(1e-10)}});
+    result.measurements.push_back(of_both(
+        "error of the nut's angle in two turns [deg]", error_after_two_turns(ScrewAngleForm::cosine),
+        at_least(90.0), error_after_two_turns(ScrewAngleForm::rotation), at_most(1e-10)));
     return result;
 }
 
@@ -120,11 +118,10 @@ Result a_thousand_turns() {
     Result result;
     result.naive = "the angle is back where it was after every turn, and with it the advance.";
     result.ours = "it is predicted along with the motion, and counts turns.";
-    result.measurements.push_back({"poses lost, of 4000", {}, Bounded{double(lost), exactly(0.0)}});
+    result.measurements.push_back(of_ours("poses lost, of 4000", double(lost), exactly(0.0)));
     // 120 m are known to 1.4e-14 m, and Newton stops at 1e-13 of the largest coordinate
     result.measurements.push_back(
-        {"error of the advance in 1000 turns [m]", Bounded{naive, at_least(119.0)},
-         Bounded{ours, at_most(1.2e-11)}});
+        of_both("error of the advance in 1000 turns [m]", naive, at_least(119.0), ours, at_most(1.2e-11)));
     return result;
 }
 

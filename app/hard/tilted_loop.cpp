@@ -17,7 +17,8 @@ Result loop_with_a_tilted_axis() {
     const Centroidal scene = centroidal_of(lesson);
     const auto equations = block_equations(scene);
     IntegrationOptions options;
-    ExplicitIntegrator integrator(*equations, dormand_prince_853(), options, 0.0, start_of(scene));
+    ExplicitIntegrator integrator(
+        *equations, dormand_prince_853(), options, 0.0, flat_start(scene.mechanism));
     while (integrator.t() < 1.0 && integrator.step(1.0)) {}
     const bool arrived = integrator.t() >= 1.0;
 

@@ -127,19 +127,18 @@ Result parallel_arms() {
         "arms "
         "no way is better than another: that is said, and the body left where it was.";
     result.measurements.push_back(
-        {"rank of the 4 rows with parallel arms", {}, Bounded{double(verdict_on(exact).rank), exactly(3.0)}});
+        of_ours("rank of the 4 rows with parallel arms", double(verdict_on(exact).rank), exactly(3.0)));
     result.measurements.push_back(
-        {"closed from 10, 1, ... 1e-6 deg, of 8", {}, Bounded{double(closed), exactly(8.0)}});
+        of_ours("closed from 10, 1, ... 1e-6 deg, of 8", double(closed), exactly(8.0)));
     // 0.5 rad
     result.measurements.push_back(
-        {"largest turn in one step [deg]", Bounded{naive_step, at_least(1e8)}, Bounded{step, at_most(28.7)}});
+        of_both("largest turn in one step [deg]", naive_step, at_least(1e8), step, at_most(28.7)));
     // the nearest solution is 90 deg away; the point is held besides
+    result.measurements.push_back(of_ours("largest turn from start to solution [deg]", turn, at_most(91.0)));
     result.measurements.push_back(
-        {"largest turn from start to solution [deg]", {}, Bounded{turn, at_most(91.0)}});
+        of_naive("exactly parallel: closed (1)", naive.converged ? 1.0 : 0.0, exactly(0.0)));
     result.measurements.push_back(
-        {"exactly parallel: closed (1)", Bounded{naive.converged ? 1.0 : 0.0, exactly(0.0)}, {}});
-    result.measurements.push_back(
-        {"exactly parallel: said to be singular (1)", {}, Bounded{said_singular(outcome), exactly(1.0)}});
+        of_ours("exactly parallel: said to be singular (1)", said_singular(outcome), exactly(1.0)));
     return result;
 }
 
@@ -163,27 +162,21 @@ Result bend_of_90_degrees() {
         "shaft "
         "it says that the equations contradict each other.";
     result.measurements.push_back(
-        {"rank of 14 rows, shafts in line", {}, Bounded{rank_at(0.0, 0.3), exactly(11.0)}});
+        of_ours("rank of 14 rows, shafts in line", rank_at(0.0, 0.3), exactly(11.0)));
+    result.measurements.push_back(of_ours("rank at 40 deg", rank_at(40.0 * kDegree, 0.3), exactly(11.0)));
+    result.measurements.push_back(of_ours("rank at 90 deg", rank_at(right_angle, 0.3), exactly(11.0)));
     result.measurements.push_back(
-        {"rank at 40 deg", {}, Bounded{rank_at(40.0 * kDegree, 0.3), exactly(11.0)}});
-    result.measurements.push_back({"rank at 90 deg", {}, Bounded{rank_at(right_angle, 0.3), exactly(11.0)}});
-    result.measurements.push_back(
-        {"rank at 90 deg, arms along each other's shafts",
-         {},
-         Bounded{rank_at(right_angle, 0.0), exactly(10.0)}});
+        of_ours("rank at 90 deg, arms along each other's shafts", rank_at(right_angle, 0.0), exactly(10.0)));
     // the ratio is 5.7e6, so is the condition: 1e-16 of the pose times that, with room for a few roundings
-    result.measurements.push_back(
-        {"relative error of the ratio at 89.99999 deg",
-         Bounded{std::abs(fast.naive_ratio / ratio - 1.0), any()},
-         Bounded{std::abs(fast.ratio / ratio - 1.0), at_most(1e-8)}});
+    result.measurements.push_back(of_both(
+        "relative error of the ratio at 89.99999 deg", std::abs(fast.naive_ratio / ratio - 1.0), any(),
+        std::abs(fast.ratio / ratio - 1.0), at_most(1e-8)));
     // asked for is 1 rad/s; the miss of a contradiction is a part of it, that of rounding some 1e-16
-    result.measurements.push_back(
-        {"locked shaft driven: largest miss of an equation", Bounded{locked.naive_miss, at_least(0.05)},
-         Bounded{locked.verdict.residual, at_least(0.05)}});
-    result.measurements.push_back(
-        {"locked shaft driven: contradiction told (1)",
-         {},
-         Bounded{locked.verdict.consistent ? 0.0 : 1.0, exactly(1.0)}});
+    result.measurements.push_back(of_both(
+        "locked shaft driven: largest miss of an equation", locked.naive_miss, at_least(0.05),
+        locked.verdict.residual, at_least(0.05)));
+    result.measurements.push_back(of_ours(
+        "locked shaft driven: contradiction told (1)", locked.verdict.consistent ? 0.0 : 1.0, exactly(1.0)));
     return result;
 }
 

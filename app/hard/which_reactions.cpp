@@ -98,7 +98,7 @@ Result which_reactions() {
     Lesson lesson = shipped_lesson("dynamics/four-bar-1.toml");
     lesson.dynamics->loads.gravity = Vec3(0.0, -9.0, -4.0);
     const Centroidal scene = centroidal_of(lesson);
-    const std::vector<double> y = start_of(scene);
+    const std::vector<double> y = flat_start(scene.mechanism);
     std::vector<double> y_dot(y.size());
     DenseEquations<OmegaGlobal> e(scene);
     std::vector<double> in_global(y.size());

@@ -74,30 +74,12 @@ Recorded record(const Lesson& lesson, const SimulationSettings& settings, const 
 void measure(
     const Lesson& lesson, const SimulationSettings& settings, const Reference& reference,
     const Recorded& recorded, BenchPoint& point) {
-    const Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    const BodyPoint& tracked = *lesson.dynamics->point;
-    double largest_kinetic = 0.0;
-    double change = 0.0;
-    double energy_at_start = 0.0;
-    point.position = point.velocity = point.violation = 0.0;
-    for (std::size_t k = 0; k < recorded.states.size(); ++k) {
-        const std::vector<double>& y = recorded.states[k];
-        const Vec3 position = simulation.point(y, tracked.body, tracked.point_local);
-        point.position = std::max(point.position, (position - reference.positions[k]).norm());
-        if (!reference.velocities.empty()) {
-            const Vec3 velocity = simulation.point_velocity(y, tracked.body, tracked.point_local);
-            point.velocity = std::max(point.velocity, (velocity - reference.velocities[k]).norm());
-        }
-        point.violation =
-            std::max(point.violation, simulation.equations().violation(reference.times[k], y.data()).first);
-        const double kinetic = simulation.equations().kinetic_energy(y.data());
-        const double energy = kinetic + simulation.equations().potential_energy(y.data());
-        if (k == 0) { energy_at_start = energy; }
-        largest_kinetic = std::max(largest_kinetic, kinetic);
-        change = std::max(change, std::abs(energy - energy_at_start));
-    }
-    if (reference.velocities.empty()) { point.velocity = kNotKnown; }
-    point.energy = keeps_energy(lesson) && largest_kinetic > 0.0 ? change / largest_kinetic : kNotKnown;
+    TrajectoryErrors errors(lesson, reference, settings);
+    for (std::size_t k = 0; k < recorded.states.size(); ++k) { errors.look_at(k, recorded.states[k]); }
+    point.position = errors.position();
+    point.velocity = reference.velocities.empty() ? kNotKnown : errors.velocity();
+    point.energy = keeps_energy(lesson) ? errors.energy() : kNotKnown;
+    point.violation = errors.violation();
 }
 
 BenchPoint bench_point(
@@ -122,7 +104,35 @@ BenchPoint bench_point(
     return point;
 }
 
+/// What is not a number counts as infinitely far.
+double distance(const Vec3& a, const Vec3& b) {
+    const double d = (a - b).norm();
+    return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
+
+TrajectoryErrors::TrajectoryErrors(
+    const Lesson& lesson, const Reference& reference, const SimulationSettings& settings)
+    : reference_(&reference),
+      tracked_(&*lesson.dynamics->point),
+      simulation_(lesson.mechanism, lesson.dynamics->loads, settings) {}
+
+void TrajectoryErrors::look_at(std::size_t k, const std::vector<double>& y) {
+    const Vec3 r = simulation_.point(y, tracked_->body, tracked_->point_local);
+    position_ = std::max(position_, distance(r, reference_->positions[k]));
+    if (!reference_->velocities.empty()) {
+        const Vec3 r_dot = simulation_.point_velocity(y, tracked_->body, tracked_->point_local);
+        velocity_ = std::max(velocity_, distance(r_dot, reference_->velocities[k]));
+    }
+    MotionEquations& equations = simulation_.equations();
+    violation_ = std::max(violation_, equations.violation(reference_->times[k], y.data()).first);
+    const double kinetic = equations.kinetic_energy(y.data());
+    const double energy = kinetic + equations.potential_energy(y.data());
+    if (k == 0) { energy_at_start_ = energy; }
+    largest_kinetic_ = std::max(largest_kinetic_, kinetic);
+    change_ = std::max(change_, std::abs(energy - energy_at_start_));
+}
 
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file) {
     const std::filesystem::path path =

@@ -23,6 +23,36 @@ std::optional<Reference> stored_reference(const std::filesystem::path& lesson_fi
 /// By the lesson itself, with the tightest tolerance of two methods; `origin` says how far they are apart.
 Reference own_reference(const Lesson& lesson);
 
+/// The largest errors of a trajectory so far.
+class TrajectoryErrors {
+public:
+    /// Lesson (one with a point) and reference must outlive this.
+    /// @param settings of the run: they decide what the numbers of a state are
+    TrajectoryErrors(
+        const Lesson& lesson, const Reference& reference, const SimulationSettings& settings = {});
+
+    /// The state at the k-th time of the reference.
+    void look_at(std::size_t k, const std::vector<double>& y);
+
+    double position() const { return position_; }    ///< of the lesson's point [m]
+    double velocity() const { return velocity_; }    ///< likewise [m/s]; 0 where the reference has none
+    double violation() const { return violation_; }  ///< |Φ| by the size of its equation
+    /// Change of energy, by the largest kinetic energy; NaN where nothing moves.
+    double energy() const { return change_ / largest_kinetic_; }
+    const Simulation& simulation() const { return simulation_; }
+
+private:
+    const Reference* reference_;
+    const BodyPoint* tracked_;
+    Simulation simulation_;
+    double position_ = 0.0;
+    double velocity_ = 0.0;
+    double violation_ = 0.0;
+    double energy_at_start_ = 0.0;
+    double change_ = 0.0;
+    double largest_kinetic_ = 0.0;
+};
+
 /// One run.
 struct BenchPoint {
     double setting = 0.0;    ///< tolerance or step [s]

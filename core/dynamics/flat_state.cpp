@@ -8,6 +8,21 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
+std::vector<int> moving_bodies_of(const Mechanism& mechanism) {
+    std::vector<int> moving;
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        if (!mechanism.bodies[b].fixed) { moving.push_back(static_cast<int>(b)); }
+    }
+    return moving;
+}
+
+std::vector<double> flat_start(const Mechanism& mechanism) {
+    const std::vector<int> moving = moving_bodies_of(mechanism);
+    std::vector<double> y(kNumbersPerBody * moving.size());
+    pack(start_state(mechanism), start_motion(mechanism), moving, y.data());
+    return y;
+}
+
 void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y) {
     for (const int body : moving) {
         vec3(y) = state.r[at(body)];

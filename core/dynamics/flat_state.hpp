@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/mechanism.hpp"
 
@@ -22,6 +23,10 @@ inline double* body_numbers(double* y, std::size_t n) {
 inline const double* body_numbers(const double* y, std::size_t n) {
     return y + static_cast<std::ptrdiff_t>(n) * kNumbersPerBody;
 }
+
+std::vector<int> moving_bodies_of(const Mechanism& mechanism);
+/// The state as the mechanism's author gave it.
+std::vector<double> flat_start(const Mechanism& mechanism);
 
 /// y of a state and a motion; `moving` lists the moving bodies.
 void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y);

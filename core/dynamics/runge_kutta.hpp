@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 /// Explicit Runge-Kutta methods as tables.
 namespace jw {
@@ -21,6 +23,26 @@ struct RungeKuttaTable {
     Row e_third{};  ///< third-order error of an 8(5,3) pair, else zero
     bool has_error = false;
 };
+
+/// One step of ẏ = f(t, y) by a table and nothing else, for those who want to owe the integrators nothing.
+/// `f(t, y, y_dot)` fills y_dot.
+template <class F>
+void take_step(const RungeKuttaTable& table, const F& f, double t, double h, std::vector<double>& y) {
+    const auto stages = static_cast<std::size_t>(table.stages);
+    std::vector<std::vector<double>> k(stages, std::vector<double>(y.size()));
+    const auto moved = [&](const RungeKuttaTable::Row& factors, std::size_t count) {
+        std::vector<double> out = y;
+        for (std::size_t m = 0; m < count; ++m) {
+            for (std::size_t n = 0; n < y.size(); ++n) { out[n] += h * factors[m] * k[m][n]; }
+        }
+        return out;
+    };
+    for (std::size_t s = 0; s < stages; ++s) {
+        const std::vector<double> at_stage = moved(table.a[s], s);
+        f(t + table.c[s] * h, at_stage.data(), k[s].data());
+    }
+    y = moved(table.b, stages);
+}
 
 /// First order.
 const RungeKuttaTable& explicit_euler();

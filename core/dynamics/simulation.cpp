@@ -57,12 +57,10 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     require(settings);
     block_ = block_equations(scene_, stabilisation(settings));
     if (settings.dense) { dense_ = dense_equations(scene_, *settings.dense, stabilisation(settings)); }
-    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-        order_of_body_.push_back(mechanism.bodies[b].fixed ? -1 : static_cast<int>(moving_.size()));
-        if (!mechanism.bodies[b].fixed) { moving_.push_back(static_cast<int>(b)); }
-    }
-    start_.resize(static_cast<std::size_t>(block_->size()));
-    pack(start_state(scene_.mechanism), start_motion(scene_.mechanism), moving_, start_.data());
+    moving_ = moving_bodies_of(mechanism);
+    order_of_body_.assign(mechanism.bodies.size(), -1);
+    for (std::size_t m = 0; m < moving_.size(); ++m) { order_of_body_[at(moving_[m])] = static_cast<int>(m); }
+    start_ = flat_start(scene_.mechanism);
     block_->choose_rows(0.0, start_.data());
     block_->project(0.0, start_.data());
     look_for_contradiction();

@@ -16,13 +16,8 @@ int main(int argc, char** argv) {
     }
     const Centroidal scene = centroidal(read.lesson->mechanism, read.lesson->dynamics->loads);
     const auto equations = block_equations(scene);
-    std::vector<int> moving;
-    for (std::size_t b = 0; b < scene.mechanism.bodies.size(); ++b) {
-        if (!scene.mechanism.bodies[b].fixed) { moving.push_back(static_cast<int>(b)); }
-    }
-    std::vector<double> y(static_cast<std::size_t>(equations->size()));
+    const std::vector<double> y = flat_start(scene.mechanism);
     std::vector<double> y_dot(y.size());
-    pack(start_state(scene.mechanism), start_motion(scene.mechanism), moving, y.data());
     equations->choose_rows(0.0, y.data());
     const long count = std::strtol(argv[2], nullptr, 10);
     double sum = 0.0;
@@ -30,6 +25,6 @@ int main(int argc, char** argv) {
         equations->evaluate(0.0, y.data(), y_dot.data());
         sum += y_dot.back();
     }
-    std::printf("%zu moving bodies, sum %g\n", moving.size(), sum);
+    std::printf("%zu moving bodies, sum %g\n", y.size() / kNumbersPerBody, sum);
     return 0;
 }

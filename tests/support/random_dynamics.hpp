@@ -106,10 +106,6 @@ inline std::vector<BodyForce> forces_of(const Loads& loads, const Moment& moment
     return out;
 }
 
-inline std::vector<int> moving_bodies_of(const Mechanism& mechanism) {
-    return System(mechanism, everything(mechanism)).moving_bodies();
-}
-
 /// Near the start pose, on the constraints and moving along them, at time `t`.
 inline Moment random_moment(Random& random, const Centroidal& scene, double t, double distance = 0.1) {
     const Mechanism& mechanism = scene.mechanism;

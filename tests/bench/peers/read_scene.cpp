@@ -26,16 +26,8 @@ struct Start {
     Motion motion;
 };
 
-std::vector<int> moving_bodies(const Mechanism& mechanism) {
-    std::vector<int> moving;
-    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-        if (!mechanism.bodies[b].fixed) { moving.push_back(static_cast<int>(b)); }
-    }
-    return moving;
-}
-
 Start projected_start(const Centroidal& centroidal) {
-    const auto moving = moving_bodies(centroidal.mechanism);
+    const auto moving = moving_bodies_of(centroidal.mechanism);
     const auto equations = block_equations(centroidal);
     Start start{start_state(centroidal.mechanism), start_motion(centroidal.mechanism)};
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
@@ -49,7 +41,7 @@ Start projected_start(const Centroidal& centroidal) {
 int rank_of(const Centroidal& centroidal, const Start& start) {
     const auto equations = block_equations(centroidal);
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
-    pack(start.state, start.motion, moving_bodies(centroidal.mechanism), y.data());
+    pack(start.state, start.motion, moving_bodies_of(centroidal.mechanism), y.data());
     equations->choose_rows(0.0, y.data());
     return equations->rows() - equations->rows_left_out();
 }

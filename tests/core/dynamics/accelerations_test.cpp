@@ -24,7 +24,7 @@ std::vector<Mechanism> scenes(test::Random& random) {
         test::driven(test::screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0)};
     // the whole scene anywhere
     for (Mechanism& mechanism : out) {
-        mechanism = test::moved_rigidly(mechanism, random.unit_p(), random.vector());
+        mechanism = moved_rigidly(mechanism, random.unit_p(), random.vector());
     }
     return out;
 }
@@ -32,7 +32,7 @@ std::vector<Mechanism> scenes(test::Random& random) {
 Motion block_accelerations(
     const Centroidal& scene, const test::Moment& moment, double t, const Baumgarte& baumgarte = {}) {
     const std::unique_ptr<MotionEquations> equations = block_equations(scene, baumgarte);
-    const std::vector<int> moving = test::moving_bodies_of(scene.mechanism);
+    const std::vector<int> moving = moving_bodies_of(scene.mechanism);
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
     std::vector<double> y_dot(y.size());
     pack(moment.state, moment.motion, moving, y.data());
@@ -48,7 +48,7 @@ int block_rows_left_out(const Centroidal& scene) {
     const std::unique_ptr<MotionEquations> equations = block_equations(scene);
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
     const State start = start_state(scene.mechanism);
-    pack(start, zero_motion(scene.mechanism), test::moving_bodies_of(scene.mechanism), y.data());
+    pack(start, zero_motion(scene.mechanism), moving_bodies_of(scene.mechanism), y.data());
     equations->choose_rows(0.0, y.data());
     return equations->rows_left_out();
 }

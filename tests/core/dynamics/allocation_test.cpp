@@ -17,7 +17,7 @@ TEST_CASE(
         const std::unique_ptr<MotionEquations> equations = block_equations(scene);
         std::vector<double> y(static_cast<std::size_t>(equations->size()));
         std::vector<double> y_dot(y.size());
-        pack(moment.state, moment.motion, test::moving_bodies_of(mechanism), y.data());
+        pack(moment.state, moment.motion, moving_bodies_of(mechanism), y.data());
         equations->choose_rows(0.0, y.data());
 
         const long before = test::allocations();

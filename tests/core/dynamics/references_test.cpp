@@ -74,7 +74,7 @@ Vec3 end_point(const Problem& problem, double duration, int steps) {
 Vec3 end_point_of_blocks(const Problem& problem, double duration, int steps) {
     const Centroidal scene = centroidal(problem.mechanism, problem.loads);
     const std::unique_ptr<MotionEquations> equations = block_equations(scene);
-    const std::vector<int> moving = test::moving_bodies_of(scene.mechanism);
+    const std::vector<int> moving = moving_bodies_of(scene.mechanism);
     std::vector<double> y(static_cast<std::size_t>(equations->size()));
     State state = start_state(scene.mechanism);
     Motion motion = start_motion(scene.mechanism);
@@ -95,7 +95,7 @@ Vec3 parallelogram_by_its_angle(double duration, int steps) {
         y_dot[1] = factor * std::sin(y[0]);
     };
     const double h = duration / steps;
-    for (int n = 0; n < steps; ++n) { test::take_step(dormand_prince_853(), f, n * h, h, phi); }
+    for (int n = 0; n < steps; ++n) { take_step(dormand_prince_853(), f, n * h, h, phi); }
     return {std::sin(phi[0]), std::cos(phi[0]), 0.0};
 }
 

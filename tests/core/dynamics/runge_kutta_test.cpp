@@ -19,9 +19,7 @@ void turn(double t, const double* x, double* x_dot) {
 double error_after_turning(const RungeKuttaTable& table, int steps) {
     const double duration = 2.0;
     std::vector<double> x{1.0, 0.0};
-    for (int n = 0; n < steps; ++n) {
-        test::take_step(table, turn, n * duration / steps, duration / steps, x);
-    }
+    for (int n = 0; n < steps; ++n) { take_step(table, turn, n * duration / steps, duration / steps, x); }
     const double angle = duration + 0.5 * std::sin(duration);
     return std::hypot(x[0] - std::cos(angle), x[1] - std::sin(angle));
 }

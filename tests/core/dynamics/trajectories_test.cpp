@@ -118,7 +118,7 @@ TEST_CASE("What loads and dampers put in is what the energy grows by", "[core][d
         const auto energy = [&] { return e.kinetic_energy(y.data()) + e.potential_energy(y.data()); };
         const double before = energy();
         for (int n = 0; n < 60; ++n) {
-            test::take_step(dormand_prince_853(), f, n * 0.0025, 0.0025, y);
+            take_step(dormand_prince_853(), f, n * 0.0025, 0.0025, y);
             e.project((n + 1) * 0.0025, y.data());
         }
         CHECK(std::abs(y[size]) > 1e-2);
