@@ -21,34 +21,12 @@ Vec4 exponential(const Vec3& turn) {
 
 }  // namespace
 
-Mat34 G_of(const Vec4& p) {
-    Mat34 m;
-    // clang-format off
-    m << -p(1),  p(0), -p(3),  p(2),
-         -p(2),  p(3),  p(0), -p(1),
-         -p(3), -p(2),  p(1),  p(0);
-    // clang-format on
-    return m;
-}
-
-Mat34 L_of(const Vec4& p) {
-    Mat34 m;
-    // clang-format off
-    m << -p(1),  p(0),  p(3), -p(2),
-         -p(2), -p(3),  p(0),  p(1),
-         -p(3),  p(2), -p(1),  p(0);
-    // clang-format on
-    return m;
-}
-
 Mat3 rotation_matrix(const Vec4& p) {
     const Vec3 e = p.tail<3>();
     Mat3 A = 2.0 * (e * e.transpose() + p(0) * tilde(e));
     A.diagonal().array() += 2.0 * p(0) * p(0) - 1.0;
     return A;
 }
-
-Mat3 homogeneous_rotation_matrix(const Vec4& p) { return G_of(p) * L_of(p).transpose(); }
 
 Vec4 euler_parameters_of(const Mat3& A) {
     // 4 e_k²; the largest is at least 1, so the division below never loses digits
@@ -78,14 +56,6 @@ Vec4 euler_parameters_of(const Vec3& axis, double angle) {
     return p;
 }
 
-Vec4 product(const Vec4& a, const Vec4& b) {
-    const Vec3 a_e = a.tail<3>();
-    const Vec3 b_e = b.tail<3>();
-    Vec4 p;
-    p << a(0) * b(0) - a_e.dot(b_e), a(0) * b_e + b(0) * a_e + a_e.cross(b_e);
-    return p;
-}
-
 Vec4 turned_local(const Vec4& p, const Vec3& turn_local) {
     return product(p, exponential(turn_local)).normalized();
 }
@@ -105,10 +75,6 @@ Vec3 turn_local_between(const Vec4& from, const Vec4& to) {
 
 Vec4 p_dot_of_omega_global(const Vec4& p, const Vec3& omega_global) {
     return 0.5 * G_of(p).transpose() * omega_global;
-}
-
-Vec4 p_dot_of_omega_local(const Vec4& p, const Vec3& omega_local) {
-    return 0.5 * L_of(p).transpose() * omega_local;
 }
 
 Vec3 omega_global_of(const Vec4& p, const Vec4& p_dot) { return 2.0 * G_of(p) * p_dot; }

@@ -25,6 +25,7 @@ struct Options {
     std::vector<std::string> scenes;
     std::vector<std::string> methods;
     std::string treatment = "projection";
+    std::string coordinates;
     std::string output = "table";
     std::string picture;
     bool hard = false;
@@ -52,6 +53,9 @@ BenchPlan plan_of(const Options& options) {
         plan.methods.push_back(std::ranges::find(kMethods, name, &MethodName::name)->method);
     }
     plan.treatment = std::ranges::find(kTreatments, options.treatment, &TreatmentName::name)->treatment;
+    for (const FormulationName& entry : kFormulations) {
+        if (options.coordinates == entry.name) { plan.formulation = entry.formulation; }
+    }
     return plan;
 }
 
@@ -216,6 +220,15 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::Option* treatment = command->add_option("--treatment", options->treatment, "of the constraints")
                                  ->check(CLI::IsMember(treatments))
                                  ->type_name("NAME");
+    std::vector<std::string> formulations;
+    for (const FormulationName& entry : kFormulations) { formulations.emplace_back(entry.name); }
+    CLI::Option* coordinates =
+        command
+            ->add_option(
+                "--coordinates", options->coordinates,
+                "of explicit methods: joints or bodies; default: joints where they pay")
+            ->check(CLI::IsMember(formulations))
+            ->type_name("NAME");
     CLI::Option* picture =
         command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
             ->type_name("FILE");
@@ -226,7 +239,9 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::Option* hard = command->add_flag(
         "--hard", options->hard,
         "instead: the hard cases of kinematics and dynamics; SCENE then names some of them");
-    for (CLI::Option* other : {kinematics, hard}) { other->excludes(method, treatment, picture); }
+    for (CLI::Option* other : {kinematics, hard}) {
+        other->excludes(method, treatment, coordinates, picture);
+    }
     hard->excludes(kinematics);
     command->add_option("--output", options->output, "table, csv, json; markdown with --hard")
         ->check(CLI::IsMember({"table", "csv", "json", "markdown"}))

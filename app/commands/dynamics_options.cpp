@@ -19,6 +19,12 @@ std::vector<std::string> names_of(const Table& table) {
     return names;
 }
 
+std::vector<std::string> coordinate_names() {
+    std::vector<std::string> names = names_of(kFormulations);
+    names.insert(names.end(), kChoices.begin(), kChoices.end());
+    return names;
+}
+
 double positive(double value, const std::string& option) {
     if (std::isfinite(value) && value > 0.0) { return value; }
     throw CommandError(
@@ -42,9 +48,9 @@ void add_dynamics_options(CLI::App& command, DynamicsOptions& options) {
     command
         .add_option(
             "--coordinates", options.coordinates,
-            "the slides' dense equations in rp, rp-modified, omega-local or omega-global; default: "
-            "block-sparse")
-        ->check(CLI::IsMember(std::vector<std::string>(kChoices.begin(), kChoices.end())))
+            "joints: of a tree of joints; bodies: r, p, ω' of every body, block-sparse; or the slides' dense "
+            "equations in rp, rp-modified, omega-local, omega-global; default: joints where they pay")
+        ->check(CLI::IsMember(coordinate_names()))
         ->type_name("NAME");
     command.add_option("--tolerance", options.tolerance, "error of a step, for adaptive methods")
         ->type_name("X");
@@ -59,7 +65,10 @@ void apply(const DynamicsOptions& options, SimulationSettings& settings) {
         settings.treatment =
             std::ranges::find(kTreatments, options.treatment, &TreatmentName::name)->treatment;
     }
-    if (!options.coordinates.empty()) {
+    const auto formulation = std::ranges::find(kFormulations, options.coordinates, &FormulationName::name);
+    if (formulation != kFormulations.end()) {
+        settings.formulation = formulation->formulation;
+    } else if (!options.coordinates.empty()) {
         const auto choice = std::ranges::find(kChoices, options.coordinates) - kChoices.begin();
         settings.dense = static_cast<CoordinateChoice>(choice);
     }

@@ -15,7 +15,7 @@ namespace jw {
 struct DynamicsOptions {
     std::string method;       ///< empty: the lesson's
     std::string treatment;    ///< empty: the lesson's
-    std::string coordinates;  ///< empty: block-sparse (r, ω')
+    std::string coordinates;  ///< empty: joints where they pay
     std::optional<double> tolerance;
     std::optional<double> step;
 };

@@ -3,6 +3,7 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "core/dynamics/explicit_integrator.hpp"
+#include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
 
@@ -50,7 +51,9 @@ private:
         options.tolerance = 1e-13;  // of the equations that implicit methods solve
         options.length_scale = extent(centroidal_.mechanism);
         if constexpr (std::is_same_v<Stepper, RadauIntegrator>) {
-            return Stepper(centroidal_, equations, table..., options, 0.0, start_);
+            return Stepper(
+                equations, std::make_unique<IndependentCoordinates>(centroidal_, equations), table...,
+                options, 0.0, start_);
         } else {
             return Stepper(equations, table..., options, 0.0, start_);
         }

@@ -219,6 +219,7 @@ std::vector<BenchRun> bench_dynamics(
             SimulationSettings settings;
             settings.method = method;
             settings.treatment = plan.treatment;
+            settings.formulation = plan.formulation;
             settings.tolerance = settings.step = setting;
             settings.most_steps = kMostSteps;
             run.points.push_back(bench_point(lesson, settings, reference, setting, plan.least_time));

@@ -78,6 +78,7 @@ struct BenchRun {
 struct BenchPlan {
     std::vector<Method> methods;  ///< empty: explicit-5, -8 and, with projection, implicit-5, -9
     Treatment treatment = Treatment::projection;
+    Formulation formulation = Formulation::automatic;
     double least_time = 0.02;  ///< runs are repeated until this much CPU time has passed [s]
 };
 

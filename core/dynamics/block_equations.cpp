@@ -5,12 +5,7 @@
 
 #include <Eigen/LU>
 
-// everything that a function calls compiled into it; with sanitizers that takes minutes and gigabytes
-#if defined(__SANITIZE_ADDRESS__)
-#define JW_FLATTEN
-#else
-#define JW_FLATTEN [[gnu::flatten]]
-#endif
+#include "core/dynamics/flatten.hpp"
 
 namespace jw {
 

@@ -55,6 +55,7 @@ public:
     double potential_energy(const double* y) const override;
     MatrixX free_motions(double t, const double* y) override;
     void refine(double* y_dot) override;
+    bool masses_are_apart() const override { return masses_apart_; }
     void set_driver(int driver, double f0, double f1) override;
     int rows() const override;
     int rows_left_out() const override;

@@ -32,11 +32,12 @@ public:
     /// `scene` must outlive this. Rows are chosen at its start pose.
     explicit DenseEquations(const Centroidal& scene, const Baumgarte& baumgarte = {});
 
-    int size() const override { return kNumbers * static_cast<int>(system_.moving_bodies().size()); }
-    int numbers_per_body() const override { return kNumbers; }
+    int size() const override { return kNumbers * bodies(); }
+    int bodies() const override { return static_cast<int>(system_.moving_bodies().size()); }
+    std::vector<NumberScale> scales() const override { return flat_scales(size(), kNumbers); }
     void to_flat(const double* y, double* flat) const override;
-    void rates_to_flat(const double* y, const double* y_dot, double* flat) const override;
     void from_flat(const double* flat, double* y) const override;
+    void derivatives(const double* y, const double* y_dot, double* out) const override;
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
     double project(double t, double* y) override;
     bool choose_rows(double t, const double* y) override;

@@ -34,7 +34,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     : equations_(&equations),
       table_(&table),
       options_(options),
-      scales_(options.length_scale, equations.numbers_per_body()),
+      scales_(options.length_scale, equations.scales()),
       t_(t),
       y_(std::move(y)),
       y_new_(y_.size()),

@@ -51,4 +51,42 @@ void displace(double* y, const double* six, std::size_t bodies) {
     }
 }
 
+std::vector<NumberScale> flat_scales(int size, int numbers_per_body) {
+    using Kind = NumberScale::Kind;
+    std::vector<NumberScale> out;
+    for (int k = 0; k < size; ++k) {
+        const int c = k % numbers_per_body;
+        const Kind kind = c < 3 ? Kind::way : (c < 7 ? Kind::turn : (c < 10 ? Kind::velocity : Kind::omega));
+        out.push_back({kind, 1.0});
+    }
+    return out;
+}
+
+void flat_derivatives(const double* y, const double* y_dot, int bodies, double* out) {
+    double* rates = out + kPositionsPerBody * bodies;
+    double* halves = rates + kPositionsPerBody * bodies;
+    for (int b = 0; b < bodies; ++b) {
+        std::copy_n(y, kPositionsPerBody, out);
+        std::copy_n(y_dot, kPositionsPerBody, rates);
+        vec3(halves) = 0.5 * vec3(y_dot + 7);
+        vec4(halves + 3) = 0.5 * p_ddot_of_omega_local(vec4(y + 3), vec3(y + 10), vec3(y_dot + 10));
+        y += kNumbersPerBody;
+        y_dot += kNumbersPerBody;
+        for (double** to : {&out, &rates, &halves}) { *to += kPositionsPerBody; }
+    }
+}
+
+void flat_state_of(const double* value, const double* rate, int bodies, double* y) {
+    for (int b = 0; b < bodies; ++b) {
+        const Vec4 p = vec4(value + 3).normalized();
+        vec3(y) = vec3(value);
+        vec4(y + 3) = p;
+        vec3(y + 7) = vec3(rate);
+        vec3(y + 10) = omega_local_of(p, vec4(rate + 3));
+        value += kPositionsPerBody;
+        rate += kPositionsPerBody;
+        y += kNumbersPerBody;
+    }
+}
+
 }  // namespace jw

@@ -10,6 +10,7 @@
 namespace jw {
 
 inline constexpr int kNumbersPerBody = 13;
+inline constexpr int kPositionsPerBody = 7;
 
 inline Eigen::Map<Vec3> vec3(double* numbers) { return Eigen::Map<Vec3>(numbers); }
 inline Eigen::Map<const Vec3> vec3(const double* numbers) { return Eigen::Map<const Vec3>(numbers); }
@@ -32,6 +33,21 @@ std::vector<double> flat_start(const Mechanism& mechanism);
 void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y);
 /// Back; bodies that do not move stay as they are.
 void unpack(const double* y, std::span<const int> moving, State& state, Motion& motion);
+
+/// What a number of y is, for those who compare errors.
+struct NumberScale {
+    enum class Kind { way, turn, velocity, omega };
+    Kind kind = Kind::way;
+    double weight = 1.0;  ///< so many times its size is what it moves
+};
+
+/// Bodies of r, p, ṙ and three or four numbers of turning.
+std::vector<NumberScale> flat_scales(int size, int numbers_per_body);
+
+/// r and p of all bodies, then their rates, then half their second derivatives.
+void flat_derivatives(const double* y, const double* y_dot, int bodies, double* out);
+/// Back, from values and rates; p need not be unit.
+void flat_state_of(const double* value, const double* rate, int bodies, double* y);
 
 /// y moved by six numbers per body: translation [m] and turn [rad, body frame]; velocities stay.
 void displace(double* y, const double* six, std::size_t bodies);

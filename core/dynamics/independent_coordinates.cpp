@@ -45,12 +45,19 @@ IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, Dri
     }
 }
 
-double IndependentCoordinates::scale_of(int coordinate, double length) const {
-    const Measure& measure = chosen_[at(coordinate)].measure;
-    const auto* of_body = std::get_if<CoordinateMeasure>(&measure);
-    const bool is_length = std::holds_alternative<DisplacementMeasure>(measure) ||
-                           (of_body != nullptr && of_body->coordinate < 3);
-    return is_length ? length : 1.0;
+VectorX IndependentCoordinates::sizes(const StateScales& scales) const {
+    const auto d = static_cast<Eigen::Index>(chosen_.size());
+    const double length = extent(scene_->mechanism);
+    VectorX out(2 * d);
+    for (Eigen::Index k = 0; k < d; ++k) {
+        const Measure& measure = chosen_[static_cast<std::size_t>(k)].measure;
+        const auto* of_body = std::get_if<CoordinateMeasure>(&measure);
+        const bool is_length = std::holds_alternative<DisplacementMeasure>(measure) ||
+                               (of_body != nullptr && of_body->coordinate < 3);
+        out(k) = is_length ? length : 1.0;
+    }
+    out.tail(d) = out.head(d) * scales.omega();
+    return out;
 }
 
 MeasureJet IndependentCoordinates::jet_at(const IndependentCoordinate& c, const double* y) const {

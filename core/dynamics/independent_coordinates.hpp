@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/dynamics/motion_equations.hpp"
+#include "core/dynamics/reduced_coordinates.hpp"
 #include "core/measure_jet.hpp"
 
 /// The motion in as many coordinates as there are freedoms: angles and displacements of joints, or
@@ -20,20 +20,21 @@ struct IndependentCoordinate {
 
 /// x = (z, ż) with z the independent coordinates; places a mechanism at given x and tells ẋ there.
 /// @source coordinate partitioning, book ch. 13
-class IndependentCoordinates {
+class IndependentCoordinates final : public ReducedCoordinates {
 public:
     /// `centroidal` and `equations` must outlive this.
     IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations);
 
     /// Chooses coordinates for the freedoms at y, joints first. @return x there
-    VectorX choose(double t, const double* y);
+    VectorX choose(double t, const double* y) override;
     /// Whether the choice still tells the freedoms apart where it was evaluated last.
-    bool is_sound() const;
+    bool is_sound() const override;
 
     /// Moves y, an estimate, to where the coordinates are x, and tells ẋ.
-    void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot);
-    /// Lengths are compared with `length`, everything else with 1.
-    double scale_of(int coordinate, double length) const;
+    void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override;
+    /// Lengths by the size of the scene, everything else by 1; their rates by the fastest motion so far
+    /// besides.
+    VectorX sizes(const StateScales& scales) const override;
 
 private:
     MeasureJet jet_at(const IndependentCoordinate& coordinate, const double* y) const;

@@ -25,6 +25,23 @@ enum class Treatment {
     tangent,     ///< coordinates of the tangent space: nothing to stabilise
 };
 
+/// The numbers that are integrated.
+enum class Formulation {
+    automatic,  ///< joint coordinates for adaptive explicit methods with projection, where they pay
+    bodies,  ///< r, p, ṙ, ω' of every body, block-sparse: all that the slides speak of is there to be seen
+    joints,  ///< coordinates of a tree of joints
+};
+
+struct FormulationName {
+    Formulation formulation;
+    std::string_view name;
+};
+
+inline constexpr std::array kFormulations{
+    FormulationName{Formulation::joints, "joints"},
+    FormulationName{Formulation::bodies, "bodies"},
+};
+
 /// What a method is made of: it says which equations and treatments go with it.
 enum class MethodKind { runge_kutta, semi_implicit, radau };
 

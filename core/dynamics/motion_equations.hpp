@@ -37,14 +37,26 @@ public:
     MotionEquations& operator=(const MotionEquations&) = delete;
 
     virtual int size() const = 0;
-    /// Of one moving body in y: r, p, ṙ and the angular velocity of the choice.
-    virtual int numbers_per_body() const { return kNumbersPerBody; }
-    /// y and ẏ in the numbers of flat_state.hpp, and back; the same unless a coordinate choice has others.
+    /// That move.
+    virtual int bodies() const { return size() / kNumbersPerBody; }
+    /// Of every number of y.
+    virtual std::vector<NumberScale> scales() const { return flat_scales(size(), kNumbersPerBody); }
+    /// y in the numbers of flat_state.hpp, and back; the same unless a coordinate choice has others.
     virtual void to_flat(const double* y, double* flat) const { std::copy_n(y, size(), flat); }
-    virtual void rates_to_flat(const double* /*y*/, const double* y_dot, double* flat) const {
-        std::copy_n(y_dot, size(), flat);
-    }
     virtual void from_flat(const double* flat, double* y) const { std::copy_n(flat, size(), y); }
+
+    /// What can be interpolated between states: numbers of positions, r and p of every body unless a
+    /// coordinate choice has others.
+    virtual int interpolated() const { return kPositionsPerBody * bodies(); }
+    /// All of them, then their rates, then half their second derivatives.
+    virtual void derivatives(const double* y, const double* y_dot, double* out) const {
+        flat_derivatives(y, y_dot, bodies(), out);
+    }
+    /// The flat state that has these numbers and rates.
+    virtual void flat_of(const double* value, const double* rate, double* flat) const {
+        flat_state_of(value, rate, bodies(), flat);
+    }
+
     /// ẏ at y, with the rows kept now.
     virtual RowsVerdict evaluate(double t, const double* y, double* y_dot) = 0;
     /// Moves y to the nearest state (in the metric of M) that satisfies the constraints and their rates, p
@@ -76,6 +88,9 @@ public:
     /// Accelerations of the last `evaluate` once more, from what they leave of Φq q̈ = γ: twice the digits
     /// near singular positions.
     virtual void refine(double* y_dot) = 0;
+    /// Light bodies carry heavy ones, so that digits would be lost in Φq M⁻¹ Φqᵀ; known from `choose_rows`
+    /// on.
+    virtual bool masses_are_apart() const = 0;
     /// The function of a driver of the mechanism becomes f0 + f1 t.
     virtual void set_driver(int driver, double f0, double f1) = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -85,16 +86,16 @@ RadauTable radau_table(int stages) {
 }
 
 RadauIntegrator::RadauIntegrator(
-    const Centroidal& scene, DrivableEquations& equations, int stages, const IntegrationOptions& options,
-    double t, std::vector<double> y)
+    MotionEquations& equations, std::unique_ptr<ReducedCoordinates> coordinates, int stages,
+    const IntegrationOptions& options, double t, std::vector<double> y)
     : equations_(&equations),
       table_(radau_table(stages)),
       options_(options),
-      scales_(options.length_scale, equations.numbers_per_body()),
+      scales_(options.length_scale, equations.scales()),
       t_(t),
       y_(std::move(y)),
       y_dot_(y_.size()),
-      coordinates_(scene, equations) {
+      coordinates_(std::move(coordinates)) {
     equations_->choose_rows(t_, y_.data());
     equations_->project(t_, y_.data());
     equations_->evaluate(t_, y_.data(), y_dot_.data());
@@ -111,23 +112,13 @@ RadauIntegrator::RadauIntegrator(
 
 /// What was known of the last step in other coordinates is of no use any more.
 void RadauIntegrator::choose_coordinates() {
-    x_ = coordinates_.choose(t_, y_.data());
+    x_ = coordinates_->choose(t_, y_.data());
     x_dot_ = VectorX::Zero(x_.size());
-    coordinates_.evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
-    measure_coordinates();
+    coordinates_->evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
+    x_scale_ = coordinates_->sizes(scales_);
     x_stages_ = x_rates_ = MatrixX::Zero(x_.size(), table_.c.size());
     step_before_ = 0.0;
     reduced_.resize(0, 0);
-}
-
-/// Lengths by the size of the scene, everything else by 1; their rates by the fastest motion so far besides.
-void RadauIntegrator::measure_coordinates() {
-    const Eigen::Index d = x_.size() / 2;
-    x_scale_.resize(2 * d);
-    for (Eigen::Index k = 0; k < d; ++k) {
-        x_scale_(k) = coordinates_.scale_of(static_cast<int>(k), options_.length_scale);
-    }
-    x_scale_.tail(d) = x_scale_.head(d) * scales_.of(10);
 }
 
 bool RadauIntegrator::jacobian_is_stale() const {
@@ -147,7 +138,7 @@ void RadauIntegrator::renew_jacobian() {
         moved = x_;
         moved(k) += step;
         y = Eigen::Map<const VectorX>(y_.data(), y.size());
-        coordinates_.evaluate(t_, moved, y.data(), y_rate_.data(), rate);
+        coordinates_->evaluate(t_, moved, y.data(), y_rate_.data(), rate);
         reduced_.col(k) = (rate - x_dot_) / step;
     }
     counts_.evaluations += n;
@@ -204,7 +195,7 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     double last = 0.0;
     for (end.iterations = 1; end.iterations <= kMostIterations; ++end.iterations) {
         for (Eigen::Index i = 0; i < stages; ++i) {
-            coordinates_.evaluate(
+            coordinates_->evaluate(
                 t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rate_.data(),
                 x_rates_.col(i));
         }
@@ -245,7 +236,7 @@ double RadauIntegrator::error_of(double h, bool doubtful) {
     // what stiff parts of the first estimate exaggerate is damped by a second one
     VectorX y = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
     VectorX rate(x_.size());
-    coordinates_.evaluate(t_, x_ + error, y.data(), y_rate_.data(), rate);
+    coordinates_->evaluate(t_, x_ + error, y.data(), y_rate_.data(), rate);
     ++counts_.evaluations;
     return norm(filtered(rate));
 }
@@ -260,12 +251,12 @@ void RadauIntegrator::accept(double h, double t) {
     t_ = t;
     x_ = x_stages_.col(stages - 1);
     std::copy_n(y_stages_.col(stages - 1).data(), y_.size(), y_.data());
-    coordinates_.evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
+    coordinates_->evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
     ++counts_.evaluations;
     ++counts_.steps;
     scales_.include(y_, y_dot_, 0.0);
-    measure_coordinates();
-    if (!coordinates_.is_sound()) { choose_coordinates(); }
+    x_scale_ = coordinates_->sizes(scales_);
+    if (!coordinates_->is_sound()) { choose_coordinates(); }
 }
 
 bool RadauIntegrator::step(double t_end) {

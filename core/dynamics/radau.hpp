@@ -1,11 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/LU>
 
-#include "core/dynamics/independent_coordinates.hpp"
-#include "core/dynamics/time_stepper.hpp"
+#include "core/dynamics/reduced_coordinates.hpp"
 
 /// Radau IIA: implicit Runge-Kutta methods of order 2 s - 1 for stiff scenes.
 namespace jw {
@@ -20,14 +20,13 @@ struct RadauTable {
 /// @param stages odd: 3 for order 5, 5 for order 9
 RadauTable radau_table(int stages);
 
-/// Collocation in independent coordinates x = (z, ż): 2 s d unknowns for d freedoms, whatever the number of
-/// bodies.
+/// Collocation in reduced coordinates x: s times as many unknowns as these, whatever the number of bodies.
 class RadauIntegrator final : public TimeStepper {
 public:
-    /// `scene` and `equations` must outlive this; `y` is projected first.
+    /// `equations` must outlive this; `y` is projected first.
     RadauIntegrator(
-        const Centroidal& scene, DrivableEquations& equations, int stages, const IntegrationOptions& options,
-        double t, std::vector<double> y);
+        MotionEquations& equations, std::unique_ptr<ReducedCoordinates> coordinates, int stages,
+        const IntegrationOptions& options, double t, std::vector<double> y);
 
     bool step(double t_end) override;
     double t() const override { return t_; }
@@ -45,7 +44,6 @@ private:
     };
 
     void choose_coordinates();
-    void measure_coordinates();
     bool jacobian_is_stale() const;
     void renew_jacobian();
     void factor(double h);
@@ -58,7 +56,7 @@ private:
     /// Of the start and the stages of the last step in a point `tau` of it, by their polynomial.
     VectorX weights(double tau) const;
 
-    DrivableEquations* equations_;
+    MotionEquations* equations_;
     RadauTable table_;
     IntegrationOptions options_;
     IntegrationCounts counts_;
@@ -67,7 +65,7 @@ private:
     double h_ = 0.0;  ///< to try next [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;
-    IndependentCoordinates coordinates_;
+    std::unique_ptr<ReducedCoordinates> coordinates_;
     VectorX x_;
     VectorX x_dot_;
     VectorX x_scale_;

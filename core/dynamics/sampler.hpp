@@ -11,9 +11,10 @@
 /// The state at asked times, between the steps of an integrator.
 namespace jw {
 
-/// Polynomials of degree 11 through four ends of steps: r, p and their two derivatives are known there, so
-/// that no evaluation is needed. The error, (step)¹², is below that of the methods. Methods with a polynomial
-/// of their own (stiff ones, whose accelerations are less exact than their positions) give it instead.
+/// Polynomials of degree 11 through four ends of steps: positions and their two derivatives are known there,
+/// so that no evaluation is needed. The error, (step)¹², is below that of the methods. Methods with a
+/// polynomial of their own (stiff ones, whose accelerations are less exact than their positions) give it
+/// instead.
 class Sampler {
 public:
     using Receive = std::function<void(double t, const std::vector<double>& y)>;
@@ -30,23 +31,10 @@ public:
 
 private:
     static constexpr std::size_t kNodes = 4;
+    /// Values, rates and half the second derivatives side by side.
     struct Node {
         double t = 0.0;
-        std::vector<double> y;
-        std::vector<double> y_dot;
-    };
-    /// One body between the nodes: Newton's form of Hermite's polynomial for r and p.
-    class Polynomial {
-    public:
-        using Numbers = Eigen::Matrix<double, 7, 1>;
-        /// `body`: where its numbers begin in the flat states.
-        void fit(std::span<const Node> nodes, std::size_t body);
-        std::pair<Numbers, Numbers> value_and_rate(double t) const;
-
-    private:
-        std::size_t size_ = 0;
-        std::array<double, 3 * kNodes> x_{};  ///< every node three times
-        std::array<Numbers, 3 * kNodes> coefficients_;
+        Eigen::ArrayX3d known;
     };
 
     void give_until(double t_end);
@@ -58,10 +46,15 @@ private:
     Receive receive_;
     std::size_t next_ = 0;
     std::array<Node, kNodes> nodes_;
-    std::size_t known_ = 0;                ///< nodes that are set, the latest last
-    std::vector<Polynomial> polynomials_;  ///< one per moving body
-    bool fitted_ = false;                  ///< to the nodes of now
-    std::vector<double> y_;
+    std::size_t known_ = 0;  ///< nodes that are set, the latest last
+    // Newton's form of Hermite's polynomial: every node three times
+    std::array<double, 3 * kNodes> x_{};
+    Eigen::ArrayXXd coefficients_;
+    Eigen::ArrayXXd differences_;
+    Eigen::ArrayX2d value_and_rate_;
+    bool fitted_ = false;    ///< to the nodes of now
+    std::vector<double> y_;  ///< between steps, by a method's own polynomial
+    std::vector<double> flat_;
 };
 
 }  // namespace jw

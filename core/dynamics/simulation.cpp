@@ -6,8 +6,10 @@
 
 #include "core/dynamics/dense_equations.hpp"
 #include "core/dynamics/explicit_integrator.hpp"
+#include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
+#include "core/dynamics/tree_equations.hpp"
 
 namespace jw {
 
@@ -21,6 +23,15 @@ void require(const SimulationSettings& settings) {
     if (!unfit.empty()) { throw std::invalid_argument(std::string(unfit)); }
     if (settings.dense && method.kind != MethodKind::runge_kutta) {
         throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
+    }
+    if (settings.formulation != Formulation::joints) { return; }
+    if (method.kind == MethodKind::semi_implicit) {
+        throw std::invalid_argument(
+            "the semi-implicit method moves bodies; expected another method, or bodies");
+    }
+    if (settings.treatment == Treatment::none || settings.treatment == Treatment::baumgarte) {
+        throw std::invalid_argument(
+            "in joint coordinates only the loops can drift; expected treatment projection");
     }
     if (method.adaptive && !(settings.tolerance > 0.0)) {
         throw std::invalid_argument("the tolerance must be positive");
@@ -45,6 +56,19 @@ std::string name_of(const System& system, int row) {
     return mechanism.joints[at(system.constraints()[index].joint)].name;
 }
 
+/// Where fixed steps and drifts are to be seen, bodies are integrated; with a tolerance only the result
+/// counts.
+bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
+    if (settings.formulation != Formulation::automatic) {
+        return settings.formulation == Formulation::joints;
+    }
+    const bool kept = settings.treatment == Treatment::projection || settings.treatment == Treatment::tangent;
+    return entry_of(settings.method).adaptive && kept && !masses_are_apart;
+}
+
+/// Rows of loops are chosen by comparing each with all others.
+constexpr int kMostLoopRows = 300;
+
 Baumgarte stabilisation(const SimulationSettings& settings) {
     if (settings.treatment != Treatment::baumgarte) { return {}; }
     return {settings.baumgarte, settings.baumgarte};
@@ -56,19 +80,44 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     : scene_(centroidal(mechanism, loads)), settings_(settings) {
     require(settings);
     block_ = block_equations(scene_, stabilisation(settings));
-    if (settings.dense) { dense_ = dense_equations(scene_, *settings.dense, stabilisation(settings)); }
     moving_ = moving_bodies_of(mechanism);
     order_of_body_.assign(mechanism.bodies.size(), -1);
     for (std::size_t m = 0; m < moving_.size(); ++m) { order_of_body_[at(moving_[m])] = static_cast<int>(m); }
     start_ = flat_start(scene_.mechanism);
     block_->choose_rows(0.0, start_.data());
+    const std::vector<double> as_given = start_;
     block_->project(0.0, start_.data());
-    look_for_contradiction();
+    look_for_contradiction(as_given);
+    if (settings.dense) {
+        other_ = dense_equations(scene_, *settings.dense, stabilisation(settings));
+    } else if (joints_may_pay(settings, block_->masses_are_apart())) {
+        take_joints();
+    }
 }
 
-void Simulation::look_for_contradiction() {
-    const double violation = block_->violation(0.0, start_.data()).first;
+/// Implicit methods take them where no loop is left to be closed: independent coordinates are better at that.
+void Simulation::take_joints() {
+    auto tree = std::make_unique<TreeEquations>(scene_, start_);
+    const bool wanted = settings_.formulation == Formulation::joints;
+    const bool is_implicit = entry_of(settings_.method).kind == MethodKind::radau;
+    if (wanted && is_implicit && tree->rows() > 0) {
+        throw std::invalid_argument(
+            "implicit methods take joint coordinates only where there are no loops and no drivers; expected "
+            "an "
+            "explicit method, or bodies");
+    }
+    if (wanted || tree->rows() <= (is_implicit ? 0 : kMostLoopRows)) { other_ = std::move(tree); }
+}
+
+void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
+    double violation = block_->violation(0.0, start_.data()).first;
     if (violation <= kRepeatsUpTo) { return; }
+    // a way back onto equations that nothing satisfies may end anywhere: then the start as it was says more
+    const double before = block_->violation(0.0, as_given.data()).first;
+    if (before < violation) {
+        violation = before;
+        start_ = as_given;
+    }
     const System system(scene_.mechanism, everything(scene_.mechanism));
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(unpacked(start_).first, 0.0);
@@ -81,6 +130,12 @@ void Simulation::look_for_contradiction() {
         SimulationFailure{SimulationFailure::Cause::contradiction, 0.0, name_of(system, worst), violation};
 }
 
+std::vector<double> Simulation::integrated_start() const {
+    std::vector<double> y(at(integrated().size()));
+    integrated().from_flat(start_.data(), y.data());
+    return y;
+}
+
 std::unique_ptr<TimeStepper> Simulation::stepper() const {
     IntegrationOptions options;
     options.tolerance = settings_.tolerance;
@@ -89,10 +144,17 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
         settings_.treatment == Treatment::projection || settings_.treatment == Treatment::tangent;
     if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
     const auto explicit_one = [&](const RungeKuttaTable& table) {
-        MotionEquations& equations = dense_ ? *dense_ : *block_;
-        std::vector<double> y(static_cast<std::size_t>(equations.size()));
-        equations.from_flat(start_.data(), y.data());
-        return std::make_unique<ExplicitIntegrator>(equations, table, options, 0.0, std::move(y));
+        return std::make_unique<ExplicitIntegrator>(integrated(), table, options, 0.0, integrated_start());
+    };
+    const auto implicit_one = [&](int stages) {
+        std::unique_ptr<ReducedCoordinates> coordinates;
+        if (other_) {
+            coordinates = std::make_unique<FreeCoordinates>(*other_);
+        } else {
+            coordinates = std::make_unique<IndependentCoordinates>(scene_, *block_);
+        }
+        return std::make_unique<RadauIntegrator>(
+            integrated(), std::move(coordinates), stages, options, 0.0, integrated_start());
     };
     switch (settings_.method) {
         case Method::euler: return explicit_one(explicit_euler());
@@ -100,17 +162,16 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
         case Method::explicit_5: return explicit_one(dormand_prince_54());
         case Method::explicit_8: return explicit_one(dormand_prince_853());
         case Method::semi_implicit: return std::make_unique<SemiImplicitEuler>(*block_, options, 0.0, start_);
-        case Method::implicit_5:
-            return std::make_unique<RadauIntegrator>(scene_, *block_, 3, options, 0.0, start_);
+        case Method::implicit_5: return implicit_one(3);
         case Method::implicit_9: break;
     }
-    return std::make_unique<RadauIntegrator>(scene_, *block_, 5, options, 0.0, start_);
+    return implicit_one(5);
 }
 
 SimulationOutcome Simulation::run(const std::vector<double>& times, const Sampler::Receive& receive) {
     if (contradiction_) { return {{}, contradiction_}; }
     const std::unique_ptr<TimeStepper> integration = stepper();
-    Sampler sampler(dense_ ? *dense_ : *block_, times, receive);
+    Sampler sampler(integrated(), times, receive);
     sampler.take(*integration);
     const double end = times.empty() ? 0.0 : times.back();
     SimulationOutcome outcome;

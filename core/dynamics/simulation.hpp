@@ -19,8 +19,9 @@ struct SimulationSettings {
     double step = 1e-3;       ///< of the others [s]
     long most_steps = 10'000'000;
     double baumgarte = 20.0;  ///< α = β of Baumgarte's stabilisation [1/s]
-    /// Set: the dense equations of the slides in these coordinates, for explicit Runge-Kutta methods; else
-    /// the block-sparse ones in (r, ω').
+    /// What is integrated; the semi-implicit method moves bodies.
+    Formulation formulation = Formulation::automatic;
+    /// Set: the dense equations of the slides in these coordinates instead.
     std::optional<CoordinateChoice> dense;
 };
 
@@ -76,10 +77,14 @@ public:
     const Centroidal& scene() const { return scene_; }
     /// Block-sparse, in flat states, whatever the simulation itself uses.
     MotionEquations& equations() const { return *block_; }
+    /// What explicit methods integrate, and their start.
+    MotionEquations& integrated() const { return other_ ? *other_ : *block_; }
+    std::vector<double> integrated_start() const;
 
 private:
     std::unique_ptr<TimeStepper> stepper() const;
-    void look_for_contradiction();
+    void take_joints();
+    void look_for_contradiction(const std::vector<double>& as_given);
     /// State and motion of the centroidal frames.
     std::pair<State, Motion> unpacked(const std::vector<double>& y) const;
 
@@ -88,7 +93,7 @@ private:
     std::vector<int> moving_;
     std::vector<int> order_of_body_;
     std::unique_ptr<DrivableEquations> block_;
-    std::unique_ptr<MotionEquations> dense_;  ///< null unless asked for
+    std::unique_ptr<MotionEquations> other_;  ///< what is integrated where it is not `block_`
     std::vector<double> start_;               ///< flat
     std::optional<SimulationFailure> contradiction_;
 };

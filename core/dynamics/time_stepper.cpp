@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace jw {
+
+using Kind = NumberScale::Kind;
 
 StepAhead::StepAhead(double t, double t_end, double wanted) {
     const double left = t_end - t;
@@ -13,28 +16,48 @@ StepAhead::StepAhead(double t, double t_end, double wanted) {
     end = last ? t_end : t + h;
 }
 
-/// Largest of the numbers c in [from, to) of all bodies.
-double StateScales::largest(const std::vector<double>& y, std::size_t from, std::size_t to) const {
+StateScales::StateScales(double length, std::vector<NumberScale> numbers)
+    : length_(length), numbers_(std::move(numbers)), scale_(numbers_.size(), 1.0) {}
+
+/// Largest of the numbers of a kind, by what they move.
+double StateScales::largest(const std::vector<double>& y, NumberScale::Kind kind) const {
     double most = 0.0;
-    for (std::size_t k = 0; k < y.size(); k += numbers_) {
-        for (std::size_t c = from; c < to; ++c) { most = std::max(most, std::abs(y[k + c])); }
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        if (numbers_[k].kind == kind) { most = std::max(most, numbers_[k].weight * std::abs(y[k])); }
     }
     return most;
 }
 
 void StateScales::include(const std::vector<double>& y, const std::vector<double>& y_dot, double step) {
     // from rest the speed reached within a step counts
-    velocity_ = std::max({velocity_, largest(y, 7, 10), 0.5 * step * largest(y_dot, 7, 10)});
-    omega_ = std::max({omega_, largest(y, 10, numbers_), 0.5 * step * largest(y_dot, 10, numbers_)});
+    const auto speed = [&](Kind kind) {
+        return std::max(largest(y, kind), 0.5 * step * largest(y_dot, kind));
+    };
+    velocity_ = std::max(velocity_, speed(Kind::velocity));
+    omega_ = std::max(omega_, speed(Kind::omega));
     // what only turns is compared with the speed of points one length away, and the other way round
     constexpr double still = 1e-300;  // of a scene where nothing moves and nothing will
     velocity_ = std::max({velocity_, omega_ * length_, still});
     omega_ = std::max(omega_, velocity_ / length_);
+    for (std::size_t k = 0; k < scale_.size(); ++k) {
+        scale_[k] = size_of(numbers_[k].kind) / numbers_[k].weight;
+    }
+}
+
+double StateScales::size_of(Kind kind) const {
+    switch (kind) {
+        case Kind::way: return length_;
+        case Kind::turn: return 1.0;
+        case Kind::velocity: return velocity_;
+        case Kind::omega: break;
+    }
+    return omega_;
 }
 
 double StateScales::first_step(const std::vector<double>& y_dot, double tolerance, int order) const {
     constexpr double slowest = 1e-3;  // [1/s], of a scene at rest without forces
-    const double acceleration = std::max(largest(y_dot, 7, 10) / length_, largest(y_dot, 10, numbers_));
+    const double acceleration =
+        std::max(largest(y_dot, Kind::velocity) / length_, largest(y_dot, Kind::omega));
     const double rate = std::max({slowest, velocity_ / length_, omega_, std::sqrt(acceleration)});
     return 0.5 * std::pow(tolerance, 1.0 / order) / rate;
 }

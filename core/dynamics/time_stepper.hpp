@@ -37,22 +37,21 @@ struct StepAhead {
 /// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
 class StateScales {
 public:
-    /// @param numbers per body
-    StateScales(double length, int numbers) : length_(length), numbers_(static_cast<std::size_t>(numbers)) {}
+    StateScales(double length, std::vector<NumberScale> numbers);
     void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
-    /// Of the k-th number of the flat state.
-    double of(std::size_t k) const {
-        const std::size_t c = k % numbers_;
-        return c < 3 ? length_ : (c < 7 ? 1.0 : (c < 10 ? velocity_ : omega_));
-    }
+    /// Of the k-th number of y.
+    double of(std::size_t k) const { return scale_[k]; }
+    double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
 private:
-    double largest(const std::vector<double>& y, std::size_t from, std::size_t to) const;
+    double largest(const std::vector<double>& y, NumberScale::Kind kind) const;
+    double size_of(NumberScale::Kind kind) const;
 
     double length_;
-    std::size_t numbers_;
+    std::vector<NumberScale> numbers_;
+    std::vector<double> scale_;
     double velocity_ = 0.0;
     double omega_ = 0.0;
 };

@@ -77,12 +77,19 @@ TEST_CASE("Implicit methods agree with explicit ones on a scene that is not stif
 
 TEST_CASE("Rows of four-bars pass their singular positions on their branch", "[dynamics]") {
     for (const int n : {1, 4, 16}) {
-        const End end = end_of(test::n_four_bar(n), settings_with(Method::explicit_8, 1e-10));
-        REQUIRE_FALSE(end.outcome.failure);
-        CHECK(end.outcome.counts.singular_passages > 0);
-        // 16 passages, each free to lose a digit; the wrong branch would be metres away
-        CHECK(end.error < 5e-8);
-        CHECK(end.outcome.counts.steps < 400);
+        for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
+            CAPTURE(n, formulation == Formulation::joints);
+            // joint coordinates take fewer steps for a tolerance, and less exact ones
+            const double tolerance = formulation == Formulation::joints ? 1e-11 : 1e-10;
+            SimulationSettings settings = settings_with(Method::explicit_8, tolerance);
+            settings.formulation = formulation;
+            const End end = end_of(test::n_four_bar(n), settings);
+            REQUIRE_FALSE(end.outcome.failure);
+            CHECK(end.outcome.counts.singular_passages > 0);
+            // 16 passages, each free to lose a digit; the wrong branch would be metres away
+            CHECK(end.error < 5e-8);
+            CHECK(end.outcome.counts.steps < 400);
+        }
     }
 }
 
@@ -131,6 +138,36 @@ TEST_CASE(
         settings.dense = choice;
         CHECK(end_of(test::chain(test::ChainJoint::spherical, 4), settings).error < 1e-7);
     }
+}
+
+TEST_CASE(
+    "Joints and bodies as coordinates lead to the same end, through loops and redundant rows", "[dynamics]") {
+    for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
+        SimulationSettings settings = settings_with(Method::explicit_8, 1e-10);
+        settings.formulation = formulation;
+        CAPTURE(formulation == Formulation::joints);
+        // a hundred times the tolerance, for what grows on the way; 12 digits of the references are trusted
+        CHECK(end_of(test::andrews_mechanism(), settings).error < 1e-8);
+        CHECK(end_of(test::falling_bricard(), settings).error < 1e-8);
+        CHECK(end_of(test::chain(test::ChainJoint::revolute, 4), settings).error < 1e-8);
+        CHECK(end_of(test::chain(test::ChainJoint::spherical, 4), settings).error < 1e-8);
+    }
+}
+
+TEST_CASE(
+    "Implicit methods take joint coordinates where no loop is left, and end where others do",
+    "[dynamics][radau]") {
+    for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
+        SimulationSettings settings = settings_with(Method::implicit_9, 1e-8);
+        settings.formulation = formulation;
+        CAPTURE(formulation == Formulation::joints);
+        CHECK(end_of(test::flyball_governor(), settings).error < 1e-8);
+        CHECK(end_of(test::chain(test::ChainJoint::spherical, 4), settings).error < 1e-6);
+    }
+    SimulationSettings settings = settings_with(Method::implicit_9, 1e-8);
+    settings.formulation = Formulation::joints;
+    const Lesson loop = test::andrews_mechanism();
+    CHECK_THROWS_AS(Simulation(loop.mechanism, loop.dynamics->loads, settings), std::invalid_argument);
 }
 
 TEST_CASE("A body that only turns, or only flies, is no division by zero", "[dynamics]") {

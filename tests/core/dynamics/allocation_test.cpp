@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/dynamics/tree_equations.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
@@ -28,5 +29,32 @@ TEST_CASE(
         CHECK(test::allocations() == before);
         CHECK(equations->kinetic_energy(y.data()) > 0.0);
         CHECK(equations->violation(0.0, y.data()).first < 1e-10);
+    }
+}
+
+TEST_CASE(
+    "An evaluation in joint coordinates allocates nothing, nor does a projection", "[core][allocation]") {
+    test::Random random(2);
+    for (const Mechanism& mechanism :
+         {test::random_tree(random), test::driven(test::four_bar_at(0.7), 0, 1.0), test::bricard(1.2),
+          test::screw(0.7, 0.25, ScrewAngleForm::rotation)}) {
+        const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
+        const test::Moment moment = test::random_moment(random, scene, 0.0, 0.02);
+        const std::vector<int> moving = moving_bodies_of(mechanism);
+        std::vector<double> flat(kNumbersPerBody * moving.size());
+        pack(moment.state, moment.motion, moving, flat.data());
+        TreeEquations tree(scene, flat);
+        std::vector<double> y(static_cast<std::size_t>(tree.size()));
+        std::vector<double> y_dot(y.size());
+        tree.from_flat(flat.data(), y.data());
+        tree.choose_rows(0.0, y.data());
+
+        const long before = test::allocations();
+        tree.evaluate(0.0, y.data(), y_dot.data());
+        y.front() += 1e-3;
+        tree.project(0.0, y.data());
+        tree.to_flat(y.data(), flat.data());
+        CHECK(test::allocations() == before);
+        CHECK(tree.violation(0.0, y.data()).first < 1e-12);
     }
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// Symmetric matrices whose rows begin late: of every row the numbers from its first nonzero one to the
+/// diagonal are stored, and no others ever become nonzero in L D Lᵀ. For rows of loops that know their
+/// neighbours only.
+namespace jw {
+
+class EnvelopeMatrix {
+public:
+    EnvelopeMatrix() = default;
+    /// @param first of every row the column of its first nonzero number
+    explicit EnvelopeMatrix(std::vector<int> first);
+
+    int rows() const { return static_cast<int>(first_.size()); }
+    int first(int row) const { return first_[static_cast<std::size_t>(row)]; }
+    /// `column` lies between the row's first one and the diagonal.
+    double& operator()(int row, int column) { return numbers_[index(row, column)]; }
+    double operator()(int row, int column) const { return numbers_[index(row, column)]; }
+    std::size_t index(int row, int column) const {
+        return start_[static_cast<std::size_t>(row)] + static_cast<std::size_t>(column - first(row));
+    }
+    std::span<double> numbers() { return numbers_; }
+
+    /// L, its unit diagonal replaced by D, takes the matrix's place.
+    void factor();
+    /// x = (L D Lᵀ)⁻¹ x
+    void solve(double* x) const;
+
+private:
+    std::vector<int> first_;
+    std::vector<std::size_t> start_;
+    std::vector<double> numbers_;
+};
+
+}  // namespace jw

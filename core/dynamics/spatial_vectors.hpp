@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/linear.hpp"
+
+/// Forces with torques, velocities with ω, and inertias that join them: six numbers at a point, along the
+/// global axes.
+namespace jw {
+
+/// [f; n] = [M H; Hᵀ J] [v̇; ω̇], at a point, global axes.
+struct Inertia6 {
+    Mat3 M = Mat3::Zero();
+    Mat3 H = Mat3::Zero();
+    Mat3 J = Mat3::Zero();
+};
+
+/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes.
+struct Six {
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+};
+
+/// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those
+/// there. H - M ã and J + ã H - (ã H - ã M ã)ᵀ, ã being vectors' products: vᵀ ã = (v x a)ᵀ.
+inline Inertia6 at_root_of(const Inertia6& inertia, const Vec3& arm) {
+    Inertia6 out;
+    out.M = inertia.M;
+    Mat3 turned;       // ã H of the result, column by column
+    Mat3 turned_back;  // ã H
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 row = inertia.M.col(k);  // M is symmetric
+        out.H.row(k) = inertia.H.row(k) - row.cross(arm).transpose();
+    }
+    for (int k = 0; k < 3; ++k) {
+        turned.col(k) = arm.cross(out.H.col(k));
+        turned_back.col(k) = arm.cross(inertia.H.col(k));
+    }
+    out.J = inertia.J + turned + turned_back.transpose();
+    return out;
+}
+
+/// The same for a wrench.
+inline Six at_root_of(const Six& wrench, const Vec3& arm) {
+    return {wrench.linear, wrench.angular + arm.cross(wrench.linear)};
+}
+
+/// Velocity or acceleration at the end of an arm; what turning adds to accelerations is not in it.
+inline Six at_end_of(const Six& motion, const Vec3& arm) {
+    return {motion.linear + motion.angular.cross(arm), motion.angular};
+}
+
+inline double dot(const Six& a, const Six& b) { return a.linear.dot(b.linear) + a.angular.dot(b.angular); }
+
+inline void add_scaled(Six& a, double factor, const Six& b) {
+    a.linear += factor * b.linear;
+    a.angular += factor * b.angular;
+}
+
+/// [M H; Hᵀ J] x
+inline Six times(const Inertia6& inertia, const Six& x) {
+    return {
+        inertia.M * x.linear + inertia.H * x.angular,
+        inertia.H.transpose() * x.linear + inertia.J * x.angular};
+}
+
+/// I - c cᵀ / d
+inline void subtract_square(Inertia6& inertia, const Six& c, const Six& c_by_d) {
+    inertia.M.noalias() -= c.linear * c_by_d.linear.transpose();
+    inertia.H.noalias() -= c.linear * c_by_d.angular.transpose();
+    inertia.J.noalias() -= c.angular * c_by_d.angular.transpose();
+}
+
+inline void add(Inertia6& a, const Inertia6& b) {
+    a.M += b.M;
+    a.H += b.H;
+    a.J += b.J;
+}
+
+}  // namespace jw

@@ -1,0 +1,175 @@
+#include "core/dynamics/tree_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+State start_of(const Mechanism& mechanism, const std::vector<double>& flat) {
+    State state = start_state(mechanism);
+    Motion ignored = start_motion(mechanism);
+    unpack(flat.data(), moving_bodies_of(mechanism), state, ignored);
+    return state;
+}
+
+/// The joints of the cuts, and the drivers.
+std::vector<Link> links_left_by(const JointTree& tree, const Mechanism& mechanism) {
+    std::vector<Link> links = links_of(mechanism);
+    std::erase_if(links, [&](const Link& link) {
+        const bool rigid = mechanism.bodies[at(link.body_i)].fixed && mechanism.bodies[at(link.body_j)].fixed;
+        return rigid || (link.joint >= 0 && tree.has_joint(link.joint));
+    });
+    return links;
+}
+
+/// All other equations say the same wherever their two bodies are together.
+bool asks_for_one_body(const LinkEquation& equation) {
+    const auto* driven = std::get_if<Driven>(&equation.primitive);
+    return driven != nullptr && std::holds_alternative<CoordinateMeasure>(driven->measure);
+}
+
+}  // namespace
+
+TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>& start)
+    : scene_(&scene),
+      extent_(extent(scene.mechanism)),
+      moving_(moving_bodies_of(scene.mechanism)),
+      tree_(scene, start_of(scene.mechanism, start)),
+      y_(at(size()), 0.0),
+      links_(links_left_by(joints(), scene.mechanism)),
+      bodies_(scene.mechanism.bodies.size()),
+      needs_motion_(bodies_.size(), false),
+      forces_(bodies_.size()) {
+    const auto mark = [&](const auto& both) {
+        needs_motion_[at(both.body_i)] = needs_motion_[at(both.body_j)] = true;
+    };
+    std::ranges::for_each(scene.loads.springs, mark);
+    std::ranges::for_each(scene.loads.rotational_springs, mark);
+    std::ranges::for_each(links_, mark);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = scene.mechanism.bodies[b];
+        bodies_[b].r = body.r;
+        bodies_[b].p = body.p;
+        bodies_[b].A = OmegaLocal::rotation(body.p);
+    }
+    for (const Link& link : links_) {
+        for (const LinkEquation& equation : link.equations) {
+            Row row;
+            row.node_i = asks_for_one_body(equation) ? 0 : tree_.node_of(link.body_i);
+            row.node_j = tree_.node_of(link.body_j);
+            row.path = tree_.path(row.node_i, row.node_j);
+            groups_.push_back({&link, &equation, static_cast<int>(rows_.size())});
+            for (int k = 0; k < equation.rows; ++k) {
+                row.first_e = e_of_rows_.size();
+                e_of_rows_.resize(e_of_rows_.size() + row.path.size(), 0.0);
+                rows_.push_back(row);
+            }
+        }
+    }
+    e_by_D_ = e_of_rows_;
+}
+
+/// Where the bodies are, for loads and equations; their motion where those ask for it.
+void TreeEquations::set_bodies() {
+    for (const int b : moving_) {
+        const Node& node = tree_.node(tree_.node_of(b));
+        BodyKinematics<OmegaLocal>& body = bodies_[at(b)];
+        body.r = node.r;
+        body.p = node.p;
+        body.A = node.A;
+        if (!needs_motion_[at(b)]) { continue; }
+        body.r_dot = node.velocity.linear;
+        OmegaLocal::set_motion(body, node.A.transpose() * node.velocity.angular);
+    }
+}
+
+/// Q - M Ḃ u to the nodes, which still have no inertia but their own.
+void TreeEquations::add_loads(double t) {
+    for (const int b : moving_) { forces_[at(b)] = {}; }
+    add_forces(scene_->loads, bodies_, t, forces_);
+    for (const int b : moving_) {
+        Node& node = tree_.node(tree_.node_of(b));
+        const BodyForce& force = forces_[at(b)];
+        const Vec3& omega = node.velocity.angular;
+        const Mat3& J = node.inertia.J;
+        node.wrench.linear = force.f - scene_->loads.masses[at(b)]->mass * node.bias.linear;
+        node.wrench.angular = node.A * force.n_local - omega.cross(J * omega) - J * node.bias.angular;
+    }
+}
+
+RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
+    tree_.place(y);
+    tree_.move(y);
+    set_bodies();
+    tree_.set_inertias(Metric::mass);
+    add_loads(t);
+    tree_.fold();
+    double violation = 0.0;
+    if (!rows_.empty()) {
+        evaluate_rows(t, kept_groups_);
+        factor_rows();
+        for (std::size_t k = 0; k < kept_.size(); ++k) {
+            const Row& row = rows_[at(kept_[k])];
+            double right = row.gamma - dot(row.on_i, tree_.node(row.node_i).bias) -
+                           dot(row.on_j, tree_.node(row.node_j).bias);
+            const double* e_by_D = &e_by_D_[row.first_e];
+            for (const int u : row.path) { right -= *e_by_D++ * tree_.e()[at(u)]; }
+            lambda_[k] = right;
+        }
+        add_answer_of_rows();
+        violation = largest_of_kept_rows(&Row::phi);
+    }
+    tree_.unfold();
+    write_rates(y, y_dot);
+    return {smallest_pivot_, violation};
+}
+
+void TreeEquations::write_rates(const double* y, double* y_dot) const {
+    for (const TreeNode& joint : joints().nodes()) {
+        const double* position = y + joint.position;
+        const double* velocity = y + joint.velocity;
+        double* position_dot = y_dot + joint.position;
+        switch (joint.hanging) {
+            case Hanging::welded: break;
+            case Hanging::axis: *position_dot = *velocity; break;
+            case Hanging::free:
+                vec3(position_dot) = vec3(velocity);
+                position += 3;
+                position_dot += 3;
+                velocity += 3;
+                [[fallthrough]];
+            case Hanging::ball:
+                vec4(position_dot) = p_dot_of_omega_local(vec4(position), vec3(velocity));
+                break;
+        }
+    }
+    std::ranges::copy(tree_.u_dot(), y_dot + joints().positions());
+}
+
+double TreeEquations::kinetic_energy(const double* y) const {
+    tree_.place(y);
+    tree_.move(y);
+    tree_.set_inertias(Metric::mass);
+    double energy = 0.0;
+    for (const int b : moving_) {
+        const Node& node = tree_.node(tree_.node_of(b));
+        energy += 0.5 * dot(node.velocity, times(node.inertia, node.velocity));
+    }
+    return energy;
+}
+
+double TreeEquations::potential_energy(const double* y) const {
+    tree_.place(y);
+    std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
+    for (const int b : moving_) {
+        bodies[at(b)].r = tree_.node(tree_.node_of(b)).r;
+        bodies[at(b)].A = tree_.node(tree_.node_of(b)).A;
+    }
+    return jw::potential_energy(scene_->loads, bodies);
+}
+
+}  // namespace jw

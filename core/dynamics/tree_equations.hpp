@@ -1,0 +1,126 @@
+#pragma once
+
+#include <vector>
+
+#include "core/coordinates.hpp"
+#include "core/dynamics/articulated_tree.hpp"
+#include "core/dynamics/envelope_matrix.hpp"
+#include "core/dynamics/forces.hpp"
+#include "core/dynamics/link_equations.hpp"
+#include "core/dynamics/motion_equations.hpp"
+
+/// The equations of motion in joint coordinates: q̇ = B u with u the velocities of a tree of joints, whose
+/// constraints hold by themselves. Loops are cut, and the joints of the cuts stay equations, as drivers do.
+///
+///   Bᵀ M B u̇ - (Φq B)ᵀ λ = Bᵀ (Q - M Ḃ u),   Φq B u̇ = γ - Φq Ḃ u
+///
+/// With Bᵀ M B = F D Fᵀ (articulated_tree.hpp) and E = Φq B F⁻ᵀ, one row per equation of a loop:
+///
+///   E D⁻¹ Eᵀ λ = γ - Φq Ḃ u - E D⁻¹ e,   e = F⁻¹ Bᵀ (Q - M Ḃ u),   u̇ = F⁻ᵀ D⁻¹ (e + Eᵀ λ)
+///
+/// A row of E knows the joints of its own loop only, and the matrix of λ only rows that share some.
+/// @source q̇ = B u: Nikravesh ch. 13, velocity transformation
+namespace jw {
+
+class TreeEquations final : public MotionEquations {
+public:
+    /// @param scene must outlive this
+    /// @param start flat; it satisfies the constraints
+    TreeEquations(const Centroidal& scene, const std::vector<double>& start);
+
+    int size() const override { return joints().positions() + joints().velocities(); }
+    int bodies() const override { return static_cast<int>(moving_.size()); }
+    std::vector<NumberScale> scales() const override;
+    void to_flat(const double* y, double* flat) const override;
+    /// Of the pose of the start only; of the velocities the nearest that the tree allows, in the metric of M.
+    void from_flat(const double* flat, double* y) const override;
+    int interpolated() const override { return joints().positions(); }
+    void derivatives(const double* y, const double* y_dot, double* out) const override;
+    void flat_of(const double* value, const double* rate, double* flat) const override;
+
+    RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
+    double project(double t, double* y) override;
+    bool choose_rows(double t, const double* y) override;
+    void take_back_rows() override;
+    double smallest_pivot() const override { return smallest_pivot_; }
+    std::pair<double, double> violation(double t, const double* y) override;
+    double kinetic_energy(const double* y) const override;
+    double potential_energy(const double* y) const override;
+    int rows() const override { return static_cast<int>(rows_.size()); }
+    int rows_left_out() const override { return static_cast<int>(rows_.size() - kept_.size()); }
+
+    const JointTree& joints() const { return tree_.joints(); }
+
+private:
+    using Node = ArticulatedTree::Node;
+    using Metric = ArticulatedTree::Metric;
+    /// A row of a cut joint or a driver: what a unit λ does to its two bodies.
+    struct Row {
+        int node_i = 0;
+        int node_j = 0;
+        std::vector<int> path;    ///< where in u it is felt
+        std::size_t first_e = 0;  ///< where its numbers begin in e_of_rows_ and in e_by_D_
+        Six on_i;
+        Six on_j;
+        double phi = 0.0;
+        double rate = 0.0;  ///< Φq q̇ - ν
+        double gamma = 0.0;
+        double inverse_unit = 1.0;  ///< 1 / change when bodies move by one extent
+        double size = 1.0;          ///< squared, for bodies that nothing holds, by M⁻¹
+    };
+    /// Rows that one primitive gives.
+    struct Group {
+        const Link* link;
+        const LinkEquation* equation;
+        int first_row;
+    };
+    /// One product of E D⁻¹ Eᵀ.
+    struct Product {
+        std::size_t target;
+        std::size_t e;
+        std::size_t e_by_D;
+    };
+
+    void set_bodies();
+    void add_loads(double t);
+    void write_rates(const double* y, double* y_dot) const;
+    void evaluate_rows(double t, const std::vector<Group>& groups);
+    void evaluate_rows_of(const Group& group, double t);
+    void measure_rows();
+    /// E, and E D⁻¹ beside it, of these rows.
+    void respond(const std::vector<int>& rows);
+    void keep(std::vector<int> rows);
+    /// E D⁻¹ Eᵀ of the kept rows.
+    void factor_rows();
+    /// λ from the right sides in lambda_; e + Eᵀ λ.
+    void add_answer_of_rows();
+    /// Changes of u that take `number` out of the kept rows.
+    void take_out(double Row::*number);
+    double largest_of_kept_rows(double Row::*number) const;
+    void displace(double* y) const;
+    void add_velocities(double* y) const;
+
+    const Centroidal* scene_;
+    double extent_;
+    std::vector<int> moving_;
+    // conversions use it as evaluations do; no call relies on what another one has left there
+    mutable ArticulatedTree tree_;
+    mutable std::vector<double> y_;
+    std::vector<Link> links_;
+    std::vector<Row> rows_;
+    std::vector<Group> groups_;
+    std::vector<int> kept_;
+    std::vector<int> kept_before_;
+    std::vector<Group> kept_groups_;                  ///< with a row that is kept
+    std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
+    std::vector<bool> needs_motion_;                  ///< bodies of springs and of cut joints
+    std::vector<BodyForce> forces_;
+    std::vector<double> e_of_rows_;
+    std::vector<double> e_by_D_;
+    std::vector<Product> products_;
+    EnvelopeMatrix matrix_;
+    std::vector<double> lambda_;
+    double smallest_pivot_ = 1.0;
+};
+
+}  // namespace jw

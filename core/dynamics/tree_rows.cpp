@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/dynamics/flatten.hpp"
+#include "core/dynamics/tree_equations.hpp"
+
+/// What the loops of a tree ask for: the rows of the joints that were cut, which of them are kept, and the
+/// way back onto them.
+namespace jw {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
+
+/// Rows that keep less than this share of themselves beside others repeat them, squared; as block equations
+/// have it.
+constexpr double kRepeats = 1e-9;
+/// Residuals of position equations, by their sizes, that are rounding only.
+constexpr double kExact = 1e-15;
+/// From here on a round that brings little is the last: rounding has been reached.
+constexpr double kNearlyExact = 1e-12;
+
+}  // namespace
+
+void TreeEquations::evaluate_rows_of(const Group& group, double t) {
+    const LinkEquation& equation = *group.equation;
+    const BodyKinematics<OmegaLocal>& i = bodies_[at(group.link->body_i)];
+    const BodyKinematics<OmegaLocal>& j = bodies_[at(group.link->body_j)];
+    Row* row = &rows_[at(group.first_row)];
+    visit_rows<Content::jacobian>(equation.primitive, i, j, t, [&](const auto& jet, double, double) {
+        using Jet = std::decay_t<decltype(jet)>;
+        for (int k = 0; k < Jet::kDim; ++k) {
+            if (has(equation.left_out, k)) { continue; }
+            row->phi = jet.value(k);
+            if constexpr ((Jet::kSides & kBodyI) != 0) {
+                row->on_i.linear = jet.block_i.row(k).template head<3>();
+                row->on_i.angular = i.A * jet.block_i.row(k).template tail<3>().transpose();
+            }
+            if constexpr ((Jet::kSides & kBodyJ) != 0) {
+                row->on_j.linear = jet.block_j.row(k).template head<3>();
+                row->on_j.angular = j.A * jet.block_j.row(k).template tail<3>().transpose();
+            }
+            ++row;
+        }
+    });
+    row = &rows_[at(group.first_row)];
+    visit_rows<Content::motion>(
+        equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double f_ddot) {
+            for (int k = 0; k < jet.kDim; ++k) {
+                if (has(equation.left_out, k)) { continue; }
+                row->rate = jet.rate(k) - f_dot;
+                row->gamma = f_ddot - jet.bias(k);
+                ++row;
+            }
+        });
+}
+
+JW_FLATTEN void TreeEquations::evaluate_rows(double t, const std::vector<Group>& groups) {
+    for (const Group& group : groups) { evaluate_rows_of(group, t); }
+}
+
+void TreeEquations::respond(const std::vector<int>& rows) {
+    for (const int k : rows) {
+        const Row& row = rows_[at(k)];
+        tree_.respond(
+            row.node_i, row.node_j, row.on_i, row.on_j, &e_of_rows_[row.first_e], &e_by_D_[row.first_e]);
+    }
+}
+
+void TreeEquations::factor_rows() {
+    respond(kept_);
+    std::ranges::fill(matrix_.numbers(), 0.0);
+    for (const Product& product : products_) {
+        matrix_.numbers()[product.target] += e_of_rows_[product.e] * e_by_D_[product.e_by_D];
+    }
+    matrix_.factor();
+    smallest_pivot_ = 1.0;
+    for (int k = 0; k < matrix_.rows(); ++k) {
+        const double share = matrix_(k, k) / rows_[at(kept_[at(k)])].size;
+        // a pivot that rounding made negative is none at all
+        smallest_pivot_ = std::min(smallest_pivot_, share > 0.0 ? share : 0.0);
+    }
+}
+
+void TreeEquations::add_answer_of_rows() {
+    matrix_.solve(lambda_.data());
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        const Row& row = rows_[at(kept_[k])];
+        const double* e = &e_of_rows_[row.first_e];
+        for (const int u : row.path) { tree_.e()[at(u)] += *e++ * lambda_[k]; }
+    }
+}
+
+void TreeEquations::take_out(double Row::*number) {
+    for (std::size_t k = 0; k < kept_.size(); ++k) { lambda_[k] = -(rows_[at(kept_[k])].*number); }
+    std::ranges::fill(tree_.e(), 0.0);
+    add_answer_of_rows();
+    tree_.unfold();
+}
+
+double TreeEquations::largest_of_kept_rows(double Row::*number) const {
+    double worst = 0.0;
+    for (const int k : kept_) {
+        worst = std::max(worst, std::abs(rows_[at(k)].*number) * rows_[at(k)].inverse_unit);
+    }
+    return worst;
+}
+
+double TreeEquations::project(double t, double* y) {
+    constexpr int most_rounds = 12;
+    for (const TreeNode& joint : joints().nodes()) {
+        if (joint.hanging == Hanging::ball) { vec4(y + joint.position).normalize(); }
+        if (joint.hanging == Hanging::free) { vec4(y + joint.position + 3).normalize(); }
+    }
+    if (rows_.empty()) { return 0.0; }
+    double before = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round) {
+        tree_.place(y);
+        tree_.move(y);
+        set_bodies();
+        evaluate_rows(t, kept_groups_);
+        tree_.set_inertias(Metric::mass);
+        tree_.fold();
+        factor_rows();
+        const double worst = largest_of_kept_rows(&Row::phi);
+        if (round == 0) { before = worst; }
+        if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
+        last = worst;
+        take_out(&Row::phi);
+        displace(y);
+    }
+    // twice: the first answer has the rounding of the rates it takes out
+    for (int round = 0; round < 2; ++round) {
+        take_out(&Row::rate);
+        add_velocities(y);
+        tree_.move(y);
+        set_bodies();
+        evaluate_rows(t, kept_groups_);
+    }
+    return before;
+}
+
+/// Sizes of the rows beside bodies that nothing holds.
+void TreeEquations::measure_rows() {
+    for (Row& row : rows_) {
+        double by_mass = 0.0;
+        double by_length = 0.0;
+        for (const auto& [n, on] : {std::pair{row.node_i, &row.on_i}, std::pair{row.node_j, &row.on_j}}) {
+            if (n == 0) { continue; }
+            const MassProperties& own = *scene_->loads.masses[at(tree_.joint_of(n).body)];
+            const Vec3 turn_local = tree_.node(n).A.transpose() * on->angular;
+            by_mass +=
+                on->linear.squaredNorm() / own.mass + turn_local.dot(own.J_local.inverse() * turn_local);
+            by_length += on->linear.squaredNorm() + on->angular.squaredNorm() / (extent_ * extent_);
+        }
+        row.size = by_mass > 0.0 ? by_mass : 1.0;
+        row.inverse_unit = by_length > 0.0 ? 1.0 / (extent_ * std::sqrt(by_length)) : 1.0;
+    }
+}
+
+/// Gram and Schmidt over the rows of E, the one that keeps most of itself first, in a metric that knows no
+/// masses.
+bool TreeEquations::choose_rows(double t, const double* y) {
+    kept_before_ = kept_;
+    tree_.place(y);
+    tree_.move(y);
+    set_bodies();
+    evaluate_rows(t, groups_);
+    measure_rows();
+    tree_.set_inertias(Metric::geometry, extent_);
+    tree_.fold();
+    std::vector<int> all(rows_.size());
+    for (std::size_t k = 0; k < all.size(); ++k) { all[k] = static_cast<int>(k); }
+    respond(all);
+    MatrixX E =
+        MatrixX::Zero(joints().velocities(), static_cast<Eigen::Index>(rows_.size()));  // a column per row
+    MatrixX E_by_D = E;
+    for (Eigen::Index k = 0; k < E.cols(); ++k) {
+        const Row& row = rows_[static_cast<std::size_t>(k)];
+        for (std::size_t u = 0; u < row.path.size(); ++u) {
+            E(row.path[u], k) = e_of_rows_[row.first_e + u];
+            E_by_D(row.path[u], k) = e_by_D_[row.first_e + u];
+        }
+    }
+    std::vector<int> chosen;
+    while (chosen.size() < rows_.size()) {
+        Eigen::Index best = -1;
+        double best_share = kRepeats;
+        for (Eigen::Index k = 0; k < E.cols(); ++k) {
+            const double unit = extent_ * rows_[static_cast<std::size_t>(k)].inverse_unit;
+            const double share = E.col(k).dot(E_by_D.col(k)) * unit * unit;
+            if (share > best_share) {
+                best = k;
+                best_share = share;
+            }
+        }
+        if (best < 0) { break; }
+        chosen.push_back(static_cast<int>(best));
+        const VectorX e = E.col(best);
+        const VectorX e_by_D = E_by_D.col(best);
+        const double square = e.dot(e_by_D);
+        for (Eigen::Index k = 0; k < E.cols(); ++k) {
+            const double share = e_by_D.dot(E.col(k)) / square;
+            if (share == 0.0) { continue; }
+            E.col(k) -= share * e;
+            E_by_D.col(k) -= share * e_by_D;
+        }
+        E.col(best).setZero();
+    }
+    std::ranges::sort(chosen);
+    keep(std::move(chosen));
+    return kept_ != kept_before_;
+}
+
+void TreeEquations::take_back_rows() { keep(kept_before_); }
+
+/// Which products the matrix of these rows is made of.
+void TreeEquations::keep(std::vector<int> rows) {
+    if (rows == kept_) { return; }
+    kept_ = std::move(rows);
+    lambda_.assign(kept_.size(), 0.0);
+    kept_groups_.clear();
+    std::ranges::copy_if(groups_, std::back_inserter(kept_groups_), [&](const Group& group) {
+        return std::ranges::any_of(kept_, [&](int row) {
+            return row >= group.first_row && row < group.first_row + group.equation->rows;
+        });
+    });
+    struct Shared {
+        int a;
+        int b;
+        std::size_t e;
+        std::size_t e_by_D;
+    };
+    std::vector<Shared> all;
+    std::vector<int> first(kept_.size());
+    for (std::size_t a = 0; a < kept_.size(); ++a) {
+        first[a] = static_cast<int>(a);
+        const Row& row = rows_[at(kept_[a])];
+        for (std::size_t b = 0; b <= a; ++b) {
+            const Row& other = rows_[at(kept_[b])];
+            for (std::size_t k = 0; k < row.path.size(); ++k) {
+                const auto same = std::ranges::find(other.path, row.path[k]);
+                if (same == other.path.end()) { continue; }
+                first[a] = std::min(first[a], static_cast<int>(b));
+                const auto place = static_cast<std::size_t>(same - other.path.begin());
+                all.push_back(
+                    {static_cast<int>(a), static_cast<int>(b), row.first_e + k, other.first_e + place});
+            }
+        }
+    }
+    matrix_ = EnvelopeMatrix(std::move(first));
+    products_.clear();
+    for (const Shared& s : all) { products_.push_back({matrix_.index(s.a, s.b), s.e, s.e_by_D}); }
+}
+
+std::pair<double, double> TreeEquations::violation(double t, const double* y) {
+    tree_.place(y);
+    tree_.move(y);
+    set_bodies();
+    evaluate_rows(t, groups_);
+    std::pair<double, double> worst{0.0, 0.0};
+    for (const Row& row : rows_) {
+        worst.first = std::max(worst.first, std::abs(row.phi) * row.inverse_unit);
+        worst.second = std::max(worst.second, std::abs(row.rate) * row.inverse_unit);
+    }
+    return worst;
+}
+
+}  // namespace jw
