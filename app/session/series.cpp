@@ -8,6 +8,7 @@
 #include "app/session/labels.hpp"
 #include "app/session/quantities.hpp"
 #include "app/session/series_parts.hpp"
+#include "core/dynamics/forces.hpp"
 
 namespace jw {
 
@@ -88,6 +89,17 @@ void add_point(const Step& step, const BodyPoint& point, Columns& columns) {
     columns.add(name + " speed", "m/s", speed.norm());
 }
 
+/// Of a motion by masses and forces: their sum is level where nothing but gravity and springs acts.
+void add_energies(const Step& step, Columns& columns) {
+    if (!step.centroidal) { return; }
+    const Centroidal& scene = *step.centroidal;
+    const Energy energy =
+        energy_of(scene, scene.to_centroidal(step.state), scene.to_centroidal(step.state, step.velocity));
+    columns.add("energy.kinetic", "J", energy.kinetic);
+    columns.add("energy.potential", "J", energy.potential);
+    columns.add("energy.sum", "J", energy.kinetic + energy.potential);
+}
+
 /// How much a curve changes, in parts of its size: next to nothing for a motor that runs evenly.
 double liveliness(const Series& series) {
     const auto [low, high] = std::ranges::minmax(series.values);
@@ -159,6 +171,7 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
         add_quantities(step, columns);
         add_point(step, traced, columns);
         add_bodies(step, columns);
+        add_energies(step, columns);
     }
     for (std::size_t k = 0; k + 1 < set.series.size(); ++k) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }

@@ -36,8 +36,8 @@ struct SeriesSet {
 };
 
 /// Measures of drivers and joints with rate and acceleration; of every moving body r, ṙ, r̈, ω, ω̇ (global
-/// components and sizes); place and speed of the point that is `traced` (body -1: none). Angles are
-/// continuous over turns.
+/// components and sizes); place and speed of the point that is `traced` (body -1: none); of a motion by
+/// masses and forces its energies. Angles are continuous over turns.
 SeriesSet motion_series(const Story& story, const BodyPoint& traced = {.body = -1});
 
 /// ‖Φ‖ over the Newton iterations of the whole story, one after the other; one series per joint or driver.

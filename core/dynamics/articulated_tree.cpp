@@ -89,7 +89,7 @@ void ArticulatedTree::move(const double* y) {
                 break;
             }
             case Hanging::axis: {
-                const Six joint_velocity{*velocity * node.axis.linear, *velocity * node.axis.angular};
+                const Six joint_velocity = *velocity * node.axis;
                 const Vec3 way = omega_parent.cross(node.arm) + joint_velocity.linear;
                 node.velocity.linear = parent.velocity.linear + way;
                 node.velocity.angular = omega_parent + joint_velocity.angular;
@@ -132,7 +132,7 @@ void ArticulatedTree::reduce(const TreeNode& joint, Node& node) const {
     if (joint.hanging == Hanging::axis) {
         const Six column = times(node.inertia, node.axis);
         node.inverse_D = 1.0 / dot(node.axis, column);
-        node.column_by_D = {node.inverse_D * column.linear, node.inverse_D * column.angular};
+        node.column_by_D = node.inverse_D * column;
         subtract_square(node.inertia, column, node.column_by_D);
         return;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/body_kinematics.hpp"
 #include "core/drivers.hpp"
 
 namespace jw {
@@ -105,6 +106,21 @@ double potential_energy(const Loads& loads, Bodies bodies) {
         const double angle = twist_of(spring, bodies).angle;
         energy += 0.5 * spring.stiffness * angle * angle;
     }
+    return energy;
+}
+
+Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion) {
+    Energy energy;
+    std::vector<BodyKinematics<OmegaLocal>> bodies;
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
+        const auto& mass = scene.loads.masses[b];
+        if (!mass) { continue; }
+        const Vec3& omega_local = motion.omega_local[b];
+        energy.kinetic +=
+            0.5 * (mass->mass * motion.r_dot[b].squaredNorm() + omega_local.dot(mass->J_local * omega_local));
+    }
+    energy.potential = potential_energy(scene.loads, bodies);
     return energy;
 }
 

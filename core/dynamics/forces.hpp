@@ -28,6 +28,13 @@ inline Vec3 gyroscopic_torque(const Mat3& J_local, const Vec3& omega_local) {
     return -omega_local.cross(J_local * omega_local);
 }
 
+struct Energy {
+    double kinetic = 0.0;    ///< [J]
+    double potential = 0.0;  ///< of gravity and of all springs [J]
+};
+/// At a state and a motion of the centroidal frames.
+Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion);
+
 /// Of gravity and of all springs [J]; forces and torques that are applied have none.
 double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 

@@ -50,6 +50,8 @@ inline Six at_end_of(const Six& motion, const Vec3& arm) {
 
 inline double dot(const Six& a, const Six& b) { return a.linear.dot(b.linear) + a.angular.dot(b.angular); }
 
+inline Six operator*(double factor, const Six& a) { return {factor * a.linear, factor * a.angular}; }
+
 inline void add_scaled(Six& a, double factor, const Six& b) {
     a.linear += factor * b.linear;
     a.angular += factor * b.angular;

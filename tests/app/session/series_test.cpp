@@ -240,6 +240,22 @@ TEST_CASE("where nothing moves there are no points, and a sentence says so", "[a
     CHECK(condition_series(with_motion, without).why_empty.starts_with("This joint has no p1"));
 }
 
+TEST_CASE("Energies of a falling mechanism change into each other, and their sum stays", "[app][series]") {
+    const Lesson lesson = shipped("dynamics/bricard-falling.toml");
+    const SeriesSet set = motion_series(Story(lesson));
+    const std::vector<double>& kinetic = series_named(set, "energy.kinetic").values;
+    const std::vector<double>& potential = series_named(set, "energy.potential").values;
+    const std::vector<double>& sum = series_named(set, "energy.sum").values;
+    CHECK(kinetic.front() == 0.0);
+    const double largest = *std::ranges::max_element(kinetic);
+    CHECK(largest > 1.0);
+    CHECK(potential.front() - *std::ranges::min_element(potential) == Approx(largest).epsilon(0.05));
+    for (const double value : sum) {
+        // the lesson's tolerance is 1e-6; a hundred times that for what grows on the way
+        CHECK(std::abs(value - sum.front()) < 1e-4 * largest);
+    }
+}
+
 TEST_CASE("a CSV file reads back as the same numbers, commas and quotes in names included", "[app][series]") {
     SeriesSet set;
     set.axis = "t [s]";

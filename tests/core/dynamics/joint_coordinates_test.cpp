@@ -159,6 +159,12 @@ TEST_CASE("Energies in joint coordinates are those of the bodies", "[core][dynam
         const std::vector<double> y = moved(random, tree, start, 0.3);
         const std::vector<double> flat = flat_of(tree, y);
         const auto block = block_equations(scene);
+        State state = start_state(scene.mechanism);
+        Motion motion = start_motion(scene.mechanism);
+        unpack(flat.data(), moving_bodies_of(scene.mechanism), state, motion);
+        const Energy energy = energy_of(scene, state, motion);
+        CHECK(energy.kinetic == Approx(block->kinetic_energy(flat.data())).epsilon(1e-12));
+        CHECK(energy.potential == Approx(block->potential_energy(flat.data())).epsilon(1e-12));
         // a sum of ten products or so each
         CHECK(tree.kinetic_energy(y.data()) == Approx(block->kinetic_energy(flat.data())).epsilon(1e-12));
         CHECK(tree.potential_energy(y.data()) == Approx(block->potential_energy(flat.data())).epsilon(1e-12));
