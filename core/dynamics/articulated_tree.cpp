@@ -111,18 +111,21 @@ void ArticulatedTree::move(const double* y) {
 void ArticulatedTree::set_inertias(Metric metric, double length) {
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         Node& node = nodes_[n];
-        node.inertia = {};
-        node.wrench = {};
         const int body = joints_.nodes()[n - 1].body;
-        if (body < 0) { continue; }
+        node.inertia.H.setZero();
+        node.wrench = {};
+        if (body < 0) {
+            node.inertia = {};
+            continue;
+        }
         if (metric == Metric::geometry) {
             node.inertia.M = Mat3::Identity();
             node.inertia.J = length * length * Mat3::Identity();
             continue;
         }
         const MassProperties& own = *scene_->loads.masses[at(body)];
-        node.inertia.M.diagonal().setConstant(own.mass);
-        node.inertia.J = node.A * own.J_local * node.A.transpose();
+        node.inertia.M = own.mass * Mat3::Identity();
+        node.inertia.J.noalias() = (node.A * own.J_local) * node.A.transpose();
     }
 }
 

@@ -20,21 +20,24 @@ struct Six {
 };
 
 /// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those
-/// there. H - M ã and J + ã H - (ã H - ã M ã)ᵀ, ã being vectors' products: vᵀ ã = (v x a)ᵀ.
+/// there. H - M ã and J + ã (H - M ã) + (ã H)ᵀ, where rows of M times ã are vectors' products: vᵀ ã = (v x
+/// a)ᵀ.
 inline Inertia6 at_root_of(const Inertia6& inertia, const Vec3& arm) {
     Inertia6 out;
     out.M = inertia.M;
-    Mat3 turned;       // ã H of the result, column by column
-    Mat3 turned_back;  // ã H
-    for (int k = 0; k < 3; ++k) {
-        const Vec3 row = inertia.M.col(k);  // M is symmetric
-        out.H.row(k) = inertia.H.row(k) - row.cross(arm).transpose();
+    for (int k = 0; k < 3; ++k) { out.H.row(k) = inertia.H.row(k) - inertia.M.col(k).cross(arm).transpose(); }
+    for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3;
+        const int last = (i + 2) % 3;
+        for (int j = i; j < 3; ++j) {
+            const int next_j = (j + 1) % 3;
+            const int last_j = (j + 2) % 3;
+            // of a x the column j of the new H, and of a x the column i of the old one
+            const double turned = arm(next) * out.H(last, j) - arm(last) * out.H(next, j);
+            const double back = arm(next_j) * inertia.H(last_j, i) - arm(last_j) * inertia.H(next_j, i);
+            out.J(i, j) = out.J(j, i) = inertia.J(i, j) + turned + back;
+        }
     }
-    for (int k = 0; k < 3; ++k) {
-        turned.col(k) = arm.cross(out.H.col(k));
-        turned_back.col(k) = arm.cross(inertia.H.col(k));
-    }
-    out.J = inertia.J + turned + turned_back.transpose();
     return out;
 }
 
