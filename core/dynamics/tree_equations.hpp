@@ -89,6 +89,8 @@ private:
     void measure_rows();
     /// E, and E D⁻¹ beside it, of these rows.
     void respond(const std::vector<int>& rows);
+    /// Of the last responses of all rows.
+    std::vector<int> independent_rows() const;
     void keep(std::vector<int> rows);
     /// E D⁻¹ Eᵀ of the kept rows.
     void factor_rows();

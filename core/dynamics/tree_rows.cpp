@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/dynamics/flatten.hpp"
 #include "core/dynamics/tree_equations.hpp"
@@ -162,22 +163,10 @@ void TreeEquations::measure_rows() {
     }
 }
 
-/// Gram and Schmidt over the rows of E, the one that keeps most of itself first, in a metric that knows no
-/// masses.
-bool TreeEquations::choose_rows(double t, const double* y) {
-    kept_before_ = kept_;
-    tree_.place(y);
-    tree_.move(y);
-    set_bodies();
-    evaluate_rows(t, groups_);
-    measure_rows();
-    tree_.set_inertias(Metric::geometry, extent_);
-    tree_.fold();
-    std::vector<int> all(rows_.size());
-    for (std::size_t k = 0; k < all.size(); ++k) { all[k] = static_cast<int>(k); }
-    respond(all);
-    MatrixX E =
-        MatrixX::Zero(joints().velocities(), static_cast<Eigen::Index>(rows_.size()));  // a column per row
+/// Gram and Schmidt over the rows of E, the one that keeps most of itself first.
+std::vector<int> TreeEquations::independent_rows() const {
+    // a column per row
+    MatrixX E = MatrixX::Zero(joints().velocities(), static_cast<Eigen::Index>(rows_.size()));
     MatrixX E_by_D = E;
     for (Eigen::Index k = 0; k < E.cols(); ++k) {
         const Row& row = rows_[static_cast<std::size_t>(k)];
@@ -186,19 +175,17 @@ bool TreeEquations::choose_rows(double t, const double* y) {
             E_by_D(row.path[u], k) = e_by_D_[row.first_e + u];
         }
     }
+    const auto share_left = [&](Eigen::Index k) {
+        const double unit = extent_ * rows_[static_cast<std::size_t>(k)].inverse_unit;
+        return E.col(k).dot(E_by_D.col(k)) * unit * unit;
+    };
     std::vector<int> chosen;
     while (chosen.size() < rows_.size()) {
-        Eigen::Index best = -1;
-        double best_share = kRepeats;
-        for (Eigen::Index k = 0; k < E.cols(); ++k) {
-            const double unit = extent_ * rows_[static_cast<std::size_t>(k)].inverse_unit;
-            const double share = E.col(k).dot(E_by_D.col(k)) * unit * unit;
-            if (share > best_share) {
-                best = k;
-                best_share = share;
-            }
+        Eigen::Index best = 0;
+        for (Eigen::Index k = 1; k < E.cols(); ++k) {
+            if (share_left(k) > share_left(best)) { best = k; }
         }
-        if (best < 0) { break; }
+        if (!(share_left(best) > kRepeats)) { break; }
         chosen.push_back(static_cast<int>(best));
         const VectorX e = E.col(best);
         const VectorX e_by_D = E_by_D.col(best);
@@ -212,7 +199,23 @@ bool TreeEquations::choose_rows(double t, const double* y) {
         E.col(best).setZero();
     }
     std::ranges::sort(chosen);
-    keep(std::move(chosen));
+    return chosen;
+}
+
+/// In a metric that knows no masses: what repeats what is a matter of geometry.
+bool TreeEquations::choose_rows(double t, const double* y) {
+    kept_before_ = kept_;
+    tree_.place(y);
+    tree_.move(y);
+    set_bodies();
+    evaluate_rows(t, groups_);
+    measure_rows();
+    tree_.set_inertias(Metric::geometry, extent_);
+    tree_.fold();
+    std::vector<int> all(rows_.size());
+    std::iota(all.begin(), all.end(), 0);
+    respond(all);
+    keep(independent_rows());
     return kept_ != kept_before_;
 }
 
