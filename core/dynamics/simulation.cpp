@@ -24,6 +24,12 @@ void require(const SimulationSettings& settings) {
     if (settings.dense && method.kind != MethodKind::runge_kutta) {
         throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
     }
+    if (method.adaptive && !(settings.tolerance > 0.0)) {
+        throw std::invalid_argument("the tolerance must be positive");
+    }
+    if (!method.adaptive && !(settings.step > 0.0)) {
+        throw std::invalid_argument("the step must be positive");
+    }
     if (settings.formulation != Formulation::joints) { return; }
     if (method.kind == MethodKind::semi_implicit) {
         throw std::invalid_argument(
@@ -32,12 +38,6 @@ void require(const SimulationSettings& settings) {
     if (settings.treatment == Treatment::none || settings.treatment == Treatment::baumgarte) {
         throw std::invalid_argument(
             "in joint coordinates only the loops can drift; expected treatment projection");
-    }
-    if (method.adaptive && !(settings.tolerance > 0.0)) {
-        throw std::invalid_argument("the tolerance must be positive");
-    }
-    if (!method.adaptive && !(settings.step > 0.0)) {
-        throw std::invalid_argument("the step must be positive");
     }
 }
 

@@ -170,6 +170,20 @@ TEST_CASE(
     CHECK_THROWS_AS(Simulation(loop.mechanism, loop.dynamics->loads, settings), std::invalid_argument);
 }
 
+TEST_CASE("Tolerances and steps that are not positive are refused in all coordinates", "[dynamics]") {
+    const Lesson chain = test::chain(test::ChainJoint::revolute, 4);
+    for (const Formulation formulation : {Formulation::automatic, Formulation::joints, Formulation::bodies}) {
+        for (const double wrong : {0.0, -1.0, std::nan("")}) {
+            for (const Method method : {Method::rk4, Method::explicit_8}) {
+                SimulationSettings settings = settings_with(method, wrong);
+                settings.formulation = formulation;
+                CHECK_THROWS_AS(
+                    Simulation(chain.mechanism, chain.dynamics->loads, settings), std::invalid_argument);
+            }
+        }
+    }
+}
+
 TEST_CASE("A body that only turns, or only flies, is no division by zero", "[dynamics]") {
     Lesson body = test::free_asymmetric_body();
     const auto steps = [&] {
