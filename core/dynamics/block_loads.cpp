@@ -18,9 +18,9 @@ template <int B>
 double BlockEquations<B>::kinetic_energy(const double* y) const {
     double energy = 0.0;
     for (std::size_t m = 0; m < moving_.size(); ++m) {
-        const Vec3 omega_local = vec3(body_numbers(y, m) + 10);
-        energy += 0.5 * moving_[m].mass * vec3(body_numbers(y, m) + 7).squaredNorm() +
-                  0.5 * omega_local.dot(moving_[m].J * omega_local);
+        const double* velocity = body_numbers(y, m) + 7;
+        energy += jw::kinetic_energy(
+            *scene_->loads.masses[at(moving_[m].body)], vec3(velocity), vec3(velocity + 3));
     }
     return energy;
 }

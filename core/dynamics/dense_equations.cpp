@@ -210,10 +210,8 @@ double DenseEquations<C>::kinetic_energy(const double* y) const {
     unpack(y, state, motion);
     double energy = 0.0;
     for (const int b : system_.moving_bodies()) {
-        const MassProperties& m = *scene_->loads.masses[at(b)];
-        const Vec3& omega_local = motion.omega_local[at(b)];
         energy +=
-            0.5 * (m.mass * motion.r_dot[at(b)].squaredNorm() + omega_local.dot(m.J_local * omega_local));
+            jw::kinetic_energy(*scene_->loads.masses[at(b)], motion.r_dot[at(b)], motion.omega_local[at(b)]);
     }
     return energy;
 }

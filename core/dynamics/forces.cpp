@@ -116,9 +116,7 @@ Energy energy_of(const Centroidal& scene, const State& state, const Motion& moti
         bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
         const auto& mass = scene.loads.masses[b];
         if (!mass) { continue; }
-        const Vec3& omega_local = motion.omega_local[b];
-        energy.kinetic +=
-            0.5 * (mass->mass * motion.r_dot[b].squaredNorm() + omega_local.dot(mass->J_local * omega_local));
+        energy.kinetic += kinetic_energy(*mass, motion.r_dot[b], motion.omega_local[b]);
     }
     energy.potential = potential_energy(scene.loads, bodies);
     return energy;

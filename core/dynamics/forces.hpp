@@ -28,6 +28,11 @@ inline Vec3 gyroscopic_torque(const Mat3& J_local, const Vec3& omega_local) {
     return -omega_local.cross(J_local * omega_local);
 }
 
+/// Of one body whose frame lies in its centre of mass [J].
+inline double kinetic_energy(const MassProperties& own, const Vec3& r_dot, const Vec3& omega_local) {
+    return 0.5 * (own.mass * r_dot.squaredNorm() + omega_local.dot(own.J_local * omega_local));
+}
+
 struct Energy {
     double kinetic = 0.0;    ///< [J]
     double potential = 0.0;  ///< of gravity and of all springs [J]
