@@ -11,17 +11,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Of a symmetric matrix.
-Mat3 inverse_of(const Mat3& S) {
-    Mat3 out;
-    const Vec3 first = S.col(1).cross(S.col(2));
-    const double scale = 1.0 / S.col(0).dot(first);
-    out.row(0) = scale * first.transpose();
-    out.row(1) = scale * S.col(2).cross(S.col(0)).transpose();
-    out.row(2) = scale * S.col(0).cross(S.col(1)).transpose();
-    return out;
-}
-
 }  // namespace
 
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
@@ -140,11 +129,11 @@ void ArticulatedTree::reduce(const TreeNode& joint, Node& node) const {
         return;
     }
     const Inertia6 held = at_root_of(node.inertia, node.own_arm);
-    node.inverse_J = inverse_of(held.J);
+    node.inverse_J = held.J.inverse();
     node.H_inverse_J = held.H * node.inverse_J;
     node.inertia = {};
     node.inertia.M = held.M - node.H_inverse_J * held.H.transpose();
-    if (joint.hanging == Hanging::free) { node.inverse_M = inverse_of(node.inertia.M); }
+    if (joint.hanging == Hanging::free) { node.inverse_M = node.inertia.M.inverse(); }
 }
 
 Six ArticulatedTree::pass_on(const TreeNode& joint, const Node& node, const Six& wrench, double* e) const {

@@ -59,6 +59,22 @@ public:
     /// Whether a joint of the mechanism is part of the tree; all others, and the drivers, are left as
     /// equations.
     bool has_joint(int joint) const { return in_tree_[static_cast<std::size_t>(joint)]; }
+    /// Where the parts of y begin, each with its rates: `number(position, velocity)` for every q, `way(...)`
+    /// for every r, `turn(...)` for every p and its ω'.
+    template <class Number, class Way, class Turn>
+    void for_each_part(Number&& number, Way&& way, Turn&& turn) const {
+        for (const TreeNode& node : nodes_) {
+            switch (node.hanging) {
+                case Hanging::welded: break;
+                case Hanging::axis: number(node.position, node.velocity); break;
+                case Hanging::ball: turn(node.position, node.velocity); break;
+                case Hanging::free:
+                    way(node.position, node.velocity);
+                    turn(node.position + 3, node.velocity + 3);
+                    break;
+            }
+        }
+    }
     /// Node of a body, -1 for one that does not move.
     int node_of(int body) const { return node_of_body_[static_cast<std::size_t>(body)]; }
 

@@ -57,23 +57,19 @@ void TreeEquations::to_flat(const double* y, double* flat) const {
 
 void TreeEquations::from_flat(const double* flat, double* y) const {
     std::fill_n(y, size(), 0.0);
-    const auto numbers_of = [&](int body) {
-        const auto m = std::ranges::find(moving_, body) - moving_.begin();
-        return body_numbers(flat, static_cast<std::size_t>(m));
-    };
-    for (const TreeNode& joint : joints().nodes()) {
-        if (joint.hanging == Hanging::free) { std::copy_n(numbers_of(joint.body), 7, y + joint.position); }
-        if (joint.hanging == Hanging::ball) {
-            std::copy_n(numbers_of(joint.body) + 3, 4, y + joint.position);
-        }
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const TreeNode& joint = tree_.joint_of(tree_.node_of(moving_[m]));
+        const double* numbers = body_numbers(flat, m);
+        if (joint.hanging == Hanging::free) { std::copy_n(numbers, 7, y + joint.position); }
+        if (joint.hanging == Hanging::ball) { std::copy_n(numbers + 3, 4, y + joint.position); }
     }
     // u = (Bᵀ M B)⁻¹ Bᵀ (momenta)
     tree_.place(y);
     tree_.set_inertias(Metric::mass);
-    for (const int body : moving_) {
-        Node& node = tree_.node(tree_.node_of(body));
-        const double* numbers = numbers_of(body);
-        node.wrench = times(node.inertia, {vec3(numbers + 7), node.A * vec3(numbers + 10)});
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        Node& node = tree_.node(tree_.node_of(moving_[m]));
+        const double* velocity = body_numbers(flat, m) + 7;
+        node.wrench = times(node.inertia, {vec3(velocity), node.A * vec3(velocity + 3)});
     }
     tree_.fold();
     tree_.unfold();
@@ -88,20 +84,11 @@ void TreeEquations::add_velocities(double* y) const {
 
 /// y moved by the last u̇.
 void TreeEquations::displace(double* y) const {
-    for (const TreeNode& joint : joints().nodes()) {
-        double* position = y + joint.position;
-        const double* way = &tree_.u_dot()[at(joint.velocity - joints().positions())];
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis: *position += *way; break;
-            case Hanging::free:
-                vec3(position) += vec3(way);
-                position += 3;
-                way += 3;
-                [[fallthrough]];
-            case Hanging::ball: vec4(position) = turned_local(vec4(position), vec3(way)); break;
-        }
-    }
+    const auto way = [&](int velocity) { return &tree_.u_dot()[at(velocity - joints().positions())]; };
+    joints().for_each_part(
+        [&](int q, int q_dot) { y[q] += *way(q_dot); },
+        [&](int r, int r_dot) { vec3(y + r) += vec3(way(r_dot)); },
+        [&](int p, int omega) { vec4(y + p) = turned_local(vec4(y + p), vec3(way(omega))); });
 }
 
 void TreeEquations::derivatives(const double* y, const double* y_dot, double* out) const {
@@ -109,51 +96,25 @@ void TreeEquations::derivatives(const double* y, const double* y_dot, double* ou
     std::copy_n(y, n, out);
     std::copy_n(y_dot, n, out + n);
     double* half = out + 2 * n;
-    for (const TreeNode& joint : joints().nodes()) {
-        const double* position = y + joint.position;
-        const double* velocity = y + joint.velocity;
-        const double* velocity_dot = y_dot + joint.velocity;
-        double* to = half + joint.position;
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis: *to = *velocity_dot; break;
-            case Hanging::free:
-                vec3(to) = vec3(velocity_dot);
-                position += 3;
-                velocity += 3;
-                velocity_dot += 3;
-                to += 3;
-                [[fallthrough]];
-            case Hanging::ball:
-                vec4(to) = p_ddot_of_omega_local(vec4(position), vec3(velocity), vec3(velocity_dot));
-                break;
-        }
-    }
-    for (int k = 0; k < n; ++k) { half[k] *= 0.5; }
+    joints().for_each_part(
+        [&](int q, int q_dot) { half[q] = 0.5 * y_dot[q_dot]; },
+        [&](int r, int r_dot) { vec3(half + r) = 0.5 * vec3(y_dot + r_dot); },
+        [&](int p, int omega) {
+            vec4(half + p) = 0.5 * p_ddot_of_omega_local(vec4(y + p), vec3(y + omega), vec3(y_dot + omega));
+        });
 }
 
 void TreeEquations::flat_of(const double* value, const double* rate, double* flat) const {
-    std::copy_n(value, joints().positions(), y_.begin());
-    for (const TreeNode& joint : joints().nodes()) {
-        double* position = &y_[at(joint.position)];
-        double* velocity = y_.data() + joint.velocity;
-        const double* position_dot = rate + joint.position;
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis: *velocity = *position_dot; break;
-            case Hanging::free:
-                vec3(velocity) = vec3(position_dot);
-                position += 3;
-                velocity += 3;
-                position_dot += 3;
-                [[fallthrough]];
-            case Hanging::ball:
-                vec4(position).normalize();
-                vec3(velocity) = omega_local_of(vec4(position), vec4(position_dot));
-                break;
-        }
-    }
-    to_flat(y_.data(), flat);
+    double* y = y_.data();
+    std::copy_n(value, joints().positions(), y);
+    joints().for_each_part(
+        [&](int q, int q_dot) { y[q_dot] = rate[q]; },
+        [&](int r, int r_dot) { vec3(y + r_dot) = vec3(rate + r); },
+        [&](int p, int omega) {
+            vec4(y + p).normalize();
+            vec3(y + omega) = omega_local_of(vec4(y + p), vec4(rate + p));
+        });
+    to_flat(y, flat);
 }
 
 }  // namespace jw

@@ -129,35 +129,21 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
 }
 
 void TreeEquations::write_rates(const double* y, double* y_dot) const {
-    for (const TreeNode& joint : joints().nodes()) {
-        const double* position = y + joint.position;
-        const double* velocity = y + joint.velocity;
-        double* position_dot = y_dot + joint.position;
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis: *position_dot = *velocity; break;
-            case Hanging::free:
-                vec3(position_dot) = vec3(velocity);
-                position += 3;
-                position_dot += 3;
-                velocity += 3;
-                [[fallthrough]];
-            case Hanging::ball:
-                vec4(position_dot) = p_dot_of_omega_local(vec4(position), vec3(velocity));
-                break;
-        }
-    }
+    joints().for_each_part(
+        [&](int q, int q_dot) { y_dot[q] = y[q_dot]; },
+        [&](int r, int r_dot) { vec3(y_dot + r) = vec3(y + r_dot); },
+        [&](int p, int omega) { vec4(y_dot + p) = p_dot_of_omega_local(vec4(y + p), vec3(y + omega)); });
     std::ranges::copy(tree_.u_dot(), y_dot + joints().positions());
 }
 
 double TreeEquations::kinetic_energy(const double* y) const {
     tree_.place(y);
     tree_.move(y);
-    tree_.set_inertias(Metric::mass);
     double energy = 0.0;
     for (const int b : moving_) {
         const Node& node = tree_.node(tree_.node_of(b));
-        energy += 0.5 * dot(node.velocity, times(node.inertia, node.velocity));
+        energy += jw::kinetic_energy(
+            *scene_->loads.masses[at(b)], node.velocity.linear, node.A.transpose() * node.velocity.angular);
     }
     return energy;
 }

@@ -112,10 +112,7 @@ double TreeEquations::largest_of_kept_rows(double Row::*number) const {
 
 double TreeEquations::project(double t, double* y) {
     constexpr int most_rounds = 12;
-    for (const TreeNode& joint : joints().nodes()) {
-        if (joint.hanging == Hanging::ball) { vec4(y + joint.position).normalize(); }
-        if (joint.hanging == Hanging::free) { vec4(y + joint.position + 3).normalize(); }
-    }
+    joints().for_each_part([](int, int) {}, [](int, int) {}, [&](int p, int) { vec4(y + p).normalize(); });
     if (rows_.empty()) { return 0.0; }
     double before = 0.0;
     double last = std::numeric_limits<double>::infinity();
@@ -135,13 +132,13 @@ double TreeEquations::project(double t, double* y) {
         displace(y);
     }
     // twice: the first answer has the rounding of the rates it takes out
-    for (int round = 0; round < 2; ++round) {
-        take_out(&Row::rate);
-        add_velocities(y);
-        tree_.move(y);
-        set_bodies();
-        evaluate_rows(t, kept_groups_);
-    }
+    take_out(&Row::rate);
+    add_velocities(y);
+    tree_.move(y);
+    set_bodies();
+    evaluate_rows(t, kept_groups_);
+    take_out(&Row::rate);
+    add_velocities(y);
     return before;
 }
 
