@@ -203,10 +203,6 @@ Exit bench_command(const Options& options, const Streams& streams) {
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("bench", "what a digit costs, method by method; the hard cases");
     auto options = std::make_shared<Options>();
-    std::vector<std::string> methods;
-    for (const MethodName& entry : kMethods) { methods.emplace_back(entry.name); }
-    std::vector<std::string> treatments;
-    for (const TreatmentName& entry : kTreatments) { treatments.emplace_back(entry.name); }
     command
         ->add_option(
             "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped")
@@ -215,19 +211,17 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         command
             ->add_option(
                 "--method", options->methods, "one or several; default explicit-5, -8, implicit-5, -9")
-            ->check(CLI::IsMember(methods))
+            ->check(CLI::IsMember(names_of(kMethods)))
             ->type_name("NAME");
     CLI::Option* treatment = command->add_option("--treatment", options->treatment, "of the constraints")
-                                 ->check(CLI::IsMember(treatments))
+                                 ->check(CLI::IsMember(names_of(kTreatments)))
                                  ->type_name("NAME");
-    std::vector<std::string> formulations;
-    for (const FormulationName& entry : kFormulations) { formulations.emplace_back(entry.name); }
     CLI::Option* coordinates =
         command
             ->add_option(
                 "--coordinates", options->coordinates,
                 "of explicit methods: joints or bodies; default: joints where they pay")
-            ->check(CLI::IsMember(formulations))
+            ->check(CLI::IsMember(names_of(kFormulations)))
             ->type_name("NAME");
     CLI::Option* picture =
         command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")

@@ -12,13 +12,6 @@ namespace jw {
 
 namespace {
 
-template <class Table>
-std::vector<std::string> names_of(const Table& table) {
-    std::vector<std::string> names;
-    for (const auto& entry : table) { names.emplace_back(entry.name); }
-    return names;
-}
-
 std::vector<std::string> coordinate_names() {
     std::vector<std::string> names = names_of(kFormulations);
     names.insert(names.end(), kChoices.begin(), kChoices.end());
