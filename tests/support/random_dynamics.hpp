@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/dynamics/dense_equations.hpp"
+#include "tests/support/driven.hpp"
 #include "tests/support/scenes.hpp"
 
 /// Mechanisms with masses and loads, and states that they can be in.
@@ -82,11 +83,41 @@ inline Mechanism random_tree(Random& random) {
     return scene.mechanism;
 }
 
+/// Trees with a joint of every type, loops with and without redundant rows, drivers; the whole scene
+/// anywhere.
+inline std::vector<Mechanism> mechanisms_of_all_kinds(Random& random) {
+    std::vector<Mechanism> out{
+        random_tree(random),
+        four_bar_at(0.7),
+        driven(four_bar_at(1.1), 0, 1.5, 0.4),
+        bennett(1.0),
+        bricard(1.2),
+        rssr(0.7),
+        cardan(0.5, 0.3),
+        double_cardan(0.4, 0.3),
+        slider_crank(0.5, 1.5, 0.8),
+        driven(slider_crank(0.5, 1.5, 0.8), 0, -2.0),
+        screw(0.7, 0.25, ScrewAngleForm::rotation),
+        driven(screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0)};
+    for (Mechanism& mechanism : out) {
+        mechanism = moved_rigidly(mechanism, random.unit_p(), random.vector());
+    }
+    return out;
+}
+
 /// State and motion of the centroidal frames.
 struct Moment {
     State state;
     Motion motion;
 };
+
+/// Of the moving bodies, as the equations of motion have it.
+inline std::vector<double> flat_of(const Centroidal& scene, const Moment& moment) {
+    const std::vector<int> moving = moving_bodies_of(scene.mechanism);
+    std::vector<double> y(kNumbersPerBody * moving.size());
+    pack(moment.state, moment.motion, moving, y.data());
+    return y;
+}
 
 inline std::vector<BodyKinematics<OmegaLocal>> bodies_of(const Moment& moment) {
     std::vector<BodyKinematics<OmegaLocal>> out(moment.state.r.size());

@@ -7,35 +7,12 @@ using namespace jw;
 
 namespace {
 
-/// Trees with a joint of every type, loops with and without redundant rows, drivers.
-std::vector<Mechanism> scenes(test::Random& random) {
-    std::vector<Mechanism> out{
-        test::random_tree(random),
-        test::four_bar_at(0.7),
-        test::driven(test::four_bar_at(1.1), 0, 1.5, 0.4),
-        test::bennett(1.0),
-        test::bricard(1.2),
-        test::rssr(0.7),
-        test::cardan(0.5, 0.3),
-        test::double_cardan(0.4, 0.3),
-        test::slider_crank(0.5, 1.5, 0.8),
-        test::driven(test::slider_crank(0.5, 1.5, 0.8), 0, -2.0),
-        test::screw(0.7, 0.25, ScrewAngleForm::rotation),
-        test::driven(test::screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0)};
-    // the whole scene anywhere
-    for (Mechanism& mechanism : out) {
-        mechanism = moved_rigidly(mechanism, random.unit_p(), random.vector());
-    }
-    return out;
-}
-
 Motion block_accelerations(
     const Centroidal& scene, const test::Moment& moment, double t, const Baumgarte& baumgarte = {}) {
     const std::unique_ptr<MotionEquations> equations = block_equations(scene, baumgarte);
     const std::vector<int> moving = moving_bodies_of(scene.mechanism);
-    std::vector<double> y(static_cast<std::size_t>(equations->size()));
+    const std::vector<double> y = test::flat_of(scene, moment);
     std::vector<double> y_dot(y.size());
-    pack(moment.state, moment.motion, moving, y.data());
     equations->choose_rows(t, y.data());
     equations->evaluate(t, y.data(), y_dot.data());
     Motion out = zero_motion(scene.mechanism);
@@ -66,7 +43,7 @@ TEST_CASE("Masses 18 decades apart cost no digits, whoever carries whom", "[core
     for (const bool heavy_first : {false, true}) {
         test::Random random(4);
         int number = 0;
-        for (const Mechanism& mechanism : scenes(random)) {
+        for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
             CAPTURE(heavy_first, number);
             // a light body that can spin between heavy ones has no digits to lose: reactions of 1e10 N that
             // miss its axis by rounding turn it. So in the tree (0) and the RSSR (5)
@@ -99,7 +76,7 @@ TEST_CASE("Block and dense equations give the same accelerations in all four cho
     for (unsigned seed = 1; seed <= 5; ++seed) {
         test::Random random(seed);
         int number = 0;
-        for (const Mechanism& mechanism : scenes(random)) {
+        for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
             CAPTURE(seed, number++);
             const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
             const double t = 0.3;
@@ -157,7 +134,7 @@ TEMPLATE_TEST_CASE(
     for (unsigned seed = 1; seed <= 3; ++seed) {
         test::Random random(seed);
         int number = 0;
-        for (const Mechanism& mechanism : scenes(random)) {
+        for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
             CAPTURE(seed, number++);
             const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
             const test::Moment moment = test::random_moment(random, scene, 0.3);

@@ -7,18 +7,24 @@
 
 using namespace jw;
 
+namespace {
+
+std::vector<Mechanism> tree_loops_and_screw(test::Random& random) {
+    return {
+        test::random_tree(random), test::driven(test::four_bar_at(0.7), 0, 1.0), test::bricard(1.2),
+        test::screw(0.7, 0.25, ScrewAngleForm::rotation)};
+}
+
+}  // namespace
+
 TEST_CASE(
     "An evaluation of the block equations allocates nothing, nor does a projection", "[core][allocation]") {
     test::Random random(2);
-    for (const Mechanism& mechanism :
-         {test::random_tree(random), test::driven(test::four_bar_at(0.7), 0, 1.0), test::bricard(1.2),
-          test::screw(0.7, 0.25, ScrewAngleForm::rotation)}) {
+    for (const Mechanism& mechanism : tree_loops_and_screw(random)) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        const test::Moment moment = test::random_moment(random, scene, 0.0, 0.02);
         const std::unique_ptr<MotionEquations> equations = block_equations(scene);
-        std::vector<double> y(static_cast<std::size_t>(equations->size()));
+        std::vector<double> y = test::flat_of(scene, test::random_moment(random, scene, 0.0, 0.02));
         std::vector<double> y_dot(y.size());
-        pack(moment.state, moment.motion, moving_bodies_of(mechanism), y.data());
         equations->choose_rows(0.0, y.data());
 
         const long before = test::allocations();
@@ -35,14 +41,9 @@ TEST_CASE(
 TEST_CASE(
     "An evaluation in joint coordinates allocates nothing, nor does a projection", "[core][allocation]") {
     test::Random random(2);
-    for (const Mechanism& mechanism :
-         {test::random_tree(random), test::driven(test::four_bar_at(0.7), 0, 1.0), test::bricard(1.2),
-          test::screw(0.7, 0.25, ScrewAngleForm::rotation)}) {
+    for (const Mechanism& mechanism : tree_loops_and_screw(random)) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        const test::Moment moment = test::random_moment(random, scene, 0.0, 0.02);
-        const std::vector<int> moving = moving_bodies_of(mechanism);
-        std::vector<double> flat(kNumbersPerBody * moving.size());
-        pack(moment.state, moment.motion, moving, flat.data());
+        std::vector<double> flat = test::flat_of(scene, test::random_moment(random, scene, 0.0, 0.02));
         TreeEquations tree(scene, flat);
         std::vector<double> y(static_cast<std::size_t>(tree.size()));
         std::vector<double> y_dot(y.size());

@@ -10,34 +10,6 @@ using namespace jw;
 
 namespace {
 
-/// Trees with a joint of every type, loops with and without redundant rows, drivers; anywhere.
-std::vector<Mechanism> scenes(test::Random& random) {
-    std::vector<Mechanism> out{
-        test::random_tree(random),
-        test::four_bar_at(0.7),
-        test::driven(test::four_bar_at(1.1), 0, 1.5, 0.4),
-        test::bennett(1.0),
-        test::bricard(1.2),
-        test::rssr(0.7),
-        test::cardan(0.5, 0.3),
-        test::double_cardan(0.4, 0.3),
-        test::slider_crank(0.5, 1.5, 0.8),
-        test::driven(test::slider_crank(0.5, 1.5, 0.8), 0, -2.0),
-        test::screw(0.7, 0.25, ScrewAngleForm::rotation),
-        test::driven(test::screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0)};
-    for (Mechanism& mechanism : out) {
-        mechanism = moved_rigidly(mechanism, random.unit_p(), random.vector());
-    }
-    return out;
-}
-
-std::vector<double> flat_of(const Centroidal& scene, const test::Moment& moment) {
-    const std::vector<int> moving = moving_bodies_of(scene.mechanism);
-    std::vector<double> y(kNumbersPerBody * moving.size());
-    pack(moment.state, moment.motion, moving, y.data());
-    return y;
-}
-
 std::vector<double> flat_of(const MotionEquations& equations, const std::vector<double>& y) {
     std::vector<double> flat(static_cast<std::size_t>(kNumbersPerBody * equations.bodies()));
     equations.to_flat(y.data(), flat.data());
@@ -89,7 +61,7 @@ TEST_CASE("In joint coordinates the joints of the tree hold whatever the numbers
         // single equations are no joints to hang from
         std::erase_if(mechanism.joints, [](const Joint& joint) { return joint.type->dof > 3; });
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        TreeEquations tree(scene, flat_of(scene, test::random_moment(random, scene, 0.0)));
+        TreeEquations tree(scene, test::flat_of(scene, test::random_moment(random, scene, 0.0)));
         CHECK(tree.rows() == 0);
         std::vector<double> y(static_cast<std::size_t>(tree.size()));
         for (double& number : y) { number = random.number(-2.0, 2.0); }
@@ -105,9 +77,9 @@ TEST_CASE("In joint coordinates the joints of the tree hold whatever the numbers
 
 TEST_CASE("A state goes to joint coordinates and back", "[core][dynamics]") {
     test::Random random(3);
-    for (const Mechanism& mechanism : scenes(random)) {
+    for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        const std::vector<double> start = flat_of(scene, test::random_moment(random, scene, 0.3));
+        const std::vector<double> start = test::flat_of(scene, test::random_moment(random, scene, 0.3));
         const TreeEquations tree(scene, start);
         std::vector<double> y(static_cast<std::size_t>(tree.size()));
         tree.from_flat(start.data(), y.data());
@@ -120,13 +92,13 @@ TEST_CASE("Joint coordinates move the bodies as the equations of the bodies do",
     for (unsigned seed = 1; seed <= 5; ++seed) {
         test::Random random(seed);
         int number = 0;
-        for (const Mechanism& mechanism : scenes(random)) {
+        for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
             CAPTURE(seed, number++);
             const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
             const double t = 0.3;
-            TreeEquations tree(scene, flat_of(scene, test::random_moment(random, scene, t)));
+            TreeEquations tree(scene, test::flat_of(scene, test::random_moment(random, scene, t)));
             const std::vector<double> y =
-                moved(random, tree, flat_of(scene, test::random_moment(random, scene, t)), t);
+                moved(random, tree, test::flat_of(scene, test::random_moment(random, scene, t)), t);
             const std::vector<double> flat = flat_of(tree, y);
 
             const auto block = block_equations(scene);
@@ -152,9 +124,9 @@ TEST_CASE("Joint coordinates move the bodies as the equations of the bodies do",
 
 TEST_CASE("Energies in joint coordinates are those of the bodies", "[core][dynamics]") {
     test::Random random(8);
-    for (const Mechanism& mechanism : scenes(random)) {
+    for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        const std::vector<double> start = flat_of(scene, test::random_moment(random, scene, 0.3));
+        const std::vector<double> start = test::flat_of(scene, test::random_moment(random, scene, 0.3));
         TreeEquations tree(scene, start);
         const std::vector<double> y = moved(random, tree, start, 0.3);
         const std::vector<double> flat = flat_of(tree, y);
