@@ -182,10 +182,11 @@ Outcome simulate(
 void measure(const PeerScene& scene, double limit, Report& report) {
     const Model model(scene);
     for (const Choice& choice : kChoices) {
-        for (double accuracy = 1e-2; accuracy > 0.9 * choice.tightest; accuracy /= 10.0) {
-            const Outcome outcome = simulate(model, scene, choice, accuracy, limit);
+        for (double accuracy = 1e-2; accuracy > 0.9 * choice.tightest; accuracy *= kTighter) {
+            const Outcome outcome =
+                least_of_several([&] { return simulate(model, scene, choice, accuracy, limit); });
             char setting[40];
-            std::snprintf(setting, sizeof setting, "accuracy %.0e", accuracy);
+            std::snprintf(setting, sizeof setting, "accuracy %.1e", accuracy);
             report.add(choice.name, setting, outcome);
             if (outcome.out_of_time || outcome.error < kEnough) { break; }
         }

@@ -46,6 +46,13 @@ struct Outcome {
 /// Error below which nothing more is asked of a method [m].
 inline constexpr double kEnough = 1e-10;
 
+/// Tolerances of a sweep: each this part of the one before. Coarser ones would decide by luck who is first.
+inline constexpr double kTighter = 0.5623413251903491;  // four a decade
+
+/// The same run again and again, until 20 ms or five runs are over: its least time, which is what it costs
+/// when nothing else disturbs it and all is in the caches.
+Outcome least_of_several(const std::function<Outcome()>& run);
+
 /// Rows of one peer and scene as CSV to stdout, and at the end to stderr what the errors 1e-3, 1e-6 and 1e-9
 /// cost at the best settings.
 class Report {
