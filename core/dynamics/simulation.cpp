@@ -102,9 +102,8 @@ void Simulation::take_joints() {
     const bool is_implicit = entry_of(settings_.method).kind == MethodKind::radau;
     if (wanted && is_implicit && tree->rows() > 0) {
         throw std::invalid_argument(
-            "implicit methods take joint coordinates only where there are no loops and no drivers; expected "
-            "an "
-            "explicit method, or bodies");
+            "implicit methods take joint coordinates only where there are no loops and no drivers; "
+            "expected an explicit method, or bodies");
     }
     if (wanted || tree->rows() <= (is_implicit ? 0 : kMostLoopRows)) { other_ = std::move(tree); }
 }
