@@ -10,10 +10,11 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/plot_picture.hpp"
-#include "app/session/benchmark.hpp"
+#include "app/panels/price_panel.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/prices.hpp"
 #include "lessons/catalogue.hpp"
 #include "render/png.hpp"
 
@@ -186,8 +187,11 @@ Exit bench_command(const Options& options, const Streams& streams) {
         if (options.output == "csv") { write_csv_rows(result, streams.out); }
         if (options.output == "json") { scenes.push_back(json_of(result)); }
         if (!options.picture.empty()) {
-            const render::Image image = picture_of_plot(
-                work_precision(result.runs), {}, result.name + ": CPU time over digits", 1280, 720);
+            const Prices prices = prices_of(result.runs);
+            const render::Image image =
+                picture_of_panel(1280, 720, [&](const panels::Canvas& canvas, const panels::Box& box) {
+                    panels::price_panel(canvas, box, prices, result.name, {});
+                });
             render::write_file_atomically(options.picture, render::encode_png(image));
         }
     }

@@ -44,6 +44,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
 host::Tab tab_of(const std::string& name) {
     if (name == "try") { return host::Tab::attempt; }
     if (name == "plots") { return host::Tab::plot; }
+    if (name == "price") { return host::Tab::price; }
     return name == "newton" ? host::Tab::newton : host::Tab::step;
 }
 
@@ -101,8 +102,8 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::Range(0.75, 1.5))
         ->type_name("N")
         ->capture_default_str();
-    command->add_option("--tab", options->tab, "beside the picture: step, try, plots or newton")
-        ->check(CLI::IsMember({"step", "try", "plots", "newton"}))
+    command->add_option("--tab", options->tab, "beside the picture: step, try, plots, newton or price")
+        ->check(CLI::IsMember({"step", "try", "plots", "newton", "price"}))
         ->type_name("TAB")
         ->capture_default_str();
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")

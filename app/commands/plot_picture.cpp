@@ -10,8 +10,8 @@
 
 namespace jw {
 
-render::Image picture_of_plot(
-    const SeriesSet& set, const panels::PlotState& state, const std::string& title, int width, int height) {
+render::Image picture_of_panel(
+    int width, int height, const std::function<void(const panels::Canvas&, const panels::Box&)>& draw) {
     render::Offscreen offscreen(width, height);
     const host::PanelContext context(width, height);
     const render::Fonts fonts = render::load_fonts(panels::scale_of(width, height));
@@ -20,16 +20,22 @@ render::Image picture_of_plot(
     offscreen.begin_2d();
     ImGui::NewFrame();
     const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), fonts);
+    const panels::Box all{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
     const float margin = canvas.px(16.0F);
-    const float head = canvas.line_height(fonts.bold) + canvas.px(10.0F);
-    canvas.text({margin, margin}, fonts.bold, panels::theme::kInk, title);
-    const panels::Box box{
-        margin, margin + head, static_cast<float>(width) - 2.0F * margin,
-        static_cast<float>(height) - 2.0F * margin - head};
-    panels::plot(canvas, box, set, state);
+    draw(canvas, panels::shrunk(all, margin, margin));
     ImGui::Render();
     backend.draw(*ImGui::GetDrawData(), offscreen.size());
     return offscreen.read();
+}
+
+render::Image picture_of_plot(
+    const SeriesSet& set, const panels::PlotState& state, const std::string& title, int width, int height) {
+    return picture_of_panel(width, height, [&](const panels::Canvas& canvas, panels::Box box) {
+        const float head = canvas.line_height(canvas.fonts().bold) + canvas.px(10.0F);
+        const panels::Box line = panels::cut_top(box, head);
+        canvas.text({line.x, line.y}, canvas.fonts().bold, panels::theme::kInk, title);
+        panels::plot(canvas, box, set, state);
+    });
 }
 
 }  // namespace jw

@@ -1,9 +1,16 @@
 #pragma once
 
+#include <functional>
+
 #include "app/panels/plot.hpp"
 #include "render/image.hpp"
 
 namespace jw {
+
+/// One panel as a picture of its own, drawn in memory.
+/// @throws std::runtime_error if OSMesa or a font is missing
+render::Image picture_of_panel(
+    int width, int height, const std::function<void(const panels::Canvas&, const panels::Box&)>& draw);
 
 /// A plot as a picture of its own, drawn in memory.
 /// @throws std::runtime_error if OSMesa or a font is missing

@@ -22,6 +22,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::tab_try, Group::panels, "Try it: change the lesson", "2", Key::none, '2'},
     CommandInfo{Command::tab_plot, Group::panels, "Plots", "3", Key::none, '3'},
     CommandInfo{Command::tab_newton, Group::panels, "Newton-Raphson, compared", "4", Key::none, '4'},
+    CommandInfo{Command::tab_price, Group::panels, "Price: what a digit costs", "5", Key::none, '5'},
     CommandInfo{Command::next_tab, Group::panels, "Next of these", "Tab", Key::tab},
     CommandInfo{Command::panel_keys, Group::panels, "Arrows move in the panel", "w", Key::none, 'w'},
 

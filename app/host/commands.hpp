@@ -25,6 +25,7 @@ enum class Command {
     tab_try,
     tab_plot,
     tab_newton,
+    tab_price,
     next_tab,
     panel_keys,
     // experiments

@@ -94,7 +94,7 @@ bool Host::open(
     state_.freedom = -1;
     step_waited_ = 0.0;
     picture_of_ = 0;
-    benches_ = {};  // what they remember is of the lesson before
+    benches_ = {.price = PriceBench(path)};  // what they remember is of the lesson before
     for (const std::string& text : tries) { say(try_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);

@@ -21,6 +21,8 @@ constexpr double kMessageSeconds = 6.0;
 constexpr double kFreedomSeconds = 3.0;  // there and back
 // an open file is looked at this often
 constexpr double kIdle = 0.5;
+// between two looks at a measurement: fast enough to be watched, and it costs next to nothing
+constexpr double kMeasuring = 0.25;
 // between two frames of something that moves: no display shows more
 constexpr double kMoving = 1.0 / 60.0;
 constexpr float kSmallestText = 0.75F;
@@ -130,6 +132,7 @@ void Host::carry_out(Command command) {
         case Command::tab_try: state_.tab = Tab::attempt; return;
         case Command::tab_plot: state_.tab = Tab::plot; return;
         case Command::tab_newton: state_.tab = Tab::newton; return;
+        case Command::tab_price: state_.tab = Tab::price; return;
         case Command::next_tab:
             state_.tab = static_cast<Tab>((static_cast<int>(state_.tab) + 1) % kTabs);
             return;
@@ -253,6 +256,7 @@ double Host::seconds_to_change() const {
     double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
     if (!shows_lesson()) { return due; }
     if (state_.freedom >= 0) { return kMoving; }
+    if (benches_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     if (state_.playing) {
         const double step = seconds_of_step(session_->story(), session_->view());
         due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));

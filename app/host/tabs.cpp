@@ -16,7 +16,7 @@ using panels::Box;
 namespace theme = panels::theme;
 
 constexpr Command kCommandOf[] = {
-    Command::tab_step, Command::tab_try, Command::tab_plot, Command::tab_newton};
+    Command::tab_step, Command::tab_try, Command::tab_plot, Command::tab_newton, Command::tab_price};
 
 void tab_strip(const LessonUi& ui, const Box& strip) {
     const panels::Canvas& canvas = ui.canvas;
@@ -57,9 +57,10 @@ const char* name_of(Tab tab) {
         case Tab::step: return "Step";
         case Tab::attempt: return "Try it";
         case Tab::plot: return "Plots";
-        case Tab::newton: break;
+        case Tab::newton: return "Newton";
+        case Tab::price: break;
     }
-    return "Newton";
+    return "Price";
 }
 
 const char* area_of(Tab tab) {
@@ -67,6 +68,7 @@ const char* area_of(Tab tab) {
         case Tab::attempt: return "try it";
         case Tab::plot: return "plots";
         case Tab::newton: return "newton";
+        case Tab::price: return "price";
         case Tab::step: break;
     }
     return "tabs";
@@ -86,6 +88,7 @@ void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches&
         case Tab::attempt: return try_tab(ui, layout.column);
         case Tab::plot: return benches.plot.draw(ui, layout.column);
         case Tab::newton: return benches.newton.draw(ui, layout.column);
+        case Tab::price: return benches.price.draw(ui, layout.column);
         case Tab::step: return;
     }
 }

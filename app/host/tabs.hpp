@@ -2,6 +2,7 @@
 
 #include "app/host/newton_tab.hpp"
 #include "app/host/plot_tab.hpp"
+#include "app/host/price_tab.hpp"
 #include "app/host/ui.hpp"
 
 /// What stands beside the picture: the panels of the step, or one of the benches to try and compare.
@@ -13,8 +14,9 @@ const char* area_of(Tab tab);
 
 /// What the tabs remember.
 struct Benches {
-    PlotBench plot;
-    NewtonBench newton;
+    PlotBench plot{};
+    NewtonBench newton{};
+    PriceBench price{};
 };
 
 /// The tabs and the column under them.

@@ -13,8 +13,8 @@
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
-enum class Tab { step, attempt, plot, newton };
-inline constexpr int kTabs = 4;
+enum class Tab { step, attempt, plot, newton, price };
+inline constexpr int kTabs = 5;
 
 /// What is on the screen beyond the lesson itself.
 struct UiState {

@@ -19,9 +19,10 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 2'000'000;
 
+/// Of this thread: a window that goes on beside it costs the method nothing.
 double cpu_seconds() {
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -60,13 +61,17 @@ struct Recorded {
     double cpu = 0.0;
 };
 
-Recorded record(const Lesson& lesson, const SimulationSettings& settings, const std::vector<double>& times) {
+Recorded record(
+    const Lesson& lesson, const SimulationSettings& settings, const std::vector<double>& times,
+    const std::stop_token& stop) {
     Recorded recorded;
     recorded.states.reserve(times.size());
     const double start = cpu_seconds();
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    recorded.outcome =
-        simulation.run(times, [&](double, const std::vector<double>& y) { recorded.states.push_back(y); });
+    recorded.outcome = simulation.run(times, [&](double, const std::vector<double>& y) {
+        if (stop.stop_requested()) { throw Stopped(); }
+        recorded.states.push_back(y);
+    });
     recorded.cpu = cpu_seconds() - start;
     return recorded;
 }
@@ -83,15 +88,15 @@ void measure(
 }
 
 BenchPoint bench_point(
-    const Lesson& lesson, const SimulationSettings& settings, const Reference& reference, double setting,
-    double least_time) {
+    const Lesson& lesson, const SimulationSettings& settings, const Reference& reference, double least_time,
+    const std::stop_token& stop) {
     BenchPoint point;
-    point.setting = setting;
-    const Recorded first = record(lesson, settings, reference.times);
+    point.setting = settings.tolerance;
+    const Recorded first = record(lesson, settings, reference.times, stop);
     point.counts = first.outcome.counts;
     point.cpu = first.cpu;
     for (double spent = first.cpu; spent < least_time;) {
-        const double again = record(lesson, settings, reference.times).cpu;
+        const double again = record(lesson, settings, reference.times, stop).cpu;
         point.cpu = std::min(point.cpu, again);
         spent += again;
     }
@@ -158,7 +163,7 @@ std::optional<Reference> stored_reference(const std::filesystem::path& lesson_fi
     return reference;
 }
 
-Reference own_reference(const Lesson& lesson) {
+Reference own_reference(const Lesson& lesson, const std::stop_token& stop) {
     Reference reference;
     reference.times = equal_times(lesson.dynamics->duration, 100);
     const BodyPoint& tracked = *lesson.dynamics->point;
@@ -169,6 +174,7 @@ Reference own_reference(const Lesson& lesson) {
         Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
         std::vector<std::pair<Vec3, Vec3>> path;
         simulation.run(reference.times, [&](double, const std::vector<double>& y) {
+            if (stop.stop_requested()) { throw Stopped(); }
             path.emplace_back(
                 simulation.point(y, tracked.body, tracked.point_local),
                 simulation.point_velocity(y, tracked.body, tracked.point_local));
@@ -201,7 +207,7 @@ std::optional<double> BenchRun::time_to(double error) const {
 }
 
 std::vector<BenchRun> bench_dynamics(
-    const Lesson& lesson, const Reference& reference, const BenchPlan& plan) {
+    const Lesson& lesson, const Reference& reference, const BenchPlan& plan, const BenchWatch& watch) {
     std::vector<BenchRun> runs;
     std::vector<Method> methods = plan.methods;
     if (methods.empty()) {
@@ -211,7 +217,7 @@ std::vector<BenchRun> bench_dynamics(
         }
     }
     for (const Method method : methods) {
-        BenchRun run;
+        BenchRun& run = runs.emplace_back();
         run.scene = lesson.title;
         run.method = method;
         run.treatment = plan.treatment;
@@ -222,42 +228,13 @@ std::vector<BenchRun> bench_dynamics(
             settings.formulation = plan.formulation;
             settings.tolerance = settings.step = setting;
             settings.most_steps = kMostSteps;
-            run.points.push_back(bench_point(lesson, settings, reference, setting, plan.least_time));
+            run.points.push_back(bench_point(lesson, settings, reference, plan.least_time, watch.stop));
+            watch.seen(runs);
             // tighter ones would take longer still, and where rounding has been reached they are no better
             if (run.points.back().cpu > kTooLong || stands_still(run.points)) { break; }
         }
-        runs.push_back(std::move(run));
     }
     return runs;
-}
-
-SeriesSet work_precision(const std::vector<BenchRun>& runs) {
-    SeriesSet set;
-    set.axis = "digits of position";
-    set.logarithmic = true;
-    constexpr double finest = 0.1;
-    for (double digits = 0.0; digits <= 14.0; digits += finest) { set.at.push_back(digits); }
-    set.steps.assign(set.at.size(), 0);
-    for (const BenchRun& run : runs) {
-        Series series;
-        series.name = entry_of(run.method).name;
-        series.unit = "ms";
-        for (const double digits : set.at) {
-            const auto time = run.time_to(std::pow(10.0, -digits));
-            series.values.push_back(time ? 1e3 * *time : kNotKnown);
-        }
-        set.telling.push_back(static_cast<int>(set.series.size()));
-        set.series.push_back(std::move(series));
-    }
-    // only as far as somebody comes
-    while (!set.at.empty() &&
-           std::ranges::all_of(set.series, [](const Series& s) { return std::isnan(s.values.back()); })) {
-        set.at.pop_back();
-        set.steps.pop_back();
-        for (Series& series : set.series) { series.values.pop_back(); }
-    }
-    if (set.at.empty()) { set.why_empty = "No method reached the end."; }
-    return set;
 }
 
 }  // namespace jw

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/session/dynamics_run.hpp"
-#include "app/session/series.hpp"
 
 /// Speed against error: what a digit costs, method by method.
 namespace jw {
@@ -20,8 +21,12 @@ struct Reference {
 };
 /// The stored reference of a lesson file, lessons/reference/NAME.csv; nothing if there is none.
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
-/// By the lesson itself, with the tightest tolerance of two methods; `origin` says how far they are apart.
-Reference own_reference(const Lesson& lesson);
+/// By the lesson itself, with the two tightest tolerances; `origin` says how far they are apart.
+/// @throws Stopped if `stop` asks for it
+Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
+
+/// What a run throws that was asked to stop.
+struct Stopped {};
 
 /// The largest errors of a trajectory so far.
 class TrajectoryErrors {
@@ -82,10 +87,16 @@ struct BenchPlan {
     double least_time = 0.02;  ///< runs are repeated until this much CPU time has passed [s]
 };
 
-/// The sweep of one lesson by all methods of the plan.
-std::vector<BenchRun> bench_dynamics(const Lesson& lesson, const Reference& reference, const BenchPlan& plan);
+/// For those who look on while a sweep goes on.
+struct BenchWatch {
+    /// All runs so far, the last one unfinished; after every point.
+    std::function<void(const std::vector<BenchRun>&)> seen = [](const std::vector<BenchRun>&) {};
+    std::stop_token stop;  ///< obeyed at the next sample of the run under way
+};
 
-/// CPU time over digits of position, one curve per method: the least time that reaches so many digits.
-SeriesSet work_precision(const std::vector<BenchRun>& runs);
+/// The sweep of one lesson by all methods of the plan.
+/// @throws Stopped if the watch asks for it
+std::vector<BenchRun> bench_dynamics(
+    const Lesson& lesson, const Reference& reference, const BenchPlan& plan, const BenchWatch& watch = {});
 
 }  // namespace jw
