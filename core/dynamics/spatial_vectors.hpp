@@ -13,10 +13,11 @@ struct Inertia6 {
     Mat3 J = Mat3::Zero();
 };
 
-/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes.
+/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes. Each begins
+/// where a pair of numbers does: pairs that are read otherwise than they were written are waited for.
 struct Six {
-    Vec3 linear = Vec3::Zero();
-    Vec3 angular = Vec3::Zero();
+    alignas(16) Vec3 linear = Vec3::Zero();
+    alignas(16) Vec3 angular = Vec3::Zero();
 };
 
 /// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those
