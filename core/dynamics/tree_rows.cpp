@@ -160,40 +160,60 @@ void TreeEquations::measure_rows() {
     }
 }
 
-/// Gram and Schmidt over the rows of E, the one that keeps most of itself first.
+/// Gram and Schmidt over the rows of E, the one that keeps most of itself first. Loops that share no joint
+/// have nothing to take from each other: of every row only the stretch of u that it reaches is looked at.
 std::vector<int> TreeEquations::independent_rows() const {
-    // a column per row
-    MatrixX E = MatrixX::Zero(joints().velocities(), static_cast<Eigen::Index>(rows_.size()));
-    MatrixX E_by_D = E;
-    for (Eigen::Index k = 0; k < E.cols(); ++k) {
-        const Row& row = rows_[static_cast<std::size_t>(k)];
-        for (std::size_t u = 0; u < row.path.size(); ++u) {
-            E(row.path[u], k) = e_of_rows_[row.first_e + u];
-            E_by_D(row.path[u], k) = e_by_D_[row.first_e + u];
-        }
-    }
-    const auto share_left = [&](Eigen::Index k) {
-        const double unit = extent_ * rows_[static_cast<std::size_t>(k)].inverse_unit;
-        return E.col(k).dot(E_by_D.col(k)) * unit * unit;
+    struct Stretch {
+        Eigen::Index first;
+        Eigen::Index end;
     };
+    const auto count = static_cast<Eigen::Index>(rows_.size());
+    // a column per row
+    MatrixX E = MatrixX::Zero(joints().velocities(), count);
+    MatrixX E_by_D = E;
+    std::vector<Stretch> reaches;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const Row& row = rows_[static_cast<std::size_t>(k)];
+        Stretch reach{E.rows(), 0};
+        for (std::size_t u = 0; u < row.path.size(); ++u) {
+            const Eigen::Index place = row.path[u];
+            E(place, k) = e_of_rows_[row.first_e + u];
+            E_by_D(place, k) = e_by_D_[row.first_e + u];
+            reach = {std::min(reach.first, place), std::max(reach.end, place + 1)};
+        }
+        reaches.push_back(reach);
+    }
+    const auto reach_of = [&](Eigen::Index k) -> Stretch& { return reaches[static_cast<std::size_t>(k)]; };
+    const auto part = [](MatrixX& matrix, Eigen::Index k, const Stretch& s) {
+        return matrix.col(k).segment(s.first, s.end - s.first);
+    };
+    VectorX left(count);
+    const auto measure = [&](Eigen::Index k) {
+        const double unit = extent_ * rows_[static_cast<std::size_t>(k)].inverse_unit;
+        const Stretch& reach = reach_of(k);
+        left(k) = reach.first < reach.end ? part(E, k, reach).dot(part(E_by_D, k, reach)) * unit * unit : 0.0;
+    };
+    for (Eigen::Index k = 0; k < count; ++k) { measure(k); }
     std::vector<int> chosen;
     while (chosen.size() < rows_.size()) {
         Eigen::Index best = 0;
-        for (Eigen::Index k = 1; k < E.cols(); ++k) {
-            if (share_left(k) > share_left(best)) { best = k; }
-        }
-        if (!(share_left(best) > kRepeats)) { break; }
+        if (!(left.maxCoeff(&best) > kRepeats)) { break; }
         chosen.push_back(static_cast<int>(best));
-        const VectorX e = E.col(best);
-        const VectorX e_by_D = E_by_D.col(best);
+        const Stretch reach = reach_of(best);
+        const auto e = part(E, best, reach);
+        const auto e_by_D = part(E_by_D, best, reach);
         const double square = e.dot(e_by_D);
-        for (Eigen::Index k = 0; k < E.cols(); ++k) {
-            const double share = e_by_D.dot(E.col(k)) / square;
+        left(best) = 0.0;
+        for (Eigen::Index k = 0; k < count; ++k) {
+            Stretch& other = reach_of(k);
+            if (left(k) == 0.0 || other.first >= reach.end || reach.first >= other.end) { continue; }
+            const double share = e_by_D.dot(part(E, k, reach)) / square;
             if (share == 0.0) { continue; }
-            E.col(k) -= share * e;
-            E_by_D.col(k) -= share * e_by_D;
+            part(E, k, reach) -= share * e;
+            part(E_by_D, k, reach) -= share * e_by_D;
+            other = {std::min(other.first, reach.first), std::max(other.end, reach.end)};
+            measure(k);
         }
-        E.col(best).setZero();
     }
     std::ranges::sort(chosen);
     return chosen;
