@@ -43,6 +43,8 @@ public:
     bool choose_rows(double t, const double* y) override;
     double smallest_pivot() const override { return saddle_point_.smallest_pivot(); }
     void take_back_rows() override;
+    bool follow_rule(double t, const double* y) override;
+    double most_turn() const override;
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;

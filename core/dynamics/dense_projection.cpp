@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "core/dynamics/dense_equations.hpp"
@@ -42,6 +43,26 @@ bool DenseEquations<C>::choose_rows(double t, const double* y) {
     measure_rows();
     const double threshold = rank_threshold(largest(assembler_.phi()));
     return saddle_point_.choose_rows(jacobian(), threshold) || other_equations;
+}
+
+template <class C>
+bool DenseEquations<C>::follow_rule(double t, const double* y) {
+    read(y);
+    System by_rule = system_;
+    if (!by_rule.choose_rows(state_)) { return false; }
+    choose_rows(t, y);
+    return true;
+}
+
+/// The axis lies at least asin(0.8 / √3) = 0.48 rad beside the plane in which the pair loses its rank.
+template <class C>
+double DenseEquations<C>::most_turn() const {
+    constexpr double margin = 0.4;
+    const auto by_rule = [&](const Constraint& c) {
+        const Joint& joint = scene_->mechanism.joints[at(c.joint)];
+        return c.dropped >= 0 && joint.parallel_form == ParallelForm::rule;
+    };
+    return std::ranges::any_of(system_.constraints(), by_rule) ? margin : MotionEquations::most_turn();
 }
 
 template <class C>

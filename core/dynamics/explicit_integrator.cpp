@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace jw {
 
@@ -125,7 +126,20 @@ void ExplicitIntegrator::accept(double t) {
     verdict_ = verdict_new_;
     ++counts_.steps;
     scales_.include(y_, stages_.front(), 0.0);
-    if (verdict_.smallest_pivot < kRowsTurnBad * pivot_at_choice_) { choose_rows_again(); }
+    if (equations_->follow_rule(t_, y_.data())) {
+        verdict_ = evaluate(t_, y_, stages_.front());
+        pivot_at_choice_ = verdict_.smallest_pivot;
+        ++counts_.row_choices;
+    } else if (verdict_.smallest_pivot < kRowsTurnBad * pivot_at_choice_) {
+        choose_rows_again();
+    }
+}
+
+/// [s]
+double ExplicitIntegrator::longest_step() const {
+    const double omega = scales_.turn_rate(y_);
+    const double most = std::min(options_.most_turn, equations_->most_turn());
+    return omega > 0.0 ? most / omega : std::numeric_limits<double>::infinity();
 }
 
 /// Other rows may say the same better. Where all are equally bad the position itself is singular.
@@ -162,7 +176,7 @@ bool ExplicitIntegrator::is_near_singular() const {
 
 bool ExplicitIntegrator::step(double t_end) {
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        const StepAhead ahead(t_, t_end, h_);
+        const StepAhead ahead(t_, t_end, is_fixed() ? h_ : std::min(h_, longest_step()));
         const double h = ahead.h;
         on_manifold_ = false;
         take_step(h);

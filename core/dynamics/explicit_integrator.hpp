@@ -30,6 +30,7 @@ private:
     double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
+    double longest_step() const;
     bool is_fixed() const { return options_.fixed_step > 0.0; }
     void project(double t, std::vector<double>& y);
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -65,6 +66,11 @@ public:
     virtual double project(double t, double* y) = 0;
     /// Chooses anew which rows are kept, of those that repeat each other, at y. @return true if they changed
     virtual bool choose_rows(double t, const double* y) = 0;
+    /// Chooses others where the rule for p1 and p2 asks for them at y, whatever the pivots say: once a pair
+    /// has lost its rank, bodies may leave the branch without any kept row saying so. @return true if it did
+    virtual bool follow_rule(double /*t*/, const double* /*y*/) { return false; }
+    /// Turn of a body within a step up to which a choice of that rule stays good [rad].
+    virtual double most_turn() const { return std::numeric_limits<double>::infinity(); }
     /// Of the last factorisation, by `evaluate` or `project`; see RowsVerdict.
     virtual double smallest_pivot() const { return 1.0; }
     /// The rows before the last choice.

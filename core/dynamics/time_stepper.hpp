@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/dynamics/motion_equations.hpp"
@@ -12,6 +13,8 @@ struct IntegrationOptions {
     double fixed_step = 0.0;    ///< [s]; 0: steps follow the tolerance
     bool project = true;        ///< back onto the constraints whenever the drift nears the tolerance
     double length_scale = 1.0;  ///< [m]
+    /// Of a body about one axis, within a step that follows the tolerance [rad].
+    double most_turn = std::numeric_limits<double>::infinity();
 };
 
 struct IntegrationCounts {
@@ -42,6 +45,8 @@ public:
     /// Of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
     double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
+    /// Largest component of any angular velocity in y [rad/s].
+    double turn_rate(const std::vector<double>& y) const { return largest(y, NumberScale::Kind::omega); }
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
