@@ -98,6 +98,10 @@ double IndependentCoordinates::along(
 }
 
 VectorX IndependentCoordinates::choose(double t, const double* y) {
+    equations_->choose_rows(t, y);
+    std::vector<double> y_dot(at(equations_->size()));
+    equations_->evaluate(t, y, y_dot.data());
+    pivot_of_rows_ = equations_->smallest_pivot();
     // lengths and turns by the size of the scene; orthonormal, so that masses do not decide
     MatrixX free = equations_->free_motions(t, y);
     const double length = extent(scene_->mechanism);
@@ -137,6 +141,8 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     std::vector<double> here(y, y + equations_->size());
     driven_->project(t, here.data());
     pivot_at_choice_ = driven_->smallest_pivot();
+    best_pivot_ = std::max(best_pivot_, pivot_at_choice_);
+    best_pivot_of_rows_ = std::max(best_pivot_of_rows_, pivot_of_rows_);
 
     VectorX x(2 * d);
     for (Eigen::Index k = 0; k < d; ++k) {
@@ -148,8 +154,14 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
 }
 
 bool IndependentCoordinates::is_sound() const {
-    return driven_->smallest_pivot() > kStillDistinct * kStillDistinct * pivot_at_choice_ &&
-           sharpness_ > kStillDistinct;
+    constexpr double kept = kStillDistinct * kStillDistinct;
+    return driven_->smallest_pivot() > kept * pivot_at_choice_ &&
+           equations_->smallest_pivot() > kept * pivot_of_rows_ && sharpness_ > kStillDistinct;
+}
+
+double IndependentCoordinates::pivot_left() const {
+    return std::min(
+        driven_->smallest_pivot() / best_pivot_, equations_->smallest_pivot() / best_pivot_of_rows_);
 }
 
 void IndependentCoordinates::evaluate(

@@ -25,10 +25,13 @@ public:
     /// `centroidal` and `equations` must outlive this.
     IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations);
 
-    /// Chooses coordinates for the freedoms at y, joints first. @return x there
+    /// Chooses rows, and coordinates for the freedoms at y, joints first. @return x there
     VectorX choose(double t, const double* y) override;
-    /// Whether the choice still tells the freedoms apart where it was evaluated last.
+    /// Whether the choice still tells the freedoms apart where it was evaluated last, and the rows kept of
+    /// those that repeat each other are still good.
     bool is_sound() const override;
+
+    double pivot_left() const override;
 
     /// Moves y, an estimate, to where the coordinates are x, and tells ẋ.
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override;
@@ -51,8 +54,11 @@ private:
     std::vector<IndependentCoordinate> of_bodies_;
     std::vector<IndependentCoordinate> chosen_;
     double pivot_at_choice_ = 1.0;  ///< of the driven equations
-    double sharpness_ = 1.0;        ///< of the coordinate that told least where it was evaluated last
-    Centroidal driven_scene_;       ///< with a driver for every chosen coordinate
+    double pivot_of_rows_ = 1.0;    ///< of the equations without the coordinates' drivers, likewise
+    double best_pivot_ = 0.0;       ///< of all choices so far
+    double best_pivot_of_rows_ = 0.0;
+    double sharpness_ = 1.0;   ///< of the coordinate that told least where it was evaluated last
+    Centroidal driven_scene_;  ///< with a driver for every chosen coordinate
     std::unique_ptr<DrivableEquations> driven_;
 };
 

@@ -2,50 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
-
-#include <Eigen/Eigenvalues>
 
 namespace jw {
 
 namespace {
 
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
 constexpr int kMostAttempts = 60;
 constexpr int kMostIterations = 10;
+/// The polynomial of a step is continued over so many times its length.
+constexpr double kFarthest = 2.0;
+/// Of a body within a step [rad]: where drivers leave little or nothing free, no error of the few free
+/// numbers tells that the others were passed over.
+constexpr double kMostTurn = 1.0;
+/// Near a singular position, and too near for a stage: see ExplicitIntegrator.
+constexpr double kNearSingular = 3e-2;
+constexpr double kTooNear = 1e-6;
+/// A step one of whose stages lies too near is tried with another length.
+constexpr double kDodge = 0.93;
+constexpr int kMostDodges = 12;
+/// A step through a singular position is at least this share of the last regular one.
+constexpr double kSmallestShare = 0.4;
+constexpr double kGivesUp = 0.05;
+/// Rounding of acos near 1 [rad].
+constexpr double kNoTurn = 1e-6;
 /// Contraction of Newton's iteration that makes a new Jacobian worth its evaluations.
 constexpr double kSlowContraction = 0.1;
+/// Changes that are this small beside the tolerance cannot spoil a step.
+constexpr double kRoundingSeen = 1e-3;
+constexpr double kRoundingNear = 0.1;  ///< where no more is to be had, near a singular position
 /// Contraction with which a longer step would not converge.
 constexpr double kNearlyFailed = 0.3;
-
-/// Nodes of Radau IIA on (0, 1]: the zeros of P_s - P_(s-1), by bisection.
-VectorX radau_nodes(int stages) {
-    VectorX c(stages);
-    const auto legendre = [](int n, double x) {
-        double before = 1.0;
-        double now = x;
-        for (int k = 1; k < n; ++k) {
-            const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
-            before = now;
-            now = next;
-        }
-        return n == 0 ? 1.0 : now;
-    };
-    const auto value = [&](double x) { return legendre(stages, x) - legendre(stages - 1, x); };
-    for (int i = 0; i < stages - 1; ++i) {
-        // each of these intervals holds exactly one
-        double left = -std::cos(std::numbers::pi * i / (stages - 0.5));
-        double right = -std::cos(std::numbers::pi * (i + 1) / (stages - 0.5));
-        const bool rising = value(left) < 0.0;
-        for (int k = 0; k < 200; ++k) {
-            const double middle = 0.5 * (left + right);
-            ((value(middle) < 0.0) == rising ? left : right) = middle;
-        }
-        c(i) = 0.5 * (1.0 + 0.5 * (left + right));
-    }
-    c(stages - 1) = 1.0;
-    return c;
-}
 
 /// Weights w with Σ w_j p(x_j) = p(x) for all polynomials below the number of nodes.
 VectorX lagrange_weights(const VectorX& nodes, double x) {
@@ -59,31 +48,6 @@ VectorX lagrange_weights(const VectorX& nodes, double x) {
 }
 
 }  // namespace
-
-RadauTable radau_table(int stages) {
-    RadauTable table;
-    table.c = radau_nodes(stages);
-    // a integrates every polynomial below degree s exactly from 0 to c_i: a V = C, V and C of powers
-    MatrixX powers(stages, stages);
-    MatrixX integrals(stages, stages);
-    for (int i = 0; i < stages; ++i) {
-        for (int k = 0; k < stages; ++k) {
-            powers(i, k) = std::pow(table.c(i), k);
-            integrals(i, k) = std::pow(table.c(i), k + 1) / (k + 1);
-        }
-    }
-    table.a = powers.transpose().fullPivLu().solve(integrals.transpose()).transpose();
-    for (const auto& eigenvalue : table.a.eigenvalues()) {
-        if (std::abs(eigenvalue.imag()) < 1e-9) { table.gamma_0 = eigenvalue.real(); }
-    }
-    // quadrature of order s with the node 0 besides, weight gamma_0
-    VectorX moments(stages);
-    for (int k = 0; k < stages; ++k) { moments(k) = 1.0 / (k + 1) - (k == 0 ? table.gamma_0 : 0.0); }
-    const VectorX b_hat = powers.transpose().fullPivLu().solve(moments);
-    const VectorX b = table.a.row(stages - 1).transpose();
-    table.e = table.a.transpose().fullPivLu().solve(b_hat - b);
-    return table;
-}
 
 RadauIntegrator::RadauIntegrator(
     MotionEquations& equations, std::unique_ptr<ReducedCoordinates> coordinates, int stages,
@@ -170,14 +134,13 @@ VectorX RadauIntegrator::weights(double tau) const {
 /// Stages to start from: the polynomial of the last step, continued.
 void RadauIntegrator::predict(double h) {
     for (Eigen::Index i = 0; i < x_stages_.cols(); ++i) {
-        if (step_before_ == 0.0) {
-            x_stages_.col(i) = x_;
-            y_stages_.col(i) = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
-        } else {
-            const VectorX w = weights(1.0 + table_.c(i) * h / step_before_);
-            x_stages_.col(i) = x_before_ * w;
-            y_stages_.col(i) = y_before_ * w;
-        }
+        x_stages_.col(i) = x_;
+        y_stages_.col(i) = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
+        if (step_before_ == 0.0) { continue; }
+        const VectorX w = weights(1.0 + table_.c(i) * h / step_before_);
+        x_stages_.col(i) = x_before_ * w;
+        // far beyond its step a polynomial leads anywhere, also to where another pose is nearer
+        if (h <= kFarthest * step_before_) { y_stages_.col(i) = y_before_ * w; }
     }
 }
 
@@ -185,6 +148,10 @@ double RadauIntegrator::norm(const VectorX& change) const {
     return change.cwiseQuotient(x_scale_).norm() / std::sqrt(static_cast<double>(change.size())) /
            options_.tolerance;
 }
+
+// not a number fails every comparison
+bool RadauIntegrator::NewtonEnd::is_near_singular() const { return !(pivot_left >= kNearSingular); }
+bool RadauIntegrator::NewtonEnd::is_too_near() const { return !(pivot_left >= kTooNear); }
 
 RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     const Eigen::Index stages = table_.c.size();
@@ -194,10 +161,12 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     NewtonEnd end;
     double last = 0.0;
     for (end.iterations = 1; end.iterations <= kMostIterations; ++end.iterations) {
+        end.pivot_left = 1.0;
         for (Eigen::Index i = 0; i < stages; ++i) {
             coordinates_->evaluate(
                 t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rate_.data(),
                 x_rates_.col(i));
+            end.pivot_left = std::min(end.pivot_left, coordinates_->pivot_left());
         }
         counts_.evaluations += stages;
         counts_.projections += stages;
@@ -211,6 +180,13 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
         if (!std::isfinite(size)) { return end; }
         if (end.iterations > 1) {
             end.contraction = size / last;
+            const double rounding = end.is_near_singular() ? kRoundingNear : kRoundingSeen;
+            if (end.contraction > kSlowContraction && size <= rounding) {
+                // so near, only rounding keeps it from contracting
+                end.contraction = kSlowContraction;
+                end.converged = true;
+                return end;
+            }
             if (end.contraction >= 0.99) { return end; }
             const double left = end.contraction / (1.0 - end.contraction) * size;
             end.converged = left <= enough;
@@ -259,45 +235,120 @@ void RadauIntegrator::accept(double h, double t) {
     if (!coordinates_->is_sound()) { choose_coordinates(); }
 }
 
+RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {
+    Turning turning;
+    std::vector<double> start(at(kNumbersPerBody * equations_->bodies()));
+    std::vector<double> now(start.size());
+    equations_->to_flat(y_.data(), start.data());
+    for (Eigen::Index i = 0; i < y_stages_.cols(); ++i) {
+        equations_->to_flat(y_stages_.col(i).data(), now.data());
+        for (std::size_t m = 0; m < at(equations_->bodies()); ++m) {
+            const double* body = body_numbers(now.data(), m);
+            const Vec4 p = vec4(body + 3).normalized();
+            const double cosine = std::abs(p.dot(vec4(body_numbers(start.data(), m) + 3).normalized()));
+            turning.rate = std::max(turning.rate, vec3(body + 10).norm());
+            turning.angle = std::max(turning.angle, 2.0 * std::acos(std::min(1.0, cosine)));
+        }
+    }
+    return turning;
+}
+
+/// Newton's iteration failed, or a stage lies too near to a singular position.
+/// @return false if there is no more to try
+bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& trial) {
+    ++counts_.rejected;
+    if (newton.is_near_singular() && !newton.converged && !trial.without_slope) {
+        // slopes of accelerations grow beyond bounds at one point: of the step they say nothing
+        trial.without_slope = true;
+        reduced_.setZero();
+        factored_step_ = 0.0;
+        return true;
+    }
+    if (newton.is_near_singular() && trial.dodges < kMostDodges) {
+        // shorter steps would only find the singular position: another length steps over it
+        ++trial.dodges;
+        h_ = kDodge * h;
+        return true;
+    }
+    // to creep up to it is no way past it: accelerations are rounding there
+    if (newton.is_near_singular() && h < kGivesUp * regular_step_) { return false; }
+    if (trial.renewed) { h_ = 0.5 * h; }
+    // what Newton's iteration could not do now it cannot do in the next steps either
+    trial.most_growth = most_growth_ = 1.0;
+    if (!trial.renewed) { renew_jacobian(); }
+    trial.renewed = true;
+    return true;
+}
+
+/// From rest, or where a driver begins to turn, the rate is known on the way only; and a pose that no
+/// velocity leads to is another one that satisfies the same equations. h_ is a shorter step then.
+bool RadauIntegrator::turned_too_far(double h) {
+    const Turning turning = turning_of_stages();
+    const double rate = std::max(scales_.turn_rate(y_), turning.rate);
+    if (turning.rate * h > 1.5 * most_turn()) {
+        h_ = most_turn() / turning.rate;
+        return true;
+    }
+    if (turning.angle <= 2.0 * rate * h + kNoTurn) { return false; }
+    h_ = 0.5 * h;
+    return true;
+}
+
+double RadauIntegrator::most_turn() const { return std::min(kMostTurn, options_.most_turn); }
+
+double RadauIntegrator::growth_after(double error, int iterations) const {
+    constexpr double most = 6.0;
+    const double safety = 0.9 * (2 * kMostIterations + 1) / (2 * kMostIterations + iterations);
+    const double order = static_cast<double>(x_stages_.cols()) + 1.0;
+    return error > 0.0 ? std::clamp(safety * std::pow(error, -1.0 / order), 0.2, most) : most;
+}
+
 bool RadauIntegrator::step(double t_end) {
-    bool doubtful = step_before_ == 0.0;
-    double most_growth = most_growth_;
+    const bool fixed = options_.fixed_step > 0.0;
+    Trial trial;
+    trial.doubtful = step_before_ == 0.0;
+    trial.renewed = jacobian_is_stale();
+    trial.most_growth = most_growth_;
     most_growth_ = 6.0;
-    bool renewed = jacobian_is_stale();
-    if (renewed) { renew_jacobian(); }
+    if (trial.renewed) { renew_jacobian(); }
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        const double turn_rate = scales_.turn_rate(y_);
+        if (!fixed && turn_rate * h_ > most_turn()) { h_ = most_turn() / turn_rate; }
         const StepAhead ahead(t_, t_end, h_);
         const double h = ahead.h;
         factor(h);
         predict(h);
         const NewtonEnd newton = solve_stages(h);
-        if (!newton.converged) {
+        if (!newton.converged || newton.is_too_near()) {
+            if (!try_otherwise(h, newton, trial)) { return false; }
+            continue;
+        }
+        if (!fixed && turned_too_far(h)) {
             ++counts_.rejected;
-            if (renewed) { h_ = 0.5 * h; }
-            // what Newton's iteration could not do now it cannot do in the next steps either
-            most_growth = most_growth_ = 1.0;
-            if (!renewed) { renew_jacobian(); }
-            renewed = true;
             continue;
         }
         contraction_ = newton.contraction;
-        const double error = options_.fixed_step > 0.0 ? 0.0 : error_of(h, doubtful);
-        const double safety = 0.9 * (2 * kMostIterations + 1) / (2 * kMostIterations + newton.iterations);
-        const double order = static_cast<double>(x_stages_.cols()) + 1.0;
-        const double growth =
-            error > 0.0 ? std::clamp(safety * std::pow(error, -1.0 / order), 0.2, 6.0) : 6.0;
-        if (error > 1.0) {
+        const double error = fixed ? 0.0 : error_of(h, trial.doubtful);
+        const double growth = growth_after(error, newton.iterations);
+        const bool singular = newton.is_near_singular();
+        // the estimate of a step through a singular position sees rounding, not the motion
+        const bool small_enough = singular && h <= kSmallestShare * regular_step_;
+        if (error > 1.0 && !small_enough) {
             ++counts_.rejected;
-            doubtful = true;
+            trial.doubtful = true;
             h_ = h * std::min(growth, 0.9);
             continue;
         }
         accept(h, ahead.end);
-        if (options_.fixed_step > 0.0 || ahead.last) { return true; }
-        const double slow = newton.contraction > kNearlyFailed ? 1.0 : most_growth;
-        const double wanted = std::min(growth, doubtful ? 1.0 : slow);
+        if (singular) { ++counts_.singular_passages; }
+        if (trial.without_slope) { reduced_.resize(0, 0); }
+        if (!singular && !ahead.last) { regular_step_ = h; }
+        if (fixed || ahead.last) { return true; }
+        const double slow = newton.contraction > kNearlyFailed ? 1.0 : trial.most_growth;
+        const double wanted = std::min(growth, trial.doubtful ? 1.0 : slow);
         // the factors of this step serve the next one too
         h_ = wanted >= 1.0 && wanted <= 1.2 ? h : h * wanted;
+        if (singular) { h_ = std::max(h_, kSmallestShare * regular_step_); }
         return true;
     }
     return false;
@@ -307,6 +358,7 @@ bool RadauIntegrator::interpolate(double t, double* y) const {
     if (last_step_ == 0.0) { return false; }
     const VectorX at = y_before_ * weights(1.0 - (t_ - t) / last_step_);
     std::copy_n(at.data(), at.size(), y);
+    equations_->project(t, y);
     return true;
 }
 

@@ -33,6 +33,7 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return y_dot_; }
     const IntegrationCounts& counts() const override { return counts_; }
+    /// The polynomial of the step, moved onto the constraints: what drivers turn is no polynomial.
     bool interpolate(double t, double* y) const override;
 
 private:
@@ -41,6 +42,17 @@ private:
         bool converged = false;
         int iterations = 0;
         double contraction = 1.0;
+        double pivot_left = 1.0;  ///< least of the stages
+        bool is_near_singular() const;
+        bool is_too_near() const;  ///< for accelerations to have digits
+    };
+    /// What has been tried for one step.
+    struct Trial {
+        bool doubtful = false;       ///< the first estimate of its error is not to be trusted
+        bool renewed = false;        ///< the Jacobian is of this step
+        bool without_slope = false;  ///< the Jacobian is zero
+        int dodges = 0;
+        double most_growth = 1.0;  ///< of the next step
     };
 
     void choose_coordinates();
@@ -51,6 +63,17 @@ private:
     NewtonEnd solve_stages(double h);
     double error_of(double h, bool doubtful);
     void accept(double h, double t);
+    /// The step that was solved last: the fastest turn of a body in its stages [rad/s], and the largest from
+    /// its start to one of them [rad].
+    struct Turning {
+        double rate = 0.0;
+        double angle = 0.0;
+    };
+    Turning turning_of_stages() const;
+    bool turned_too_far(double h);
+    bool try_otherwise(double h, const NewtonEnd& newton, Trial& trial);
+    double growth_after(double error, int iterations) const;
+    double most_turn() const;
     /// Size of a change of x, by the tolerance.
     double norm(const VectorX& change) const;
     /// Of the start and the stages of the last step in a point `tau` of it, by their polynomial.
@@ -62,7 +85,8 @@ private:
     IntegrationCounts counts_;
     StateScales scales_;
     double t_;
-    double h_ = 0.0;  ///< to try next [s]
+    double h_ = 0.0;             ///< to try next [s]
+    double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;
     std::unique_ptr<ReducedCoordinates> coordinates_;

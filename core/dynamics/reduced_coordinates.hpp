@@ -17,6 +17,9 @@ public:
     virtual VectorX choose(double t, const double* y) = 0;
     /// Whether the choice is still good where it was evaluated last.
     virtual bool is_sound() const = 0;
+    /// Smallest pivot where it was evaluated last, by the best that any choice began with: falls as
+    /// (distance)² to a singular position.
+    virtual double pivot_left() const { return 1.0; }
     /// Moves y, an estimate, to where the coordinates are x, and tells ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
