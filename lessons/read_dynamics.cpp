@@ -1,13 +1,11 @@
 #include <algorithm>
 
+#include "core/dynamics/tolerances.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
 
 namespace {
-
-// more is no longer waited for
-constexpr double kMostFixedSteps = 1e7;
 
 template <class Names>
 std::vector<std::string> words_of(const Names& names) {
@@ -28,7 +26,14 @@ void read_method(Fields& fields, DynamicsPlan& plan) {
         fields.problems().warn(
             fields.span("treatment"), std::string(unfit), "'simulate' takes another one with --method");
     }
-    if (const auto tolerance = fields.positive("tolerance")) { plan.tolerance = tolerance->value; }
+    if (const auto tolerance = fields.positive("tolerance")) {
+        plan.tolerance = tolerance->value;
+        if (!is_tolerance(plan.tolerance)) {
+            fields.problems().add(
+                tolerance->span,
+                "a tolerance of " + short_number(plan.tolerance) + "; " + std::string(kToleranceRange));
+        }
+    }
     const auto step = fields.positive("step");
     if (!step) { return; }
     plan.step = step->value;

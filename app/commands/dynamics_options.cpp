@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/commands/command.hpp"
+#include "core/dynamics/tolerances.hpp"
 #include "lessons/typed.hpp"
 
 namespace jw {
@@ -18,10 +19,21 @@ std::vector<std::string> coordinate_names() {
     return names;
 }
 
-double positive(double value, const std::string& option) {
-    if (std::isfinite(value) && value > 0.0) { return value; }
-    throw CommandError(
-        Exit::bad_input, "jointwise: error: " + option + " is not positive\nhint: jointwise simulate --help");
+CommandError bad_option(const std::string& message) {
+    return CommandError(
+        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise simulate --help");
+}
+
+/// What a method does not read is no use to whoever typed it.
+void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& method) {
+    if (method.adaptive && options.step) {
+        throw bad_option(
+            "--step goes with methods of fixed steps; " + std::string(method.name) + " expects --tolerance");
+    }
+    if (!method.adaptive && options.tolerance) {
+        throw bad_option(
+            "--tolerance goes with adaptive methods; " + std::string(method.name) + " expects --step");
+    }
 }
 
 }  // namespace
@@ -65,8 +77,19 @@ void apply(const DynamicsOptions& options, SimulationSettings& settings) {
         const auto choice = std::ranges::find(kChoices, options.coordinates) - kChoices.begin();
         settings.dense = static_cast<CoordinateChoice>(choice);
     }
-    if (options.tolerance) { settings.tolerance = positive(*options.tolerance, "--tolerance"); }
-    if (options.step) { settings.step = positive(*options.step, "--step"); }
+    refuse_what_is_not_read(options, entry_of(settings.method));
+    if (options.tolerance) {
+        if (!is_tolerance(*options.tolerance)) {
+            throw bad_option("--tolerance is out of range; " + std::string(kToleranceRange));
+        }
+        settings.tolerance = *options.tolerance;
+    }
+    if (options.step) {
+        if (!std::isfinite(*options.step) || *options.step <= 0.0) {
+            throw bad_option("--step is not positive; expected a time in s");
+        }
+        settings.step = *options.step;
+    }
 }
 
 }  // namespace jw

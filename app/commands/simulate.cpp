@@ -9,6 +9,7 @@
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
+#include "core/dynamics/tolerances.hpp"
 
 namespace jw {
 
@@ -37,6 +38,10 @@ DynamicsRequest request_for(const Options& options, const Lesson& lesson) {
     request.samples = options.samples.value_or(request.samples);
     if (!std::isfinite(request.duration) || request.duration <= 0.0) {
         throw bad_option("--duration is not positive; expected a time in s");
+    }
+    if (!entry_of(request.settings.method).adaptive &&
+        request.duration / request.settings.step > kMostFixedSteps) {
+        throw bad_option("--step asks for more than ten million steps; expected a longer one");
     }
     if (request.samples < 1 || request.samples > 1'000'000) {
         throw bad_option("--samples is " + std::to_string(request.samples) + "; expected 1 to 1000000");

@@ -130,6 +130,12 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
                    "step";
         case SimulationFailure::Cause::step_too_small: break;
     }
+    if (entry_of(settings.method).kind == MethodKind::radau) {
+        return where +
+               "no step is small enough for the tolerance; the position may be singular (a change point, a "
+               "reach at its end), which implicit methods pass with loose tolerances only; a tolerance from "
+               "1e-8 on, or explicit-8, helps";
+    }
     return where +
            "no step is small enough for the tolerance; the constraints may contradict each other there, or "
            "the "

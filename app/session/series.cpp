@@ -90,11 +90,13 @@ void add_point(const Step& step, const BodyPoint& point, Columns& columns) {
 }
 
 /// Of a motion by masses and forces: their sum is level where nothing but gravity and springs acts.
-void add_energies(const Step& step, Columns& columns) {
+/// @param scene  of the moments before: its rotational springs count their turns from one to the next
+void add_energies(const Step& step, std::optional<Centroidal>& scene, Columns& columns) {
     if (!step.centroidal) { return; }
-    const Centroidal& scene = *step.centroidal;
-    const Energy energy =
-        energy_of(scene, scene.to_centroidal(step.state), scene.to_centroidal(step.state, step.velocity));
+    if (!scene) { scene = *step.centroidal; }
+    const State state = scene->to_centroidal(step.state);
+    count_turns(scene->loads, kinematics_of(state));
+    const Energy energy = energy_of(*scene, state, scene->to_centroidal(step.state, step.velocity));
     columns.add("energy.kinetic", "J", energy.kinetic);
     columns.add("energy.potential", "J", energy.potential);
     columns.add("energy.sum", "J", energy.kinetic + energy.potential);
@@ -165,13 +167,14 @@ std::vector<Solve> solves_of(const Story& story) {
 SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
     SeriesSet set = series::over_time(story);
     Columns columns(set.series);
+    std::optional<Centroidal> scene;
     for (const int index : set.steps) {
         const Step& step = story.steps()[static_cast<std::size_t>(index)];
         columns.begin_moment();
         add_quantities(step, columns);
         add_point(step, traced, columns);
         add_bodies(step, columns);
-        add_energies(step, columns);
+        add_energies(step, scene, columns);
     }
     for (std::size_t k = 0; k + 1 < set.series.size(); ++k) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }

@@ -39,7 +39,7 @@ Stretch stretch_of(const Spring& spring, Bodies bodies) {
     return out;
 }
 
-/// θ - θ0 and θ̇.
+/// θ - θ0, as near as can be to what it was, and θ̇.
 struct Twist {
     double angle = 0.0;
     double rate = 0.0;
@@ -47,7 +47,8 @@ struct Twist {
 Twist twist_of(const RotationalSpring& spring, Bodies bodies) {
     const auto angle = measured<Content::motion>(
         spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{});
-    return {std::remainder(angle.value(0) - spring.free_angle, 2.0 * std::numbers::pi), angle.rate(0)};
+    const double change = angle.value(0) - spring.free_angle - spring.twist_before;
+    return {spring.twist_before + std::remainder(change, 2.0 * std::numbers::pi), angle.rate(0)};
 }
 
 void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
@@ -85,12 +86,26 @@ void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
 
 }  // namespace
 
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state) {
+    std::vector<BodyKinematics<OmegaLocal>> bodies;
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
+    }
+    return bodies;
+}
+
 void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (loads.masses[b]) { forces[b].f += loads.masses[b]->mass * loads.gravity; }
     }
     add_applied(loads, bodies, t, forces);
     add_springs(loads, bodies, forces);
+}
+
+void count_turns(Loads& loads, Bodies bodies) {
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        spring.twist_before = twist_of(spring, bodies).angle;
+    }
 }
 
 double potential_energy(const Loads& loads, Bodies bodies) {
@@ -111,14 +126,12 @@ double potential_energy(const Loads& loads, Bodies bodies) {
 
 Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion) {
     Energy energy;
-    std::vector<BodyKinematics<OmegaLocal>> bodies;
     for (std::size_t b = 0; b < state.r.size(); ++b) {
-        bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
         const auto& mass = scene.loads.masses[b];
         if (!mass) { continue; }
         energy.kinetic += kinetic_energy(*mass, motion.r_dot[b], motion.omega_local[b]);
     }
-    energy.potential = potential_energy(scene.loads, bodies);
+    energy.potential = potential_energy(scene.loads, kinematics_of(state));
     return energy;
 }
 

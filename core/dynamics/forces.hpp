@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/coordinates.hpp"
 #include "core/dynamics/loads.hpp"
@@ -14,6 +15,9 @@ struct BodyForce {
     Vec3 n_local = Vec3::Zero();  ///< about the centre of mass [N m], body frame
 };
 
+/// Of every body at a state: where it is, not how it moves.
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state);
+
 /// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
 /// @param loads centroidal, see Centroidal
 /// @param bodies one per body of the mechanism, fixed ones included, with their motion set
@@ -21,6 +25,10 @@ struct BodyForce {
 void add_forces(
     const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t,
     std::span<BodyForce> forces);
+
+/// Turns of rotational springs are counted on from these poses. To be told of states that lie less than half
+/// a turn of any spring apart.
+void count_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 /// -ω̃'J'ω', what the turning of J adds to n' in Q.
 /// @source slide 24

@@ -55,6 +55,9 @@ struct RotationalSpring {
     double stiffness = 0.0;   ///< k [N m/rad]
     double free_angle = 0.0;  ///< θ0 [rad]
     double damping = 0.0;     ///< c [N m s/rad]
+    /// θ - θ0 where the motion was last [rad]: bodies tell it up to whole turns only, which are counted on
+    /// from here. 0: at the start it lies within half a turn.
+    double twist_before = 0.0;
 };
 
 struct Loads {

@@ -6,9 +6,11 @@
 
 #include "core/dynamics/dense_equations.hpp"
 #include "core/dynamics/explicit_integrator.hpp"
+#include "core/dynamics/forces.hpp"
 #include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
+#include "core/dynamics/tolerances.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
 namespace jw {
@@ -24,8 +26,8 @@ void require(const SimulationSettings& settings) {
     if (settings.dense && method.kind != MethodKind::runge_kutta) {
         throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
     }
-    if (method.adaptive && !(settings.tolerance > 0.0)) {
-        throw std::invalid_argument("the tolerance must be positive");
+    if (method.adaptive && !is_tolerance(settings.tolerance)) {
+        throw std::invalid_argument(std::string("the tolerance is out of range; ") + kToleranceRange);
     }
     if (!method.adaptive && !(settings.step > 0.0)) {
         throw std::invalid_argument("the step must be positive");
@@ -66,8 +68,8 @@ bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     return entry_of(settings.method).adaptive && kept && !masses_are_apart;
 }
 
-/// Rows of loops are chosen by comparing each with all others.
-constexpr int kMostLoopRows = 300;
+/// Rows of loops are chosen by comparing each with all others: beyond this many it is felt, and takes room.
+constexpr int kMostLoopRows = 1000;
 
 Baumgarte stabilisation(const SimulationSettings& settings) {
     if (settings.treatment != Treatment::baumgarte) { return {}; }
@@ -142,6 +144,9 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
     options.project =
         settings_.treatment == Treatment::projection || settings_.treatment == Treatment::tangent;
     if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
+    // two bodies that turn the opposite way, each by this about all three axes, stay within half a turn
+    constexpr double counted = 0.8;
+    if (counts_turns()) { options.most_turn = counted; }
     const auto explicit_one = [&](const RungeKuttaTable& table) {
         return std::make_unique<ExplicitIntegrator>(integrated(), table, options, 0.0, integrated_start());
     };
@@ -167,15 +172,33 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
     return implicit_one(5);
 }
 
+/// What only dampens knows no angle.
+bool Simulation::counts_turns() const {
+    return std::ranges::any_of(
+        scene_.loads.rotational_springs, [](const auto& spring) { return spring.stiffness != 0.0; });
+}
+
+void Simulation::count_turns_at(const std::vector<double>& y) {
+    if (!counts_turns()) { return; }
+    count_turns(scene_.loads, kinematics_of(unpacked(y).first));
+}
+
 SimulationOutcome Simulation::run(const std::vector<double>& times, const Sampler::Receive& receive) {
     if (contradiction_) { return {{}, contradiction_}; }
+    for (RotationalSpring& spring : scene_.loads.rotational_springs) { spring.twist_before = 0.0; }
+    count_turns_at(start_);
     const std::unique_ptr<TimeStepper> integration = stepper();
     Sampler sampler(integrated(), times, receive);
     sampler.take(*integration);
     const double end = times.empty() ? 0.0 : times.back();
     SimulationOutcome outcome;
+    std::vector<double> reached(start_.size());
     while (integration->t() < end && !outcome.failure) {
         const bool went_on = integration->step(end);
+        if (counts_turns()) {
+            integrated().to_flat(integration->y().data(), reached.data());
+            count_turns_at(reached);
+        }
         const bool finite = std::ranges::all_of(integration->y(), [](double x) { return std::isfinite(x); });
         using Cause = SimulationFailure::Cause;
         if (!finite) {

@@ -84,6 +84,9 @@ public:
 private:
     std::unique_ptr<TimeStepper> stepper() const;
     void take_joints();
+    bool counts_turns() const;
+    /// Of rotational springs, from a state (flat) that the motion has reached.
+    void count_turns_at(const std::vector<double>& y);
     void look_for_contradiction(const std::vector<double>& as_given);
     /// State and motion of the centroidal frames.
     std::pair<State, Motion> unpacked(const std::vector<double>& y) const;

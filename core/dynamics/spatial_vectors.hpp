@@ -16,8 +16,8 @@ struct Inertia6 {
 /// Force and torque, or (of motions) the linear and the angular part; at a point, global axes. Each begins
 /// where a pair of numbers does: pairs that are read otherwise than they were written are waited for.
 struct Six {
-    alignas(16) Vec3 linear = Vec3::Zero();
-    alignas(16) Vec3 angular = Vec3::Zero();
+    EIGEN_ALIGN16 Vec3 linear = Vec3::Zero();
+    EIGEN_ALIGN16 Vec3 angular = Vec3::Zero();
 };
 
 /// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those

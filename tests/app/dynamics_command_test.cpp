@@ -60,6 +60,10 @@ TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[a
     refused({lesson_path("loops/four-bar.toml")}, "[dynamics]");
     refused({kPendulum, "--method", "magic"}, "--method");
     refused({kPendulum, "--tolerance", "-1"}, "--tolerance");
+    refused({kPendulum, "--tolerance", "1e-20"}, "expected 1e-15");
+    refused({kPendulum, "--method", "rk4", "--tolerance", "1e-6"}, "expects --step");
+    refused({kPendulum, "--step", "0.1"}, "expects --tolerance");
+    refused({kPendulum, "--method", "rk4", "--step", "1e-20"}, "ten million");
     refused({kPendulum, "--duration", "0"}, "--duration");
     refused({kPendulum, "--samples", "0"}, "--samples");
     refused({kPendulum, "--coordinates", "rp", "--method", "implicit-5"}, "coordinate choice");

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "core/body_kinematics.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
@@ -159,6 +160,34 @@ TEST_CASE(
             CHECK((forces[0].n_local + torque).norm() < 1e-14);
             CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
         }
+    }
+}
+
+TEST_CASE(
+    "A rotational spring counts turns from one pose to the next, either way", "[core][dynamics][forces]") {
+    constexpr double stiffness = 3.0;
+    constexpr double free_angle = 0.4;
+    Loads loads;
+    loads.masses.resize(2);
+    const Vec3 axis = Vec3(1.0, -2.0, 0.5).normalized();
+    const Vec3 u = perpendicular_to(axis);
+    loads.rotational_springs.push_back({0, 1, {axis, u, u}, stiffness, free_angle, 0.0});
+    // up to three turns and back again, less than half a turn at a time
+    for (const double angle :
+         {1.0, 3.5, 6.0, 8.5, 11.0, 13.5, 16.0, 18.5, 16.5, 13.6, 11.0, 8.0, 5.0, 2.0, -1.0, -4.0}) {
+        CAPTURE(angle);
+        const std::vector<BodyKinematics<OmegaLocal>> bodies{
+            kinematics_at<OmegaLocal>(Vec3::Zero(), Vec4::Unit(0), Vec3::Zero(), Vec3::Zero()),
+            kinematics_at<OmegaLocal>(
+                Vec3::Zero(), euler_parameters_of(axis, angle), Vec3::Zero(), Vec3::Zero())};
+        std::vector<BodyForce> forces(2);
+        add_forces(loads, bodies, 0.0, forces);
+        const double way = angle - free_angle;
+        // rounding of 60 N m
+        CHECK((forces[1].n_local + stiffness * way * axis).norm() < 1e-12);
+        CHECK(std::abs(potential_energy(loads, bodies) - 0.5 * stiffness * way * way) < 1e-11);
+        count_turns(loads, bodies);
+        CHECK(std::abs(loads.rotational_springs[0].twist_before - way) < 1e-13);
     }
 }
 
