@@ -29,7 +29,7 @@ Vector read_vector(Fields& fields, const char* what, const char* unit, double du
     }
     if (whole) { out.direction = whole->value; }
     if (direction) { out.direction = unit_of(direction->value); }
-    if (fields.has("direction") || has_time_function(fields, false)) {
+    if ((fields.has("direction") && !fields.has(what)) || has_time_function(fields, false)) {
         const int errors = fields.problems().errors_count();
         out.magnitude = read_time_function(fields, false);
         if (fields.problems().errors_count() == errors) {

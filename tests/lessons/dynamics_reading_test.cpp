@@ -156,6 +156,26 @@ frame = "local"
     CHECK(loads.torques[0].magnitude.at(1.5).f == 1.0);
 }
 
+TEST_CASE(
+    "A load said in two ways, or a tolerance of no use, is one mistake and not two", "[lessons][dynamics]") {
+    const std::string head =
+        "format = 1\ntitle = \"t\"\n[[body]]\nname = \"b\"\nmass = 1\ninertia = [1, 1, 1]\n";
+    const auto errors = [&](const std::string& rest) {
+        const ReadResult read = read_lesson(head + rest, "lesson.toml");
+        REQUIRE_FALSE(read.lesson);
+        return read.report();
+    };
+    const std::string both =
+        errors("[dynamics]\n[[force]]\nbody = \"b\"\nforce = [1, 0, 0]\ndirection = [0, 1, 0]\n");
+    CHECK(both.find("direction") != std::string::npos);
+    CHECK(both.find("polynomial") == std::string::npos);
+    for (const char* tolerance : {"1e-20", "10"}) {
+        const std::string range = errors("[dynamics]\ntolerance = " + std::string(tolerance) + "\n");
+        CHECK(range.find("lesson.toml:8:13: error: a tolerance of") != std::string::npos);
+        CHECK(range.find("expected 1e-15 to 0.1") != std::string::npos);
+    }
+}
+
 TEST_CASE("Springs are free at the start unless told otherwise", "[lessons][dynamics]") {
     const Loads loads = arm_with(R"([[spring]]
 bodies = ["ground", "arm"]

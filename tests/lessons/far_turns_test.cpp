@@ -7,14 +7,10 @@
 
 /// What turns far: springs over several turns, axes that leave their pair of rows, drivers with nothing free.
 namespace jw {
-namespace {
 
-Lesson lesson_of(const std::string& text) {
-    const ReadResult read = read_lesson(text, "test.toml");
-    CAPTURE(read.report());
-    REQUIRE(read.lesson);
-    return *read.lesson;
-}
+using test::lesson_of;
+
+namespace {
 
 /// A disc or a nut on the z axis.
 std::string on_an_axis(const std::string& joint, const std::string& motion, const std::string& rest) {
