@@ -137,8 +137,9 @@ void ExplicitIntegrator::accept(double t) {
 
 /// [s]
 double ExplicitIntegrator::longest_step() const {
-    const double omega = scales_.turn_rate(y_);
     const double most = std::min(options_.most_turn, equations_->most_turn());
+    if (!std::isfinite(most)) { return most; }
+    const double omega = scales_.turn_rate(y_);
     return omega > 0.0 ? most / omega : std::numeric_limits<double>::infinity();
 }
 
