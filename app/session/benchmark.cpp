@@ -192,7 +192,7 @@ Reference own_reference(const Lesson& lesson, const std::stop_token& stop) {
         reference.positions.push_back(position);
         reference.velocities.push_back(velocity);
     }
-    reference.origin = "none stored: explicit-8 at tolerance 1e-13, " + number_text(apart, 2) +
+    reference.origin = "explicit-8 at tolerance 1e-13 (none is stored), " + number_text(apart, 2) +
                        " m from the same at 1e-12; errors below that say nothing";
     return reference;
 }
