@@ -27,15 +27,19 @@ std::string why_not(const Lesson& lesson) {
 
 }  // namespace
 
+void PriceBench::forget() {
+    job_.reset();
+    news_ = {};
+    prices_.reset();
+    seen_ = 0;
+}
+
 void PriceBench::begin(const Session& session) {
     std::optional<Reference> reference;
     if (!session.is_changed()) { reference = stored_reference(lesson_file_); }
     BenchPlan plan;
     plan.treatment = treatment_;
-    job_.reset();  // one at a time: two would slow each other
-    news_ = {};
-    prices_.reset();
-    seen_ = 0;
+    forget();  // one at a time: two would slow each other
     job_ = std::make_unique<BenchJob>(session.lesson(), std::move(reference), plan);
 }
 
@@ -78,12 +82,7 @@ void PriceBench::draw(const LessonUi& ui, const Box& box) {
     Area area(ui, "price", box);
     if (told_ != ui.session.told()) {
         told_ = ui.session.told();
-        *this = [&] {
-            PriceBench fresh(lesson_file_);
-            fresh.treatment_ = treatment_;
-            fresh.told_ = told_;
-            return fresh;
-        }();
+        forget();
     }
     const std::string unfit = why_not(ui.session.lesson());
     section(ui, "What a digit costs");
@@ -103,7 +102,7 @@ void PriceBench::draw(const LessonUi& ui, const Box& box) {
     const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
     std::string progress = news_.origin.empty() ? "computing the reference …" : "measuring …";
     if (news_.done) { progress = "CPU time on this machine"; }
-    const panels::PricePanelLayout layout =
+    const panels::ComparisonLayout layout =
         panels::price_panel(ui.canvas, place, prices_.value_or(Prices{}), progress, plot_);
     plot_.hovered = -1;
     const ImVec2 mouse = ImGui::GetIO().MousePos;

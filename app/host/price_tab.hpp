@@ -27,6 +27,8 @@ public:
 private:
     void controls(const LessonUi& ui);
     void begin(const Session& session);
+    /// What was measured, and what still is.
+    void forget();
     void look_at_news();
 
     std::filesystem::path lesson_file_;

@@ -14,8 +14,6 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kLeastPlot = 6.0F;  // height worth drawing, in lines
-
 constexpr float kRoomForTurns = 560.0F;  // width; narrower, the outcome needs it
 
 /// Right edges of the columns in parts of the width; names and outcomes are set from the left.
@@ -70,47 +68,21 @@ void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, con
         shortened(*small, with_sign(run.verdict), row.right() - verdict));
 }
 
-/// The curves of the plot in the order of the methods, for their colours and marks.
-PlotPane pane_of(const SeriesSet& set) {
-    PlotPane pane;
-    pane.series.resize(set.series.size());
-    for (std::size_t k = 0; k < set.series.size(); ++k) { pane.series[k] = static_cast<int>(k); }
-    return pane;
-}
-
 }  // namespace
 
-NewtonComparisonLayout newton_comparison_panel(
+ComparisonLayout newton_comparison_panel(
     const Canvas& canvas, const Box& box, const NewtonComparison& comparison, const PlotState& state) {
-    NewtonComparisonLayout layout;
-    const ImFont* const small = canvas.fonts().small;
-    const float line = canvas.line_height(small);
     Box rest = box;
     cut_top(rest, heading(canvas, rest, "Newton, method by method", "from the same start"));
-    if (!comparison.rows.empty()) { draw_names(canvas, cut_top(rest, line + canvas.px(3.0F))); }
-    const PlotPane pane = pane_of(comparison.residuals);
-    for (std::size_t k = 0; k < comparison.rows.size(); ++k) {
-        const Box row = cut_top(rest, line + canvas.px(2.0F));
-        if (row.height < line) { break; }
-        if (static_cast<int>(k) == state.hovered) { canvas.fill(row, theme::kSubject, canvas.px(2.0F)); }
-        // the row of a method keeps its colour while another one is hovered
-        draw_row(canvas, row, comparison.rows[k], style_of(pane, k, comparison.residuals, {}));
-        layout.rows.push_back(row);
-    }
-    const float words = paragraph(canvas.measuring(), rest, small, theme::kInk, comparison.summary);
-    if (rest.height >= words) {
-        cut_top(rest, canvas.px(5.0F));
-        paragraph(canvas, cut_top(rest, words), small, theme::kInk, comparison.summary);
-        cut_top(rest, canvas.px(10.0F));
-    }
-    if (rest.height < kLeastPlot * line) { return layout; }
-    canvas.text({rest.x, rest.y}, small, theme::kSoft, "‖Φ‖ after each step");
-    cut_top(rest, line);
-    layout.plot = layout_plot(canvas, rest, comparison.residuals, state);
-    // curves that end on top of each other have their names in the table above
-    for (PlotPane& drawn : layout.plot.panes) { drawn.unnamed = 0; }
-    draw_plot(canvas, layout.plot, comparison.residuals, state);
-    return layout;
+    ComparisonParts parts;
+    parts.rows = comparison.rows.size();
+    parts.draw_names = [&](const Box& line) { draw_names(canvas, line); };
+    parts.draw_row = [&](const Box& line, std::size_t row, const CurveStyle& style) {
+        draw_row(canvas, line, comparison.rows[row], style);
+    };
+    parts.summary = comparison.summary;
+    parts.caption = "‖Φ‖ after each step";
+    return draw_comparison(canvas, rest, comparison.residuals, parts, state);
 }
 
 }  // namespace jw::panels

@@ -49,9 +49,7 @@ TEST_CASE("the comparison stays in its box, whatever is compared", "[panels][new
     for (const std::vector<NewtonRun>& runs :
          {four_runs(), std::vector<NewtonRun>{}, std::vector<NewtonRun>{{"none", {}, {}, false, false, {}}},
           std::vector<NewtonRun>(30, four_runs()[0])}) {
-        for (const Box& box :
-             {Box{10.0F, 20.0F, 480.0F, 260.0F}, Box{0.0F, 0.0F, 760.0F, 420.0F},
-              Box{5.0F, 5.0F, 480.0F, 520.0F}, Box{0.0F, 0.0F, 1500.0F, 800.0F}}) {
+        for (const Box& box : kPlaces) {
             CAPTURE(runs.size(), box.width, box.height);
             surface.clear();
             PlotState state;

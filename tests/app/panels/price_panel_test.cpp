@@ -35,9 +35,7 @@ TEST_CASE("the prices stay in their box, whatever was measured", "[panels][price
     for (const std::vector<BenchRun>& runs :
          {four_runs(), std::vector<BenchRun>{}, std::vector<BenchRun>{run(Method::explicit_8, 1.0, 0)},
           std::vector<BenchRun>(30, four_runs()[0])}) {
-        for (const Box& box :
-             {Box{10.0F, 20.0F, 480.0F, 260.0F}, Box{0.0F, 0.0F, 760.0F, 420.0F},
-              Box{5.0F, 5.0F, 480.0F, 520.0F}, Box{0.0F, 0.0F, 1500.0F, 800.0F}}) {
+        for (const Box& box : kPlaces) {
             CAPTURE(runs.size(), box.width, box.height);
             surface.clear();
             PlotState state;

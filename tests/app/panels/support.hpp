@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -72,6 +73,11 @@ private:
     render::Fonts fonts_;
     std::unique_ptr<ImDrawList> list_;
 };
+
+/// Places for a panel: low, wide, tall, large.
+inline constexpr std::array kPlaces{
+    Box{10.0F, 20.0F, 480.0F, 260.0F}, Box{0.0F, 0.0F, 760.0F, 420.0F}, Box{5.0F, 5.0F, 480.0F, 520.0F},
+    Box{0.0F, 0.0F, 1500.0F, 800.0F}};
 
 /// A box a little larger: lines are smoothed over a pixel on each side.
 inline Box with_fringe(const Box& box) { return shrunk(box, -1.0F, -1.0F); }

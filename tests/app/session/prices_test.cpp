@@ -86,7 +86,9 @@ TEST_CASE("A measurement that nobody waits for any more stops within its run") {
     BenchPlan plan = one_method();
     plan.least_time = 1e6;  // repeated for days, if it could not be stopped
     { const BenchJob job(pendulum(), std::nullopt, plan); }
-    SUCCEED("stopped while the reference is computed");
+    std::stop_source nobody_waits;
+    nobody_waits.request_stop();
+    CHECK_THROWS_AS(own_reference(pendulum(), nobody_waits.get_token()), Stopped);
     const BenchJob job(
         pendulum(), stored_reference(catalogue_folder() / "dynamics" / "simple-pendulum.toml"), plan);
     while (job.news().origin.empty()) { std::this_thread::yield(); }
