@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/singular_steps.hpp"
+
 namespace jw {
 
 namespace {
@@ -15,15 +17,7 @@ constexpr double kMostGrowth = 3.0;
 constexpr double kMemory = 0.05;
 /// Rows are chosen again when the pivot has fallen this much.
 constexpr double kRowsTurnBad = 1e-2;
-/// Near a singular position: the pivot has fallen this much, its square root to a sixth.
-constexpr double kNearSingular = 3e-2;
-/// Too near for a stage: an acceleration there is wrong by 1e-16 / pivot.
-constexpr double kTooNear = 1e-6;
-/// A stage that lies too near is moved by a step of another length.
-constexpr double kDodge = 0.93;
 constexpr int kMostDodges = 8;
-/// A step through a singular position is at least this share of the last regular one.
-constexpr double kSmallestShare = 0.4;
 /// Drift off the constraints that is allowed, by the tolerance of a step.
 constexpr double kDriftShare = 0.1;
 

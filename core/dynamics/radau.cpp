@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/singular_steps.hpp"
+
 namespace jw {
 
 namespace {
@@ -17,14 +19,8 @@ constexpr double kFarthest = 2.0;
 /// Of a body within a step [rad]: where drivers leave little or nothing free, no error of the few free
 /// numbers tells that the others were passed over.
 constexpr double kMostTurn = 1.0;
-/// Near a singular position, and too near for a stage: see ExplicitIntegrator.
-constexpr double kNearSingular = 3e-2;
-constexpr double kTooNear = 1e-6;
-/// A step one of whose stages lies too near is tried with another length.
-constexpr double kDodge = 0.93;
 constexpr int kMostDodges = 12;
-/// A step through a singular position is at least this share of the last regular one.
-constexpr double kSmallestShare = 0.4;
+/// Share of the last regular step below which one near a singular position is given up.
 constexpr double kGivesUp = 0.05;
 /// Rounding of acos near 1 [rad].
 constexpr double kNoTurn = 1e-6;

@@ -1,0 +1,15 @@
+#pragma once
+
+/// How integrators get past singular positions.
+namespace jw {
+
+/// Near one: the smallest pivot has fallen this much, its square root to a sixth.
+inline constexpr double kNearSingular = 3e-2;
+/// Too near for a stage: an acceleration there is wrong by 1e-16 / pivot.
+inline constexpr double kTooNear = 1e-6;
+/// A step one of whose stages lies too near is tried with another length.
+inline constexpr double kDodge = 0.93;
+/// A step through a singular position is at least this share of the last regular one.
+inline constexpr double kSmallestShare = 0.4;
+
+}  // namespace jw
