@@ -2,11 +2,11 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string_view>
 
 #include "core/dynamics/simulation.hpp"
 #include "lessons/reader.hpp"
+#include "tests/bench/clock.hpp"
 
 /// `evaluations LESSON joints|bodies COUNT [--time]`: so many accelerations at the start of a lesson of
 /// dynamics, and nothing else. ./dev count runs it twice under callgrind; the difference is what one
@@ -15,24 +15,6 @@
 namespace {
 
 using namespace jw;
-
-double cpu_microseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-/// The least of several times: whatever else the machine does only adds to it.
-template <class F>
-double least_time(F&& f) {
-    double least = 1e300;
-    for (int round = 0; round < 10; ++round) {
-        const double start = cpu_microseconds();
-        f();
-        least = std::min(least, cpu_microseconds() - start);
-    }
-    return least;
-}
 
 /// Products and sums of two lanes, the width that the program is compiled for, none of which waits for
 /// another.

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 #include "core/dynamics/simulation.hpp"
+#include "tests/bench/clock.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
 /// `scaling`: microseconds of one evaluation of the equations of motion from 10 to 1000 bodies, in both kinds
@@ -13,13 +13,6 @@ namespace {
 
 using namespace jw;
 
-double cpu_microseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-/// The least of several rounds: whatever else the machine does only adds to it.
 double evaluation_time(const Lesson& lesson, Formulation formulation) {
     SimulationSettings settings;
     settings.formulation = formulation;
@@ -29,13 +22,10 @@ double evaluation_time(const Lesson& lesson, Formulation formulation) {
     std::vector<double> y_dot(y.size());
     equations.choose_rows(0.0, y.data());
     const int count = std::max(4, 20'000 / equations.bodies());
-    double least = 1e300;
-    for (int round = 0; round < 8; ++round) {
-        const double start = cpu_microseconds();
+    const double time = least_time([&] {
         for (int k = 0; k < count; ++k) { equations.evaluate(0.0, y.data(), y_dot.data()); }
-        least = std::min(least, (cpu_microseconds() - start) / count);
-    }
-    return least;
+    });
+    return time / count;
 }
 
 struct Family {

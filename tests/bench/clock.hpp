@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <ctime>
+
+/// Time of the processor, for what is measured by hand.
+namespace jw {
+
+inline double cpu_microseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// The least of several rounds: whatever else the machine does only adds to it.
+template <class F>
+double least_time(F&& f) {
+    double least = 1e300;
+    for (int round = 0; round < 10; ++round) {
+        const double start = cpu_microseconds();
+        f();
+        least = std::min(least, cpu_microseconds() - start);
+    }
+    return least;
+}
+
+}  // namespace jw
