@@ -163,6 +163,10 @@ Picture compose(const Story& story, const PictureStyle& style, const Step& step,
     if (const int failing = failing_joint(step); failing >= 0 && failing != joint) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
     }
+    // between bodies that are still apart they would only be in the way
+    if (step.additions == static_cast<int>(lesson.order.size())) {
+        add_springs(lesson, style, step.state, picture.scene);
+    }
     if (const auto reactions = reactions_of(step)) { add_reactions(style, *reactions, picture); }
     add_names(lesson, style, step, picture);
     return picture;

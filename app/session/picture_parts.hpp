@@ -69,6 +69,9 @@ void add_vector(
 void add_distance(
     const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture);
 
+/// Springs as coils, dampers as dashpots, rotational springs as spirals.
+void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene);
+
 /// Lengths of the arrows of forces and torques, from what is usual in the story.
 void set_reaction_scales(const Story& story, PictureStyle& style);
 /// What joints and drivers do to their second bodies, in dynamics.
