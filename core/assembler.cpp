@@ -9,8 +9,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 Theta theta_of(int theta, const State& state, const Motion* motion) {
     if (theta < 0) { return {}; }
     return {state.theta[at(theta)], motion != nullptr ? motion->theta_dot[at(theta)] : 0.0};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -13,6 +15,9 @@ using Mat4 = Eigen::Matrix4d;
 using Mat34 = Eigen::Matrix<double, 3, 4>;
 using VectorX = Eigen::VectorXd;
 using MatrixX = Eigen::MatrixXd;
+
+/// Place in a standard container of what is counted in int or Eigen::Index.
+inline std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 /// ã: the 3x3 skew matrix with ã v = a x v.
 /// @source slide 3

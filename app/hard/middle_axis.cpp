@@ -46,16 +46,18 @@ Flips flips_of(const Lesson& lesson, const SimulationSettings& settings) {
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
     double t_before = 0.0;
     double before = 0.0;
-    simulation.run(equal_times(kDuration, 200000), [&](double t, const std::vector<double>& y) {
-        const double now = y[11];
-        if (before * now < 0.0) {
-            const double at = t_before + (t - t_before) * before / (before - now);
-            if (out.count++ == 0) { out.first = at; }
-            out.last = at;
-        }
-        before = now;
-        t_before = t;
-    });
+    const SimulationOutcome outcome =
+        simulation.run(equal_times(kDuration, 200000), [&](double t, const std::vector<double>& y) {
+            const double now = y[11];
+            if (before * now < 0.0) {
+                const double at = t_before + (t - t_before) * before / (before - now);
+                if (out.count++ == 0) { out.first = at; }
+                out.last = at;
+            }
+            before = now;
+            t_before = t;
+        });
+    if (outcome.failure) { out.count = 0; }
     return out;
 }
 

@@ -12,8 +12,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 void add_columns(std::vector<std::string>& columns, const std::string& prefix) {
     for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
 }

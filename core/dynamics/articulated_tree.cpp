@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <Eigen/LU>
 
 namespace jw {
-
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
     : scene_(&scene),
@@ -163,7 +158,8 @@ void ArticulatedTree::fold() {
         const TreeNode& joint = joints_.nodes()[n - 1];
         Node& node = nodes_[n];
         reduce(joint, node);
-        const Six held = pass_on(joint, node, node.wrench, &e_[at(first_u(static_cast<int>(n)))]);
+        const Six held =
+            pass_on(joint, node, node.wrench, std::next(e_.data(), first_u(static_cast<int>(n))));
         if (node.parent == 0) { continue; }
         Node& parent = nodes_[at(node.parent)];
         add(parent.inertia, at_root_of(node.inertia, node.arm));
@@ -175,9 +171,10 @@ void ArticulatedTree::unfold() {
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         const TreeNode& joint = joints_.nodes()[n - 1];
         Node& node = nodes_[n];
-        const auto u = at(first_u(static_cast<int>(n)));
-        const double* e = &e_[u];
-        double* u_dot = &u_dot_[u];
+        // a welded node has none: its place may be the end
+        const int u = first_u(static_cast<int>(n));
+        const double* e = std::next(e_.data(), u);
+        double* u_dot = std::next(u_dot_.data(), u);
         node.acceleration = at_end_of(nodes_[at(node.parent)].acceleration, node.arm);
         switch (joint.hanging) {
             case Hanging::welded: break;

@@ -230,15 +230,6 @@ double BlockEquations<B>::smallest_pivot() const {
 }
 
 template <int B>
-double BlockEquations<B>::violation_of_rows() const {
-    double worst = 0.0;
-    for (std::size_t k = 0; k < phi_.size(); ++k) {
-        worst = std::max(worst, std::abs(phi_[k]) * inverse_unit_[k]);
-    }
-    return worst;
-}
-
-template <int B>
 void BlockEquations<B>::subtract_products(const double* x, double* b) const {
     for_each_side([&](std::size_t n, int side, std::size_t moving) {
         const double* j = &j_[side_at(side)];
@@ -286,7 +277,7 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
         vec4(body_numbers(y_dot, m) + 3) = body.p_dot;
     }
     write_accelerations(y_dot);
-    return {smallest_pivot(), violation_of_rows()};
+    return {smallest_pivot(), largest_of_kept_rows(phi_)};
 }
 
 template <int B>

@@ -8,14 +8,12 @@
 #include "core/dynamics/motion_equations.hpp"
 
 /// The equations of motion over the graph of joints: Φq M⁻¹ Φqᵀ is a block-sparse matrix with one block of
-/// B x B for every pair of links that share a moving body. Included by its two parts only.
+/// B x B for every pair of links that share a moving body. Included by its parts only.
 namespace jw {
-
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Kinematics6 = BodyKinematics<OmegaLocal>;
 
-/// A body that moves: its number, its M⁻¹ and where it is.
+/// A body that moves: its number, its M and M⁻¹.
 struct MovingBody {
     int body = 0;
     double mass = 0.0;
@@ -95,7 +93,6 @@ private:
     void compare_masses(double t);
     /// M⁻¹ Q of every body becomes its accelerations.
     void solve_by_pivoting();
-    double violation_of_rows() const;
     /// Of Φ or Φ̇, each by the size of its equation.
     double largest_of_kept_rows(const std::vector<double>& numbers) const;
     /// λ = numbers of the kept rows, 0 for the others.
@@ -132,7 +129,8 @@ private:
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
     double extent_ = 1.0;
-    bool masses_apart_ = false;  ///< light bodies carry heavy ones: see block_pivoting.cpp
+    bool masses_apart_ = false;         ///< light bodies carry heavy ones: see block_pivoting.cpp
+    bool masses_apart_before_ = false;  ///< before the last choice of rows
 };
 
 }  // namespace jw

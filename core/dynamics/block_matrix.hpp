@@ -106,7 +106,7 @@ public:
     }
 
     /// L D Lᵀ in place. `on_pivot(node, diagonal)` sees every diagonal block just before it is factored and
-    /// may strike out rows; afterwards the smallest pivot is known.
+    /// may strike out rows.
     template <class OnPivot>
     void factor(OnPivot&& on_pivot) {
         for (const auto& pivot : structure_->pivots()) {

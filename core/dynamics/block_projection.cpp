@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/svd.hpp"
 
 /// What the block equations do besides accelerations: back onto the constraints, choice of rows, freedoms.
@@ -11,18 +12,13 @@ namespace jw {
 
 namespace {
 
-/// Rows whose pivot is below this share of their size repeat earlier ones: far above rounding (1e-15 times a
-/// condition of 1e3), far below the pivots of sound joints (1e-3).
-constexpr double kRepeats = 1e-9;
 /// A row of a sound joint has the size 1 or, of directions, 1 / extent; this small it has none, and what is
 /// left is rounding.
 constexpr double kVanishes = 1e-12;
-/// Residuals of position equations, by their sizes, that are rounding only.
-constexpr double kExact = 1e-15;
-/// From here on a factorisation of the round before is as good as a new one.
-constexpr double kNearlyExact = 1e-12;
 /// As long as a round leaves less than this share, the factorisation of an earlier one is good enough.
 constexpr double kFastConvergence = 1e-2;
+/// A motion that changes the equations by less than this share of what any motion changes is free.
+constexpr double kFree = 1e-9;
 
 /// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, do not repeat others: diagonal pivoting.
 template <int B>
@@ -55,21 +51,19 @@ unsigned independent_rows_of(const double* block, const double* row_size, unsign
 
 template <int B>
 double BlockEquations<B>::project(double t, double* y) {
-    // quadratic convergence: from the error of a step two rounds reach rounding
-    constexpr int most_rounds = 12;
     for (std::size_t m = 0; m < moving_.size(); ++m) { vec4(body_numbers(y, m) + 3).normalize(); }
     double before = 0.0;
     double last = std::numeric_limits<double>::infinity();
     bool factored = false;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         set_bodies<false>(y);
         evaluate_links<false>(t);
         const double worst = largest_of_kept_rows(phi_);
         if (round == 0) { before = worst; }
-        // rounding has been reached where it does not get better any more
-        if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
+        if (is_at_rounding(worst, last)) { break; }
         const bool slow = worst > kFastConvergence * last;
         last = worst;
+        // near rounding a factorisation of the round before is as good as a new one
         if (!factored || (slow && worst > kNearlyExact)) {
             factor_in_metric();
             factored = true;
@@ -103,7 +97,6 @@ double BlockEquations<B>::largest_of_kept_rows(const std::vector<double>& number
 /// With Φq of now and a factorisation from nearby: every round leaves the share by which that is off.
 template <int B>
 void BlockEquations<B>::project_velocities(double* y) {
-    constexpr int most_rounds = 12;
     double size = 0.0;
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const double* v = body_numbers(y, m) + 7;
@@ -111,7 +104,7 @@ void BlockEquations<B>::project_velocities(double* y) {
         size = std::max({size, vec3(v).norm() / extent_, vec3(v + 3).norm()});
     }
     double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         set_lambda(nu_);
         subtract_products(six_.data(), lambda_.data());
         const double worst = largest_of_kept_rows(lambda_);
@@ -127,6 +120,7 @@ void BlockEquations<B>::project_velocities(double* y) {
 template <int B>
 bool BlockEquations<B>::choose_rows(double t, const double* y) {
     kept_before_.clear();
+    masses_apart_before_ = masses_apart_;
     for (Node& node : nodes_) {
         kept_before_.push_back(node.kept);
         node.kept = (1U << node.link.rows) - 1U;
@@ -149,7 +143,7 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
         for (int row = 0; row < B; ++row) {
             if (has(node.kept, row)) { continue; }
             for (int k = 0; k < B; ++k) { diagonal[row * B + k] = diagonal[k * B + row] = 0.0; }
-            diagonal[row * B + row] = 1.0;
+            diagonal[row * B + row] = row_size_[at(n) * B + at(row)] = 1.0;
             for (const auto& upper : structure_.pivots()[at(structure_.position(n))].uppers) {
                 double* x = matrix_.block(upper.block) + row * B;
                 std::fill(x, x + B, 0.0);
@@ -168,6 +162,7 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
 template <int B>
 void BlockEquations<B>::take_back_rows() {
     for (std::size_t n = 0; n < nodes_.size(); ++n) { nodes_[n].kept = kept_before_[n]; }
+    masses_apart_ = masses_apart_before_;
     std::fill(j_.begin(), j_.end(), 0.0);
 }
 
@@ -225,7 +220,7 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
     const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
     const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
     Eigen::Index rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kRepeats * largest) { ++rank; }
+    while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kFree * largest) { ++rank; }
     return upper.solve(svd.matrixV().rightCols(columns - rank));
 }
 

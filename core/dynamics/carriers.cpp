@@ -14,8 +14,6 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Bodies = std::vector<BodyKinematics<OmegaGlobal>>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 Place place_of_joint(const Joint& joint, const Bodies& bodies) {
     const JointGeometry& g = joint.geometry;
     const auto& i = bodies[at(joint.body_i)];

@@ -10,8 +10,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 template <class C>
 Vec4 p_dot_of_numbers(const Vec4& p, const Eigen::Matrix<double, C::kAngular, 1>& angular) {
     if constexpr (C::kNormalised) {
@@ -200,7 +198,7 @@ RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot
         y += kNumbers;
         y_dot += kNumbers;
     }
-    return {saddle_point_.smallest_pivot(), largest(assembler_.phi())};
+    return {saddle_point_.smallest_pivot(), largest_of_kept_rows(assembler_.phi())};
 }
 
 template <class C>

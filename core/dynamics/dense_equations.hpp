@@ -73,7 +73,9 @@ private:
     void set_force(double t);
     void measure_rows();
     double largest(const VectorX& values) const;
-    void correct_positions(double t, double& before);
+    double largest_of_kept_rows(const VectorX& values) const;
+    /// @return how far the worst of the kept rows was off before
+    double correct_positions(double t);
 
     const Centroidal* scene_;
     Baumgarte baumgarte_;

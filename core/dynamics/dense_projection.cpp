@@ -1,21 +1,26 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/dense_equations.hpp"
 
 /// What the dense equations do besides accelerations: back onto the constraints, choice of rows.
 namespace jw {
 
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 /// Largest of Φ or Φ̇, each by the change of its equation when bodies move by one extent of the mechanism.
 template <class C>
 double DenseEquations<C>::largest(const VectorX& values) const {
     return values.size() > 0 ? values.cwiseProduct(inverse_size_).cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// The same of the rows that are kept only.
+template <class C>
+double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
+    double worst = 0.0;
+    for (const int row : saddle_point_.kept()) {
+        worst = std::max(worst, std::abs(values(row)) * inverse_size_(row));
+    }
+    return worst;
 }
 
 /// For pᵀp = 1 that is its size itself.
@@ -73,19 +78,17 @@ void DenseEquations<C>::take_back_rows() {
 
 /// Newton in the metric of M: M Δq - Φqᵀ μ = 0, Φq Δq = -Φ.
 template <class C>
-void DenseEquations<C>::correct_positions(double t, double& before) {
-    // from the error of a step three rounds reach rounding; close to it, a fall by less than half is the end
-    constexpr int most_rounds = 12;
-    constexpr double close = 1e-6;
+double DenseEquations<C>::correct_positions(double t) {
+    double before = 0.0;
     const VectorX none = VectorX::Zero(velocity_.size());
     double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         assembler_.assemble_phi_and_jacobian(state_, t);
-        const double worst = largest(assembler_.phi());
+        const double worst = largest_of_kept_rows(assembler_.phi());
         if (round == 0) { before = worst; }
         set_mass();
         saddle_point_.factor(mass_, jacobian());
-        if (worst < 1e-14 || (worst < close && worst > 0.5 * last)) { return; }
+        if (is_at_rounding(worst, last)) { break; }
         last = worst;
         VectorX delta;
         saddle_point_.solve(none, -assembler_.phi(), delta, lambda_);
@@ -96,14 +99,14 @@ void DenseEquations<C>::correct_positions(double t, double& before) {
             bodies_[at(b)].A = homogeneous_rotation_matrix(state_.p[at(b)]);
         }
     }
+    return before;
 }
 
 template <class C>
 double DenseEquations<C>::project(double t, double* y) {
     read(y);
     for (const int b : system_.moving_bodies()) { state_.p[at(b)].normalize(); }
-    double before = 0.0;
-    correct_positions(t, before);
+    const double before = correct_positions(t);
     // velocities nearest to those that were: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
     assembler_.assemble_nu(t);
     velocity_ = assembler_.layout().columns_of(state_, motion_);
@@ -123,10 +126,19 @@ std::pair<double, double> DenseEquations<C>::violation(double t, const double* y
     return {largest(assembler_.phi()), largest(phi_dot)};
 }
 
-// the members above; those of dense_equations.cpp are instantiated there
-template class DenseEquations<TrueEulerParameters>;
-template class DenseEquations<ModifiedEulerParameters>;
-template class DenseEquations<OmegaLocal>;
-template class DenseEquations<OmegaGlobal>;
+// what is called from elsewhere; dense_equations.cpp instantiates the class
+#define JW_INSTANTIATE(C)                                                          \
+    template double DenseEquations<C>::largest_of_kept_rows(const VectorX&) const; \
+    template bool DenseEquations<C>::choose_rows(double, const double*);           \
+    template bool DenseEquations<C>::follow_rule(double, const double*);           \
+    template double DenseEquations<C>::most_turn() const;                          \
+    template void DenseEquations<C>::take_back_rows();                             \
+    template double DenseEquations<C>::project(double, double*);                   \
+    template std::pair<double, double> DenseEquations<C>::violation(double, const double*);
+JW_INSTANTIATE(TrueEulerParameters)
+JW_INSTANTIATE(ModifiedEulerParameters)
+JW_INSTANTIATE(OmegaLocal)
+JW_INSTANTIATE(OmegaGlobal)
+#undef JW_INSTANTIATE
 
 }  // namespace jw

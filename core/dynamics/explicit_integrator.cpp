@@ -130,10 +130,10 @@ void ExplicitIntegrator::accept(double t) {
 }
 
 /// [s]
-double ExplicitIntegrator::longest_step() const {
+double ExplicitIntegrator::longest_step() {
     const double most = std::min(options_.most_turn, equations_->most_turn());
     if (!std::isfinite(most)) { return most; }
-    const double omega = scales_.turn_rate(y_);
+    const double omega = fastest_turn(*equations_, y_.data(), flat_);
     return omega > 0.0 ? most / omega : std::numeric_limits<double>::infinity();
 }
 
@@ -170,6 +170,8 @@ bool ExplicitIntegrator::is_near_singular() const {
 }
 
 bool ExplicitIntegrator::step(double t_end) {
+    if (is_fixed()) { h_ = options_.fixed_step; }
+    int dodges = 0;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const StepAhead ahead(t_, t_end, is_fixed() ? h_ : std::min(h_, longest_step()));
         const double h = ahead.h;
@@ -180,8 +182,8 @@ bool ExplicitIntegrator::step(double t_end) {
             // off the constraints a small residual becomes a large acceleration there
             on_manifold_ = true;
             take_step(h);
-            ++counts_.singular_passages;
-            if (lowest_pivot_ < kTooNear * pivot_at_choice_ && attempt < kMostDodges) {
+            if (lowest_pivot_ < kTooNear * pivot_at_choice_ && dodges < kMostDodges) {
+                ++dodges;
                 h_ = kDodge * h;
                 continue;
             }
@@ -191,6 +193,7 @@ bool ExplicitIntegrator::step(double t_end) {
         const bool small_enough = singular && h <= kSmallestShare * regular_step_;
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             accept(ahead.end);
+            if (singular) { ++counts_.singular_passages; }
             if (is_fixed()) { return true; }
             h_ = h * growth_after(error);
             rejected_before_ = false;

@@ -30,7 +30,7 @@ private:
     double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
-    double longest_step() const;
+    double longest_step();
     bool is_fixed() const { return options_.fixed_step > 0.0; }
     void project(double t, std::vector<double>& y);
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
@@ -50,6 +50,7 @@ private:
     std::vector<double> y_new_;
     std::vector<double> y_dot_new_;
     std::vector<std::vector<double>> stages_;
+    std::vector<double> flat_;
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
     double pivot_at_choice_ = 1.0;

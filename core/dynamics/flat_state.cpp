@@ -2,12 +2,6 @@
 
 namespace jw {
 
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 std::vector<int> moving_bodies_of(const Mechanism& mechanism) {
     std::vector<int> moving;
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -53,11 +47,13 @@ void displace(double* y, const double* six, std::size_t bodies) {
 
 std::vector<NumberScale> flat_scales(int size, int numbers_per_body) {
     using Kind = NumberScale::Kind;
+    // |ṗ| = |ω| / 2
+    const double of_turning = numbers_per_body > kNumbersPerBody ? 2.0 : 1.0;
     std::vector<NumberScale> out;
     for (int k = 0; k < size; ++k) {
         const int c = k % numbers_per_body;
         const Kind kind = c < 3 ? Kind::way : (c < 7 ? Kind::turn : (c < 10 ? Kind::velocity : Kind::omega));
-        out.push_back({kind, 1.0});
+        out.push_back({kind, kind == Kind::omega ? of_turning : 1.0});
     }
     return out;
 }

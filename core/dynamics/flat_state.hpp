@@ -41,7 +41,7 @@ struct NumberScale {
     double weight = 1.0;  ///< so many times its size is what it moves
 };
 
-/// Bodies of r, p, ṙ and three or four numbers of turning.
+/// Bodies of r, p, ṙ and three numbers of turning, ω or ω', or four, ṗ.
 std::vector<NumberScale> flat_scales(int size, int numbers_per_body);
 
 /// r and p of all bodies, then their rates, then half their second derivatives.

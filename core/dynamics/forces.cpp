@@ -13,8 +13,6 @@ namespace {
 using Bodies = std::span<const BodyKinematics<OmegaLocal>>;
 using Forces = std::span<BodyForce>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// Force `f` at a point of a body.
 void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const Vec3& f) {
     forces[at(body)].f += f;

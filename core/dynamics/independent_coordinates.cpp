@@ -12,8 +12,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// Smallest share of the largest pivot with which coordinates still tell the freedoms apart.
 constexpr double kDistinct = 0.05;
 /// Share of its first value to which the sine between coordinates may fall on the way.
@@ -160,8 +158,10 @@ bool IndependentCoordinates::is_sound() const {
 }
 
 double IndependentCoordinates::pivot_left() const {
+    const auto left = [](double pivot, double best) { return best > 0.0 ? pivot / best : 0.0; };
     return std::min(
-        driven_->smallest_pivot() / best_pivot_, equations_->smallest_pivot() / best_pivot_of_rows_);
+        left(driven_->smallest_pivot(), best_pivot_),
+        left(equations_->smallest_pivot(), best_pivot_of_rows_));
 }
 
 void IndependentCoordinates::evaluate(

@@ -7,8 +7,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 constexpr std::array<std::string_view, 9> kHangingTypes{
     "spherical", "s", "universal", "revolute", "cylindrical", "prismatic", "screw", "fixed", "planar"};
 

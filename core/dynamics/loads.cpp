@@ -8,8 +8,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 void require_mass(const Body& body, const std::optional<MassProperties>& mass) {
     if (!mass) { throw std::invalid_argument("moving body '" + body.name + "' has no mass"); }
     if (!(mass->mass > 0.0) || mass->J_local.llt().info() != Eigen::Success) {

@@ -46,8 +46,7 @@ struct Spring {
     double damping = 0.0;           ///< c [N s/m]
 };
 
-/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ from body i on body j. θ is counted
-/// with its turns only if they are predicted by the caller; here it lies within half a turn of θ0.
+/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ from body i on body j.
 struct RotationalSpring {
     int body_i = 0;
     int body_j = 0;

@@ -27,7 +27,10 @@ enum class Treatment {
 
 /// The numbers that are integrated.
 enum class Formulation {
-    automatic,  ///< joint coordinates for adaptive explicit methods with projection, where they pay
+    /// joint coordinates for adaptive methods with projection, where they pay; for implicit ones only where
+    /// no
+    /// loop is left
+    automatic,
     bodies,  ///< r, p, ṙ, ω' of every body, block-sparse: all that the slides speak of is there to be seen
     joints,  ///< coordinates of a tree of joints
 };

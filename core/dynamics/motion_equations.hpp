@@ -27,7 +27,7 @@ struct RowsVerdict {
     /// Smallest pivot of Φq M⁻¹ Φqᵀ, each by its row's own size: the square of the sine between a row and
     /// those before it. It falls as (distance)² to a singular position.
     double smallest_pivot = 1.0;
-    double violation = 0.0;  ///< largest |Φ| of all rows, each by the size of its equation
+    double violation = 0.0;  ///< largest |Φ| of the rows kept, each by the size of its equation
 };
 
 class MotionEquations {

@@ -10,8 +10,6 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 constexpr int kMostAttempts = 60;
 constexpr int kMostIterations = 10;
 /// The polynomial of a step is continued over so many times its length.
@@ -59,7 +57,8 @@ RadauIntegrator::RadauIntegrator(
     equations_->choose_rows(t_, y_.data());
     equations_->project(t_, y_.data());
     equations_->evaluate(t_, y_.data(), y_dot_.data());
-    counts_.projections = counts_.evaluations = 1;
+    ++counts_.projections;
+    ++counts_.evaluations;
     scales_.include(y_, y_dot_, 0.0);
     h_ = options_.fixed_step > 0.0 ? options_.fixed_step
                                    : scales_.first_step(y_dot_, options_.tolerance, stages + 1);
@@ -70,11 +69,18 @@ RadauIntegrator::RadauIntegrator(
     choose_coordinates();
 }
 
+void RadauIntegrator::evaluate(
+    double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) {
+    coordinates_->evaluate(t, x, y, y_dot, x_dot);
+    ++counts_.evaluations;
+    if (coordinates_->are_projected()) { ++counts_.projections; }
+}
+
 /// What was known of the last step in other coordinates is of no use any more.
 void RadauIntegrator::choose_coordinates() {
     x_ = coordinates_->choose(t_, y_.data());
     x_dot_ = VectorX::Zero(x_.size());
-    coordinates_->evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
+    evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
     x_scale_ = coordinates_->sizes(scales_);
     x_stages_ = x_rates_ = MatrixX::Zero(x_.size(), table_.c.size());
     step_before_ = 0.0;
@@ -98,11 +104,9 @@ void RadauIntegrator::renew_jacobian() {
         moved = x_;
         moved(k) += step;
         y = Eigen::Map<const VectorX>(y_.data(), y.size());
-        coordinates_->evaluate(t_, moved, y.data(), y_rate_.data(), rate);
+        evaluate(t_, moved, y.data(), y_rate_.data(), rate);
         reduced_.col(k) = (rate - x_dot_) / step;
     }
-    counts_.evaluations += n;
-    counts_.projections += n;
     factored_step_ = 0.0;
 }
 
@@ -141,13 +145,14 @@ void RadauIntegrator::predict(double h) {
 }
 
 double RadauIntegrator::norm(const VectorX& change) const {
+    // drivers leave nothing free
+    if (change.size() == 0) { return 0.0; }
     return change.cwiseQuotient(x_scale_).norm() / std::sqrt(static_cast<double>(change.size())) /
            options_.tolerance;
 }
 
-// not a number fails every comparison
-bool RadauIntegrator::NewtonEnd::is_near_singular() const { return !(pivot_left >= kNearSingular); }
-bool RadauIntegrator::NewtonEnd::is_too_near() const { return !(pivot_left >= kTooNear); }
+bool RadauIntegrator::NewtonEnd::is_near_singular() const { return pivot_left < kNearSingular; }
+bool RadauIntegrator::NewtonEnd::is_too_near() const { return pivot_left < kTooNear; }
 
 RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     const Eigen::Index stages = table_.c.size();
@@ -159,13 +164,11 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     for (end.iterations = 1; end.iterations <= kMostIterations; ++end.iterations) {
         end.pivot_left = 1.0;
         for (Eigen::Index i = 0; i < stages; ++i) {
-            coordinates_->evaluate(
+            evaluate(
                 t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rate_.data(),
                 x_rates_.col(i));
             end.pivot_left = std::min(end.pivot_left, coordinates_->pivot_left());
         }
-        counts_.evaluations += stages;
-        counts_.projections += stages;
         const MatrixX residual = h * x_rates_ * table_.a.transpose() - (x_stages_.colwise() - x_);
         const VectorX change = stages_lu_.solve(Eigen::Map<const VectorX>(residual.data(), residual.size()));
         double size = 0.0;
@@ -208,8 +211,7 @@ double RadauIntegrator::error_of(double h, bool doubtful) {
     // what stiff parts of the first estimate exaggerate is damped by a second one
     VectorX y = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
     VectorX rate(x_.size());
-    coordinates_->evaluate(t_, x_ + error, y.data(), y_rate_.data(), rate);
-    ++counts_.evaluations;
+    evaluate(t_, x_ + error, y.data(), y_rate_.data(), rate);
     return norm(filtered(rate));
 }
 
@@ -223,8 +225,7 @@ void RadauIntegrator::accept(double h, double t) {
     t_ = t;
     x_ = x_stages_.col(stages - 1);
     std::copy_n(y_stages_.col(stages - 1).data(), y_.size(), y_.data());
-    coordinates_->evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
-    ++counts_.evaluations;
+    evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
     ++counts_.steps;
     scales_.include(y_, y_dot_, 0.0);
     x_scale_ = coordinates_->sizes(scales_);
@@ -280,7 +281,7 @@ bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& tr
 /// velocity leads to is another one that satisfies the same equations. h_ is a shorter step then.
 bool RadauIntegrator::turned_too_far(double h) {
     const Turning turning = turning_of_stages();
-    const double rate = std::max(scales_.turn_rate(y_), turning.rate);
+    const double rate = std::max(fastest_turn(*equations_, y_.data(), flat_), turning.rate);
     if (turning.rate * h > 1.5 * most_turn()) {
         h_ = most_turn() / turning.rate;
         return true;
@@ -308,7 +309,7 @@ bool RadauIntegrator::step(double t_end) {
     most_growth_ = 6.0;
     if (trial.renewed) { renew_jacobian(); }
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-        const double turn_rate = scales_.turn_rate(y_);
+        const double turn_rate = fastest_turn(*equations_, y_.data(), flat_);
         if (!fixed && turn_rate * h_ > most_turn()) { h_ = most_turn() / turn_rate; }
         const StepAhead ahead(t_, t_end, h_);
         const double h = ahead.h;
@@ -350,12 +351,10 @@ bool RadauIntegrator::step(double t_end) {
     return false;
 }
 
-bool RadauIntegrator::interpolate(double t, double* y) const {
-    if (last_step_ == 0.0) { return false; }
-    const VectorX at = y_before_ * weights(1.0 - (t_ - t) / last_step_);
-    std::copy_n(at.data(), at.size(), y);
+void RadauIntegrator::interpolate(double t, double* y) const {
+    const VectorX between = y_before_ * weights(1.0 - (t_ - t) / last_step_);
+    std::copy_n(between.data(), between.size(), y);
     equations_->project(t, y);
-    return true;
 }
 
 }  // namespace jw

@@ -34,7 +34,8 @@ public:
     const std::vector<double>& y_dot() const override { return y_dot_; }
     const IntegrationCounts& counts() const override { return counts_; }
     /// The polynomial of the step, moved onto the constraints: what drivers turn is no polynomial.
-    bool interpolate(double t, double* y) const override;
+    void interpolate(double t, double* y) const override;
+    bool has_polynomial() const override { return last_step_ > 0.0; }
 
 private:
     /// How Newton's iteration for the stages ended.
@@ -55,6 +56,7 @@ private:
         double most_growth = 1.0;  ///< of the next step
     };
 
+    void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot);
     void choose_coordinates();
     bool jacobian_is_stale() const;
     void renew_jacobian();
@@ -101,8 +103,9 @@ private:
     double contraction_ = 0.0;    ///< of Newton's iteration in the last step
     MatrixX x_stages_;            ///< of the stages, one column each
     MatrixX x_rates_;
-    MatrixX y_stages_;          ///< the whole mechanism there
-    VectorX y_rate_;            ///< of the stage evaluated last
+    MatrixX y_stages_;  ///< the whole mechanism there
+    VectorX y_rate_;    ///< of the stage evaluated last
+    std::vector<double> flat_;
     MatrixX x_before_;          ///< x at the start and at the stages of the last accepted step
     MatrixX y_before_;          ///< y there
     double step_before_ = 0.0;  ///< its h [s]; 0: there was none in these coordinates

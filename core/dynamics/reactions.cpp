@@ -18,8 +18,6 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// vector, which is the error of the state over the smallest singular value.
 constexpr double kTakesPart = 1e-6;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// M q̈ - Q of every moving body: forces, then torques about the centre of mass over ℓ, global.
 struct Needed {
     VectorX wrenches;

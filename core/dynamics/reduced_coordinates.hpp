@@ -23,6 +23,8 @@ public:
     /// Moves y, an estimate, to where the coordinates are x, and tells ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
+    /// Whether that takes a projection.
+    virtual bool are_projected() const { return true; }
     /// Sizes that changes of x are compared with.
     virtual VectorX sizes(const StateScales& scales) const = 0;
 };
@@ -36,6 +38,7 @@ public:
         return Eigen::Map<const VectorX>(y, equations_->size());
     }
     bool is_sound() const override { return true; }
+    bool are_projected() const override { return false; }
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override {
         std::copy_n(x.data(), x.size(), y);
         equations_->evaluate(t, y, y_dot);

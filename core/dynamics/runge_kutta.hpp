@@ -21,7 +21,6 @@ struct RungeKuttaTable {
     /// Local error h Σ e_s k_s; all zero where the method has none. Of an 8(5,3) pair the fifth-order one.
     Row e{};
     Row e_third{};  ///< third-order error of an 8(5,3) pair, else zero
-    bool has_error = false;
 };
 
 /// One step of ẏ = f(t, y) by a table and nothing else, for those who want to owe the integrators nothing.

@@ -20,7 +20,7 @@ void Sampler::take(const TimeStepper& stepper) {
         while (next_ < times_.size() && times_[next_] <= node.t) { receive_(times_[next_++], flat_); }
     }
     y_.resize(stepper.y().size());
-    if (known_ > 1 && stepper.interpolate(node.t, y_.data())) {
+    if (stepper.has_polynomial()) {
         for (; next_ < times_.size() && times_[next_] <= node.t; ++next_) {
             if (times_[next_] == node.t) {
                 y_ = stepper.y();

@@ -33,7 +33,7 @@ bool SemiImplicitEuler::step(double t_end) {
     equations_->evaluate(t_, y_.data(), y_dot_.data());
     ++counts_.evaluations;
     ++counts_.steps;
-    return std::ranges::all_of(y_dot_, [](double x) { return std::isfinite(x); });
+    return true;
 }
 
 }  // namespace jw

@@ -10,14 +10,11 @@
 #include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
-#include "core/dynamics/tolerances.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
 namespace jw {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void require(const SimulationSettings& settings) {
     const MethodName& method = entry_of(settings.method);
@@ -144,8 +141,8 @@ std::unique_ptr<TimeStepper> Simulation::stepper() const {
     options.project =
         settings_.treatment == Treatment::projection || settings_.treatment == Treatment::tangent;
     if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
-    // two bodies that turn the opposite way, each by this about all three axes, stay within half a turn
-    constexpr double counted = 0.8;
+    // samples are taken up to two steps behind: bodies that turn against each other stay within half a turn
+    constexpr double counted = 0.75;
     if (counts_turns()) { options.most_turn = counted; }
     const auto explicit_one = [&](const RungeKuttaTable& table) {
         return std::make_unique<ExplicitIntegrator>(integrated(), table, options, 0.0, integrated_start());
@@ -205,7 +202,7 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
             outcome.failure = SimulationFailure{Cause::not_finite, integration->t(), {}, 0.0};
         } else if (!went_on) {
             outcome.failure = SimulationFailure{Cause::step_too_small, integration->t(), {}, 0.0};
-        } else if (integration->counts().steps >= settings_.most_steps) {
+        } else if (integration->t() < end && integration->counts().steps >= settings_.most_steps) {
             outcome.failure = SimulationFailure{Cause::too_many_steps, integration->t(), {}, 0.0};
         }
         if (finite) { sampler.take(*integration); }

@@ -8,6 +8,7 @@
 
 #include "core/dynamics/methods.hpp"
 #include "core/dynamics/sampler.hpp"
+#include "core/dynamics/tolerances.hpp"
 
 /// A mechanism under its loads from t = 0 on, by any of the methods.
 namespace jw {
@@ -17,7 +18,7 @@ struct SimulationSettings {
     Treatment treatment = Treatment::projection;
     double tolerance = 1e-6;  ///< of adaptive methods
     double step = 1e-3;       ///< of the others [s]
-    long most_steps = 10'000'000;
+    long most_steps = kMostStepsTaken;
     double baumgarte = 20.0;  ///< α = β of Baumgarte's stabilisation [1/s]
     /// What is integrated; the semi-implicit method moves bodies.
     Formulation formulation = Formulation::automatic;
@@ -60,10 +61,13 @@ class Simulation {
 public:
     /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
     Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
+    /// What it integrates points into its own scene.
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
 
     /// From the start to the last of `times` (ascending, from 0 on); every time is given to `receive` in
     /// order. None is where the equations contradict each other at the start.
-    SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
+    [[nodiscard]] SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
 
     Snapshot snapshot(double t, const std::vector<double>& y) const;
     /// Position of a point of a body as given [m].

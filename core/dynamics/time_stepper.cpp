@@ -62,4 +62,14 @@ double StateScales::first_step(const std::vector<double>& y_dot, double toleranc
     return 0.5 * std::pow(tolerance, 1.0 / order) / rate;
 }
 
+double fastest_turn(const MotionEquations& equations, const double* y, std::vector<double>& flat) {
+    flat.resize(at(kNumbersPerBody * equations.bodies()));
+    equations.to_flat(y, flat.data());
+    double most = 0.0;
+    for (int n = 0; n < equations.bodies(); ++n) {
+        most = std::max(most, vec3(body_numbers(flat.data(), at(n)) + 10).norm());
+    }
+    return most;
+}
+
 }  // namespace jw

@@ -13,7 +13,7 @@ struct IntegrationOptions {
     double fixed_step = 0.0;    ///< [s]; 0: steps follow the tolerance
     bool project = true;        ///< back onto the constraints whenever the drift nears the tolerance
     double length_scale = 1.0;  ///< [m]
-    /// Of a body about one axis, within a step that follows the tolerance [rad].
+    /// Of a body, within a step that follows the tolerance [rad].
     double most_turn = std::numeric_limits<double>::infinity();
 };
 
@@ -45,8 +45,6 @@ public:
     /// Of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
     double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
-    /// Largest component of any angular velocity in y [rad/s].
-    double turn_rate(const std::vector<double>& y) const { return largest(y, NumberScale::Kind::omega); }
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
@@ -60,6 +58,9 @@ private:
     double velocity_ = 0.0;
     double omega_ = 0.0;
 };
+
+/// |ω| of the body that turns fastest at y [rad/s]. @param flat room for the state
+double fastest_turn(const MotionEquations& equations, const double* y, std::vector<double>& flat);
 
 /// After every step t, y and ẏ are those of a state on the constraints.
 class TimeStepper {
@@ -76,8 +77,10 @@ public:
     virtual const std::vector<double>& y() const = 0;
     virtual const std::vector<double>& y_dot() const = 0;
     virtual const IntegrationCounts& counts() const = 0;
-    /// y within the last step by the method's own polynomial. @return false if it has none
-    virtual bool interpolate(double /*t*/, double* /*y*/) const { return false; }
+    /// Whether the method has a polynomial of its own over the last step.
+    virtual bool has_polynomial() const { return false; }
+    /// y within the last step by that.
+    virtual void interpolate(double /*t*/, double* /*y*/) const {}
 };
 
 }  // namespace jw

@@ -11,5 +11,7 @@ inline constexpr const char* kToleranceRange = "expected 1e-15 to 0.1";
 
 /// Steps of equal length that a run may ask for.
 inline constexpr double kMostFixedSteps = 1e7;
+/// Steps after which a run is given up: more, as rounding may add some.
+inline constexpr long kMostStepsTaken = 11'000'000;
 
 }  // namespace jw

@@ -6,12 +6,6 @@
 /// between steps.
 namespace jw {
 
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 /// A turn counts as the way of the farthest point that it moves.
 std::vector<NumberScale> TreeEquations::scales() const {
     using Kind = NumberScale::Kind;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace jw {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 State start_of(const Mechanism& mechanism, const std::vector<double>& flat) {
     State state = start_state(mechanism);
@@ -44,12 +43,19 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
       bodies_(scene.mechanism.bodies.size()),
       needs_motion_(bodies_.size(), false),
       forces_(bodies_.size()) {
-    const auto mark = [&](const auto& both) {
-        needs_motion_[at(both.body_i)] = needs_motion_[at(both.body_j)] = true;
+    std::vector<bool> pose_counts(bodies_.size(), false);
+    const auto mark = [&](const auto& load) { pose_counts[at(load.body)] = true; };
+    std::ranges::for_each(scene.loads.forces, mark);
+    std::ranges::for_each(scene.loads.torques, mark);
+    const auto mark_both = [&](const auto& both) {
+        for (const int body : {both.body_i, both.body_j}) {
+            pose_counts[at(body)] = needs_motion_[at(body)] = true;
+        }
     };
-    std::ranges::for_each(scene.loads.springs, mark);
-    std::ranges::for_each(scene.loads.rotational_springs, mark);
-    std::ranges::for_each(links_, mark);
+    std::ranges::for_each(scene.loads.springs, mark_both);
+    std::ranges::for_each(scene.loads.rotational_springs, mark_both);
+    std::ranges::for_each(links_, mark_both);
+    std::ranges::copy_if(moving_, std::back_inserter(looked_at_), [&](int b) { return pose_counts[at(b)]; });
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = scene.mechanism.bodies[b];
         bodies_[b].r = body.r;
@@ -73,9 +79,9 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     e_by_D_ = e_of_rows_;
 }
 
-/// Where the bodies are, for loads and equations; their motion where those ask for it.
+/// Where the bodies are that loads and equations ask for, and how they move where that counts.
 void TreeEquations::set_bodies() {
-    for (const int b : moving_) {
+    for (const int b : looked_at_) {
         const Node& node = tree_.node(tree_.node_of(b));
         BodyKinematics<OmegaLocal>& body = bodies_[at(b)];
         body.r = node.r;
@@ -97,7 +103,12 @@ void TreeEquations::add_loads(double t) {
         const Vec3& omega = node.velocity.angular;
         const Mat3& J = node.inertia.J;
         node.wrench.linear = force.f - scene_->loads.masses[at(b)]->mass * node.bias.linear;
-        node.wrench.angular = node.A * force.n_local - omega.cross(J * omega) - J * node.bias.angular;
+        node.wrench.angular = -omega.cross(J * omega) - J * node.bias.angular;
+    }
+    // gravity turns nothing about a centre of mass
+    for (const int b : looked_at_) {
+        Node& node = tree_.node(tree_.node_of(b));
+        node.wrench.angular += node.A * forces_[at(b)].n_local;
     }
 }
 
@@ -116,7 +127,7 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
             const Row& row = rows_[at(kept_[k])];
             double right = row.gamma - dot(row.on_i, tree_.node(row.node_i).bias) -
                            dot(row.on_j, tree_.node(row.node_j).bias);
-            const double* e_by_D = &e_by_D_[row.first_e];
+            const double* e_by_D = e_by_D_.data() + row.first_e;
             for (const int u : row.path) { right -= *e_by_D++ * tree_.e()[at(u)]; }
             lambda_[k] = right;
         }

@@ -115,7 +115,8 @@ private:
     std::vector<int> kept_before_;
     std::vector<Group> kept_groups_;                  ///< with a row that is kept
     std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
-    std::vector<bool> needs_motion_;                  ///< bodies of springs and of cut joints
+    std::vector<int> looked_at_;      ///< moving bodies of forces, torques, springs and cut joints
+    std::vector<bool> needs_motion_;  ///< those of springs and cut joints
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;
     std::vector<double> e_by_D_;

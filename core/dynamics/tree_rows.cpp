@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/flatten.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
@@ -12,17 +13,7 @@ namespace jw {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
-
-/// Rows that keep less than this share of themselves beside others repeat them, squared; as block equations
-/// have it.
-constexpr double kRepeats = 1e-9;
-/// Residuals of position equations, by their sizes, that are rounding only.
-constexpr double kExact = 1e-15;
-/// From here on a round that brings little is the last: rounding has been reached.
-constexpr double kNearlyExact = 1e-12;
 
 }  // namespace
 
@@ -67,7 +58,8 @@ void TreeEquations::respond(const std::vector<int>& rows) {
     for (const int k : rows) {
         const Row& row = rows_[at(k)];
         tree_.respond(
-            row.node_i, row.node_j, row.on_i, row.on_j, &e_of_rows_[row.first_e], &e_by_D_[row.first_e]);
+            row.node_i, row.node_j, row.on_i, row.on_j, e_of_rows_.data() + row.first_e,
+            e_by_D_.data() + row.first_e);
     }
 }
 
@@ -90,7 +82,7 @@ void TreeEquations::add_answer_of_rows() {
     matrix_.solve(lambda_.data());
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         const Row& row = rows_[at(kept_[k])];
-        const double* e = &e_of_rows_[row.first_e];
+        const double* e = e_of_rows_.data() + row.first_e;
         for (const int u : row.path) { tree_.e()[at(u)] += *e++ * lambda_[k]; }
     }
 }
@@ -111,12 +103,11 @@ double TreeEquations::largest_of_kept_rows(double Row::*number) const {
 }
 
 double TreeEquations::project(double t, double* y) {
-    constexpr int most_rounds = 12;
     joints().for_each_part([](int, int) {}, [](int, int) {}, [&](int p, int) { vec4(y + p).normalize(); });
     if (rows_.empty()) { return 0.0; }
     double before = 0.0;
     double last = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
         tree_.place(y);
         tree_.move(y);
         set_bodies();
@@ -126,7 +117,7 @@ double TreeEquations::project(double t, double* y) {
         factor_rows();
         const double worst = largest_of_kept_rows(&Row::phi);
         if (round == 0) { before = worst; }
-        if (worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last)) { break; }
+        if (is_at_rounding(worst, last)) { break; }
         last = worst;
         take_out(&Row::phi);
         displace(y);

@@ -114,9 +114,10 @@ TEST_CASE("Times between steps are as exact as the steps", "[dynamics]") {
         std::vector<double> times;
         for (int k = 0; k <= 101; ++k) { times.push_back(bricard.dynamics->duration * k / 101.0); }
         std::vector<Vec3> points;
-        simulation.run(times, [&](double, const std::vector<double>& y) {
+        const SimulationOutcome outcome = simulation.run(times, [&](double, const std::vector<double>& y) {
             points.push_back(simulation.point(y, 3, Vec3::Zero()));
         });
+        CHECK_FALSE(outcome.failure);
         return points;
     };
     const std::vector<Vec3> exact = path(1e-12);
@@ -206,9 +207,10 @@ TEST_CASE("Without treatment the constraints drift, with it they do not", "[dyna
         settings.treatment = treatment;
         Simulation simulation(pendulum.mechanism, pendulum.dynamics->loads, settings);
         double worst = 0.0;
-        simulation.run({0.0, 10.0}, [&](double t, const std::vector<double>& y) {
+        const auto outcome = simulation.run({0.0, 10.0}, [&](double t, const std::vector<double>& y) {
             worst = simulation.snapshot(t, y).position_violation;
         });
+        CHECK_FALSE(outcome.failure);
         return worst;
     };
     CHECK(drift(Treatment::none) > 1e-5);

@@ -1,0 +1,22 @@
+#pragma once
+
+/// Which rows repeat others, and when Newton's rounds onto the constraints have reached rounding; the same
+/// for all equations of motion.
+namespace jw {
+
+/// Rows that keep less than this share of themselves beside others repeat them, squared: far above rounding
+/// (1e-15 times a condition of 1e3), far below what is left of the rows of sound joints (1e-3).
+inline constexpr double kRepeats = 1e-9;
+/// Residuals, by the sizes of their equations, that are rounding only.
+inline constexpr double kExact = 1e-15;
+/// From here on a round that brings little is the last.
+inline constexpr double kNearlyExact = 1e-12;
+/// Quadratic convergence: from the error of a step two or three rounds reach rounding.
+inline constexpr int kMostRounds = 12;
+
+/// @param worst residual of this round; @param last of the round before, infinite for the first
+inline bool is_at_rounding(double worst, double last) {
+    return worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last);
+}
+
+}  // namespace jw
