@@ -77,11 +77,6 @@ std::string row_text(const std::vector<std::string>& cells) {
     return line + '\n';
 }
 
-std::string milliseconds_to(const BenchRun& run, double error) {
-    const auto time = run.time_to(error);
-    return time ? cell("%.3g", 1e3 * *time) : "-";
-}
-
 void write_table(const SceneResult& result, std::ostream& out) {
     out << result.name << "\n  reference: " << result.reference.origin << "\n";
     out << row_text(
@@ -96,11 +91,20 @@ void write_table(const SceneResult& result, std::ostream& out) {
                  std::to_string(p.counts.steps), std::to_string(p.counts.rejected)});
         }
     }
-    out << row_text({"ms to reach", "1e-3 m", "1e-6 m", "1e-9 m"});
+    std::vector<std::string> head{"ms to reach"};
+    for (std::size_t level = 0; level < kErrorLevels.size(); ++level) { head.push_back(level_text(level)); }
+    out << row_text(head);
+    for (const PriceRow& row : prices_of(result.runs).rows) {
+        std::vector<std::string> cells{row.name};
+        for (const auto& time : row.milliseconds) { cells.push_back(time ? cell("%.3g", *time) : "-"); }
+        out << row_text(cells);
+    }
     for (const BenchRun& run : result.runs) {
-        out << row_text(
-            {std::string(entry_of(run.method).name), milliseconds_to(run, 1e-3), milliseconds_to(run, 1e-6),
-             milliseconds_to(run, 1e-9)});
+        const auto failed =
+            std::ranges::find_if(run.points, [](const auto& p) { return !p.failure.empty(); });
+        if (failed == run.points.end()) { continue; }
+        out << entry_of(run.method).name << " at " << cell("%.0e", failed->setting) << ": " << failed->failure
+            << '\n';
     }
     out << '\n' << std::flush;
 }
@@ -128,7 +132,7 @@ Json json_of(const SceneResult& result) {
                  {"position_m", number(p.position)},
                  {"velocity_m_per_s", number(p.velocity)},
                  {"energy", number(p.energy)},
-                 {"constraint", p.violation},
+                 {"constraint", number(p.violation)},
                  {"evaluations", p.counts.evaluations},
                  {"steps", p.counts.steps},
                  {"rejected", p.counts.rejected},
@@ -150,11 +154,13 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
     SceneResult result;
     result.name = file.stem().string();
     const auto stored = stored_reference(file);
-    result.reference = stored ? *stored : own_reference(lesson);
     try {
+        result.reference = stored ? *stored : own_reference(lesson);
         result.runs = bench_dynamics(lesson, result.reference, plan);
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, file.string() + ": error: " + error.what());
+    } catch (const std::runtime_error& error) {
+        throw CommandError(Exit::numerics, file.string() + ": error: " + error.what());
     }
     return result;
 }

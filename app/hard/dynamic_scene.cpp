@@ -5,11 +5,12 @@
 #include <stdexcept>
 
 #include "app/hard/shipped.hpp"
+#include "lessons/catalogue.hpp"
 
 namespace jw::hard {
 
 DynamicScene shipped_scene(std::string_view name) {
-    const std::optional<Reference> reference = stored_reference(name);
+    const std::optional<Reference> reference = stored_reference(catalogue_folder() / name);
     if (!reference) { throw std::runtime_error("no reference for " + std::string(name)); }
     return {shipped_lesson(name), *reference};
 }

@@ -79,9 +79,9 @@ void draw_stretch(
         }
         for (int k = stretch.first; k <= stretch.last; ++k) {
             const Step& step = story.steps()[static_cast<std::size_t>(k)];
-            if (!step.rows_switched && !step.change_point && !step.failure) { continue; }
+            if (!step.rows_switched && !step.change_point && !step.failed()) { continue; }
             const float x = scale.x_of(k);
-            const render::Colour ink = step.failure ? theme::kRedundant : theme::kSoft;
+            const render::Colour ink = step.failed() ? theme::kRedundant : theme::kSoft;
             canvas.fill(
                 {x - 0.5F, middle - canvas.px(7.0F), std::max(1.0F, canvas.px(1.5F)), canvas.px(14.0F)}, ink);
         }

@@ -19,10 +19,12 @@ struct Reference {
     std::vector<Vec3> positions;   ///< [m]
     std::vector<Vec3> velocities;  ///< [m/s]; may be empty
 };
-/// The stored reference of a lesson file, lessons/reference/NAME.csv; nothing if there is none.
+/// The stored reference of a shipped lesson, lessons/reference/NAME.csv; nothing if there is none, or the
+/// file is not one of those shipped: a copy may have been changed.
+/// @throws std::runtime_error if a row of it does not hold seven numbers
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
 /// By the lesson itself, with the two tightest tolerances; `origin` says how far they are apart.
-/// @throws Stopped if `stop` asks for it
+/// @throws Stopped if `stop` asks for it; std::runtime_error if one of the two ends early
 Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
 
 /// What a run throws that was asked to stop.
@@ -32,11 +34,9 @@ struct Stopped {};
 class TrajectoryErrors {
 public:
     /// Lesson (one with a point) and reference must outlive this.
-    /// @param settings of the run: they decide what the numbers of a state are
-    TrajectoryErrors(
-        const Lesson& lesson, const Reference& reference, const SimulationSettings& settings = {});
+    TrajectoryErrors(const Lesson& lesson, const Reference& reference);
 
-    /// The state at the k-th time of the reference.
+    /// The state (flat) at the k-th time of the reference.
     void look_at(std::size_t k, const std::vector<double>& y);
 
     double position() const { return position_; }    ///< of the lesson's point [m]
@@ -44,7 +44,6 @@ public:
     double violation() const { return violation_; }  ///< |Φ| by the size of its equation
     /// Change of energy, by the largest kinetic energy; NaN where nothing moves.
     double energy() const { return change_ / largest_kinetic_; }
-    const Simulation& simulation() const { return simulation_; }
 
 private:
     const Reference* reference_;
@@ -65,7 +64,7 @@ struct BenchPoint {
     double position = 0.0;   ///< largest distance from the reference [m]; NaN: the run failed
     double velocity = 0.0;   ///< likewise [m/s]; NaN where the reference has none
     double energy = 0.0;     ///< largest change by the largest kinetic energy; NaN where energy is not kept
-    double violation = 0.0;  ///< largest |Φ|, by the size of its equation
+    double violation = 0.0;  ///< largest |Φ|, by the size of its equation; NaN: the run failed
     IntegrationCounts counts;
     std::string failure;
 };

@@ -9,6 +9,7 @@
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/quantities.hpp"
+#include "app/session/sentences.hpp"
 #include "app/session/story.hpp"
 
 namespace jw {
@@ -79,8 +80,7 @@ private:
                 return pose;
             }
         }
-        const Step& failed = *story_.failure();
-        pose.failure = failure_text(*failed.system, *failed.failure);
+        pose.failure = failure_text(*story_.failure());
         return pose;
     }
 

@@ -27,6 +27,7 @@ Hand::Hand(const Story& story, int index) {
     step_ = held;
     step_.rank = nullptr;
     step_.failure.reset();
+    step_.ended.clear();
     start_ = held.state;
     system_ = std::make_unique<System>(*held.system);
 }

@@ -52,8 +52,7 @@ PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
     std::string text = sentence_of(lesson, failed, RankReport{});
     // "Joint D cannot be closed. ...": its first sentence
     text = text.substr(0, text.find(". "));
-    return PoseNotReached(
-        lesson.file_name + ": " + text + ": " + failure_text(*failed.system, *failed.failure));
+    return PoseNotReached(lesson.file_name + ": " + text + ": " + failure_text(failed));
 }
 
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) {

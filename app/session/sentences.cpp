@@ -255,7 +255,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
 
 std::string title_of(const Lesson& lesson, const Step& step) {
     if (step.kind == Step::Kind::bodies) { return "The free bodies"; }
-    if (step.kind == Step::Kind::motion) { return step.failure ? "The motion ends" : "The motion"; }
+    if (step.kind == Step::Kind::motion) { return step.failed() ? "The motion ends" : "The motion"; }
     const std::optional<Addition> subject = subject_of(lesson, step);
     const Mechanism& m = lesson.mechanism;
     std::string title = subject_name(lesson, *subject);
@@ -278,11 +278,15 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
             return subject_name(lesson, *subject) + " cannot be closed. The last good pose is kept.";
         case Step::Kind::motion: break;
     }
-    if (step.failure) {
+    if (step.failed()) {
         return "The motion cannot be followed beyond t = " + number_text(step.t) +
                " s. This is the last good pose.";
     }
     return motion_sentence(lesson, step, rank);
+}
+
+std::string failure_text(const Step& step) {
+    return step.failure ? failure_text(*step.system, *step.failure) : step.ended;
 }
 
 }  // namespace jw

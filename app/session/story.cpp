@@ -84,7 +84,7 @@ Story::Story(const Lesson& lesson, const StoryOptions& options)
 
 const Step* Story::failure() const {
     const Step& last = steps_.back();
-    return last.failure ? &last : nullptr;
+    return last.failed() ? &last : nullptr;
 }
 
 int Story::last_assembled() const {
@@ -257,7 +257,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     const auto centroidal = std::make_shared<Centroidal>(simulation.scene());
     System system = *system_;
     std::shared_ptr<const System> shared = system_;
-    simulation.run(times, [&](double t, const std::vector<double>& y) {
+    const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
         const Snapshot snapshot = simulation.snapshot(t, y);
         Step step;
         step.kind = Step::Kind::motion;
@@ -275,6 +275,17 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         steps_.push_back(std::move(step));
         if (options.progress) { options.progress(t / plan.to); }
     });
+    if (!outcome.failure) { return; }
+    if (steps_.back().kind != Step::Kind::motion) {
+        Step& start = steps_.emplace_back();
+        start.kind = Step::Kind::motion;
+        start.additions = static_cast<int>(lesson_->order.size());
+        start.system = shared;
+        start.state = state_;
+        start.velocity = start_motion(assembled);
+        start.acceleration = zero_motion(assembled);
+    }
+    steps_.back().ended = failure_text(*outcome.failure, request.settings);
 }
 
 }  // namespace jw

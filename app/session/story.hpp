@@ -33,6 +33,7 @@ struct Step {
     std::shared_ptr<const RankReport> rank_before;  ///< before the addition, at its pose
     std::shared_ptr<const RankReport> rank;         ///< bodies, assembled, failed
     std::optional<PositionFailure> failure;
+    std::string ended;           ///< motion by masses and forces: why it goes no further; empty if it does
     bool rows_switched = false;  ///< motion: a p1 / p2 choice changed on the way here
     bool change_point = false;   ///< motion
     LinearVerdict velocity_verdict;
@@ -40,6 +41,9 @@ struct Step {
     /// Motion by masses and forces: what reactions are found from when somebody looks at them.
     std::shared_ptr<const Centroidal> centroidal;
     Motion centroidal_acceleration;
+
+    /// The story ends here before its time.
+    bool failed() const { return failure.has_value() || !ended.empty(); }
 };
 
 /// What joints do to their bodies at a moment of a motion by masses and forces; nothing at other steps, and

@@ -196,7 +196,7 @@ View view_of(const Story& story, const Step& step, int index) {
     view.bodies = body_motions_of(step);
     if (step.kind == Step::Kind::motion) { view.quantities = quantities_of(step); }
     view.velocity_note = velocity_note_of(step);
-    if (step.failure) { view.failure = failure_text(*step.system, *step.failure); }
+    view.failure = failure_text(step);
     return view;
 }
 

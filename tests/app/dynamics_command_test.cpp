@@ -66,9 +66,27 @@ TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[a
     refused({kPendulum, "--method", "rk4", "--step", "1e-20"}, "ten million");
     refused({kPendulum, "--duration", "0"}, "--duration");
     refused({kPendulum, "--samples", "0"}, "--samples");
+    refused({kPendulum, "--samples", "1e9"}, "expected a whole number");
+    refused({kPendulum, "--duration", "long"}, "expected a number");
     refused({kPendulum, "--coordinates", "rp", "--method", "implicit-5"}, "coordinate choice");
     refused({kPendulum, "--treatment", "tangent"}, "implicit");
     refused({kPendulum, "--treatment", "none", "--method", "implicit-5"}, "treatment");
+}
+
+TEST_CASE(
+    "A motion by forces that cannot go on is told as far as it goes, with status 3", "[app][dynamics]") {
+    // stiff: explicit steps are tiny, and a story follows 2000 of them
+    std::string text = bytes_of(lesson_path("dynamics/governor.toml"));
+    const std::string implicit = "method = \"implicit-5\"";
+    text.replace(text.find(implicit), implicit.size(), "method = \"explicit-8\"");
+    const Folder folder;
+    const std::string file = folder.file("governor.toml", text);
+    const Ran ran = run({"step", file, "--format", "json"});
+    CHECK(ran.status == 3);
+    const auto steps = nlohmann::json::parse(ran.out)["steps"];
+    CHECK(steps.back()["title"] == "The motion ends");
+    CHECK(steps.back()["failure"].get<std::string>().find("steps were not enough") != std::string::npos);
+    CHECK(steps[steps.size() - 2]["failure"].is_null());
 }
 
 TEST_CASE("bench says what a digit costs", "[app][dynamics]") {

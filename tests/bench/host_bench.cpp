@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -11,20 +10,19 @@
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "render/offscreen.hpp"
+#include "tests/bench/clock.hpp"
 
 /// What the interface costs: a frame at rest, a step that is shown anew, a pull at a body, and the start.
 /// CPU time of one run on one machine.
 namespace jw::bench {
 namespace {
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// CPU time of `act`, in milliseconds.
 template <class Act>
 double ms_of(const Act& act) {
-    const double begin = cpu_seconds();
+    const double begin = cpu_microseconds();
     act();
-    return 1e3 * (cpu_seconds() - begin);
+    return 1e-3 * (cpu_microseconds() - begin);
 }
 
 host::HostSetup setup() {

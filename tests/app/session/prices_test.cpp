@@ -95,6 +95,20 @@ TEST_CASE("A measurement that nobody waits for any more stops within its run") {
     CHECK_FALSE(job.news().done);
 }
 
+TEST_CASE("The stored reference is that of the shipped file, not of one that is called the same") {
+    CHECK_FALSE(stored_reference("simple-pendulum.toml"));
+    CHECK_FALSE(stored_reference(catalogue_folder() / ".." / ".." / "simple-pendulum.toml"));
+}
+
+TEST_CASE("Where a lesson cannot be integrated to its end there is nothing to compare with") {
+    Lesson tilted = *read_lesson_file(catalogue_folder() / "dynamics" / "four-bar-1.toml").lesson;
+    Vec3& axis = tilted.mechanism.joints.back().geometry.s_j_local;
+    axis = (axis + 0.1 * perpendicular_to(axis)).normalized();
+    CHECK_THROWS_AS(own_reference(tilted), std::runtime_error);
+    const BenchJob job(tilted, std::nullopt, one_method());
+    CHECK(waited_for(job).failure.find("nothing to compare with") != std::string::npos);
+}
+
 TEST_CASE("A plan that no method can follow is told as it is") {
     BenchPlan plan;
     plan.methods = {Method::implicit_5};

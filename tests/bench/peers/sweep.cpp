@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 
 #include "lessons/catalogue.hpp"
@@ -14,8 +13,6 @@
 namespace jw::peers {
 
 namespace fs = std::filesystem;
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void Run::at_sample(int k, const Vec3& point) {
     const double distance = (point - scene_->reference[static_cast<std::size_t>(k)]).norm();
