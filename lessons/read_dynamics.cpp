@@ -75,6 +75,12 @@ void take_masses(Reading& reading, DynamicsPlan& plan) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         plan.loads.masses.push_back(reading.masses[b].properties);
         const auto named = reading.names.find(bodies[b].name);
+        if (bodies[b].fixed && reading.masses[b].given) {
+            reading.problems->warn(
+                reading.masses[b].span,
+                "body " + in_quotes(bodies[b].name) + " is fixed; its mass and inertia change nothing",
+                "leave them out, or 'fixed'");
+        }
         if (bodies[b].fixed || reading.masses[b].given || named == reading.names.end()) { continue; }
         reading.problems->add(
             named->second.span,

@@ -100,7 +100,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
     command->add_flag("--dark", options->dark, "light letters on dark paper");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
-        ->type_name("N")
+        ->type_name("X")
         ->capture_default_str();
     command->add_option("--tab", options->tab, "beside the picture: step, try, plots, newton or price")
         ->check(CLI::IsMember({"step", "try", "plots", "newton", "price"}))

@@ -37,6 +37,19 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
            comma_list(names) + "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
 }
 
+/// CLI11 says of a value that it could not be converted, not into what.
+std::string expectation(const CLI::App& command, const CLI::Error& error) {
+    if (dynamic_cast<const CLI::ConversionError*>(&error) == nullptr) { return {}; }
+    const std::string text = error.what();
+    for (const CLI::Option* option : command.get_options()) {
+        if (text.find(option->get_name() + " ") == std::string::npos) { continue; }
+        // N is what counts something, in all commands
+        const bool counts = option->get_type_name().starts_with("N");
+        return counts ? "; expected a whole number, digits only" : "; expected a number, as 0.5 or 1e-6";
+    }
+    return {};
+}
+
 }  // namespace
 
 int run_program(
@@ -48,8 +61,9 @@ int run_program(
     app.failure_message([](const CLI::App* self, const CLI::Error& error) {
         // the command that was meant, if the line got that far
         const std::vector<CLI::App*> commands = self->get_subcommands();
-        const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
-        return "jointwise: error: " + std::string(error.what()) + "\nhint: jointwise " + command + "--help\n";
+        const CLI::App& command = commands.empty() ? *self : *commands.front();
+        return "jointwise: error: " + std::string(error.what()) + expectation(command, error) +
+               "\nhint: jointwise " + (commands.empty() ? "" : command.get_name() + " ") + "--help\n";
     });
     Run run;
     for (const auto add :

@@ -166,6 +166,16 @@ constexpr std::array kCases{
         "explicit Euler with steps of 1 ms", "explicit-8 at tolerance 1e-12",
         "dynamics/free-asymmetric-body.toml", turning_about_the_middle_axis},
     Case{
+        "pair-kept-while-falling", "A falling chain that keeps its pairs of equations",
+        "Axes of a chain in space turn through all directions, and with them which two of three equations "
+        "are independent.",
+        "the pairs of the start are kept", "the rule chooses again after every step",
+        "dynamics/chain-revolute-4.toml", pair_kept_while_falling},
+    Case{
+        "wound-spring", "A spring wound by four turns",
+        "The pose of a body tells its angle up to whole turns; the spring on its axis knows all of them.",
+        "θ by atan2, rk4", "explicit-8 at tolerance 1e-10", "dynamics/torsion-pendulum.toml", wound_spring},
+    Case{
         "falling-tilted-loop", "A loop with one axis tilted",
         "Three of 20 rows of a four-bar repeat others. With its last axis tilted by 5 degrees they ask for "
         "something else.",

@@ -58,6 +58,9 @@ Result energy_is_not_accuracy();
 Result which_reactions();
 // middle_axis.cpp
 Result turning_about_the_middle_axis();
+// far_turns.cpp
+Result pair_kept_while_falling();
+Result wound_spring();
 // tilted_loop.cpp
 Result loop_with_a_tilted_axis();
 
