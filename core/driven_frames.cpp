@@ -56,8 +56,8 @@ DrivenFrames::DrivenFrames(const System& system)
     }
 }
 
-bool DrivenFrames::is_sound(const RowsVerdict& verdict, double t, const std::vector<double>& y) const {
-    return verdict.smallest_pivot >= kLeastPivot && equations_->violation(t, y.data()).first <= kExact;
+bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
+    return verdict.smallest_pivot >= kLeastPivot && verdict.violation <= kExact && verdict.left_out <= kExact;
 }
 
 bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {
@@ -74,7 +74,7 @@ bool DrivenFrames::start(const State& state, const Motion& velocity, const Motio
         vec3(rates + 7) = acceleration.r_dot[b];
         vec3(rates + 10) = acceleration.omega_local[b];
     }
-    return is_sound(verdict, t, y_);
+    return is_sound(verdict);
 }
 
 bool DrivenFrames::led_on() const {
@@ -99,7 +99,7 @@ bool DrivenFrames::advance(double t) {
     y_new_ = predicted_;
     equations_->project(t, y_new_.data());
     const RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
-    if (!is_sound(verdict, t, y_new_) || !led_on()) { return false; }
+    if (!is_sound(verdict) || !led_on()) { return false; }
     equations_->refine(y_dot_new_.data());
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);

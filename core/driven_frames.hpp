@@ -29,7 +29,7 @@ public:
     void write(State& state, Motion& velocity, Motion& acceleration) const;
 
 private:
-    bool is_sound(const RowsVerdict& verdict, double t, const std::vector<double>& y) const;
+    bool is_sound(const RowsVerdict& verdict) const;
     bool led_on() const;
 
     const System* system_;

@@ -179,8 +179,8 @@ constexpr std::array kCases{
         "falling-tilted-loop", "A loop with one axis tilted",
         "Three of 20 rows of a four-bar repeat others. With its last axis tilted by 5 degrees they ask for "
         "something else.",
-        "rows that repeat others are left out, and nobody looks at them again", "simulate as it is",
-        "dynamics/four-bar-1.toml", loop_with_a_tilted_axis},
+        "rk4 with projection; rows that repeat others are left out, and nobody looks at them again",
+        "simulate as it is", "dynamics/four-bar-1.toml", loop_with_a_tilted_axis},
 };
 
 }  // namespace

@@ -48,7 +48,8 @@ RowsVerdict RankInEveryStage::evaluate(double t, const double* y, double* y_dot)
     most_rank = std::max(most_rank, decomposition.rank() - n);
     const VectorX x = decomposition.solve(right);
     for (Eigen::Index k = 0; k < n; ++k) { y_dot[kNumbersPerBody * (k / 6) + 7 + k % 6] = x(k); }
-    return {1.0, verdict.violation};
+    // to this method all rows are kept
+    return {1.0, std::max(verdict.violation, verdict.left_out)};
 }
 
 }  // namespace
@@ -74,15 +75,15 @@ Result rank_in_every_stage() {
     Result result;
     result.naive =
         "a stage lies beside the constraints; there the row that repeats others is independent and "
-        "contradicts them. Steps shrink until that is seen no more, and do not come far.";
+        "contradicts them. Steps shrink until that is seen no more: the same way costs many times as much.";
     result.ours = "one set of rows for a whole step, chosen again only when it turns bad.";
-    // what 5000 evaluations reach is far from the end; ours is at most ten times what was measured
+    // where a rank changes by rounding the naive count does, too: at least 5000 or 2000 were seen; ours is at
+    // most ten times what was measured
     result.measurements = {
         of_both(
             "evaluations for 2 s", evaluations, at_least(5.0 * double(ours.counts.evaluations)),
             double(ours.counts.evaluations), at_most(1000)),
-        of_both(
-            "time reached [s]", integrator.t(), at_most(0.99 * end), ours.arrived ? end : 0.0, exactly(end)),
+        of_both("time reached [s]", integrator.t(), any(), ours.arrived ? end : 0.0, exactly(end)),
         of_ours("position error [m]", ours.position, at_most(1e-4)),
         of_ours("change of energy", ours.energy, at_most(1e-5)),
         of_naive("largest rank in a stage, 29 is right", double(equations.most_rank), exactly(30)),

@@ -109,6 +109,46 @@ std::vector<double> equal_times(double duration, int intervals) {
     return times;
 }
 
+std::string start_note(const Mechanism& given, const Snapshot& start) {
+    // what three or four digits leave open is no news
+    constexpr double typed = 1e-2;
+    const double length = extent(given);
+    double fastest = 0.0;
+    for (const Body& body : given.bodies) {
+        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
+    }
+    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+        const Body& body = given.bodies[b];
+        const Vec3& r_dot = start.velocity.r_dot[b];
+        const Vec3& omega = start.velocity.omega_local[b];
+        const std::string who = "body " + in_quotes(body.name);
+        if (const double way = (start.state.r[b] - body.r).norm(); way > typed * length) {
+            return "the start poses do not fit the joints, nearest ones that do are used: " + who +
+                   " begins " + number_text(way, 3) + " m from where the file has it";
+        }
+        const std::string fit = "the start velocities do not fit the joints, nearest ones that do are used: ";
+        if (body.omega_local.norm() > 0.0 && (omega - body.omega_local).norm() > typed * fastest) {
+            return fit + who + " was given " + number_text(body.omega_local.norm(), 4) +
+                   " rad/s and begins with " + number_text(omega.norm(), 4) +
+                   " rad/s (a joint that is not in its origin asks for a 'velocity' besides)";
+        }
+        if (body.r_dot.norm() > 0.0 && (r_dot - body.r_dot).norm() > typed * fastest * length) {
+            return fit + who + " was given " + number_text(body.r_dot.norm(), 4) + " m/s and begins with " +
+                   number_text(r_dot.norm(), 4) + " m/s";
+        }
+    }
+    return {};
+}
+
+Mechanism placed_at(const Mechanism& mechanism, const State& state) {
+    Mechanism placed = mechanism;
+    for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
+        placed.bodies[b].r = state.r[b];
+        placed.bodies[b].p = state.p[b];
+    }
+    return placed;
+}
+
 std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings) {
     const std::string where = "the simulation ends at t = " + number_text(failure.t, 6) + " s: ";
     switch (failure.cause) {
@@ -116,16 +156,24 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
             return where + "equations of " + in_quotes(failure.equation_of) +
                    " repeat those of other joints, yet ask for something else (off by " +
                    number_text(failure.violation, 2) +
-                   " of their size); joints of a loop whose axes or points do not fit cannot be kept "
+                   " of their size); joints of a loop whose axes or points do not fit, or drivers that lead "
+                   "apart, cannot be kept "
                    "together (look at that pose with 'jointwise inspect')";
+        case SimulationFailure::Cause::out_of_reach:
+            return where + "equations of " + in_quotes(failure.equation_of) +
+                   " cannot be met there (off by " + number_text(failure.violation, 2) +
+                   " of their size): a reach ends, a driver leads where the mechanism cannot follow, or it "
+                   "is "
+                   "locked (look at the pose before with 'jointwise inspect')";
         case SimulationFailure::Cause::not_finite:
             return where +
                    "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "
                    "helps, for stiff springs implicit-5";
         case SimulationFailure::Cause::too_many_steps:
             return where + std::to_string(settings.most_steps) +
-                   " steps were not enough; a stiff scene needs implicit-5, others a larger tolerance or "
-                   "step";
+                   " steps were not enough; a stiff scene (springs or dampers that settle in no time) needs "
+                   "implicit-5, one that moves fast a larger tolerance or step, a singular position another "
+                   "start";
         case SimulationFailure::Cause::step_too_small: break;
     }
     if (entry_of(settings.method).kind == MethodKind::radau) {
@@ -135,9 +183,9 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
                "1e-8 on, or explicit-8, helps";
     }
     return where +
-           "no step is small enough for the tolerance; the constraints may contradict each other there, or "
-           "the "
-           "mechanism is at the end of its reach (look at that pose with 'jointwise inspect')";
+           "no step is small enough for the tolerance; accelerations grow beyond all bounds there (forces "
+           "that "
+           "are very large beside masses, a singular position; look at that pose with 'jointwise inspect')";
 }
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
@@ -148,6 +196,7 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
     table.outcome = simulation.run(
         equal_times(request.duration, request.samples), [&](double t, const std::vector<double>& y) {
             const Snapshot now = simulation.snapshot(t, y);
+            if (t == 0.0) { table.start_note = start_note(lesson.mechanism, now); }
             std::vector<double> row = row_of(now, lesson.mechanism);
             if (request.reactions) {
                 const Reactions found = reactions_from_body_frames(

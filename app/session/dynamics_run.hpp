@@ -25,8 +25,9 @@ struct DynamicsTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows;
     SimulationOutcome outcome;
-    std::string summary;  ///< steps, evaluations, drift in words
-    std::string failure;  ///< what went wrong, where and why; empty if nothing did
+    std::string summary;     ///< steps, evaluations, drift in words
+    std::string failure;     ///< what went wrong, where and why; empty if nothing did
+    std::string start_note;  ///< see start_note
     /// Joints whose reactions are one of many answers; only if reactions were asked for.
     std::vector<std::string> not_unique;
 };
@@ -35,6 +36,13 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);
 
 /// Equal times from 0 to `duration`.
 std::vector<double> equal_times(double duration, int intervals);
+
+/// The mechanism with its bodies where a state has them.
+Mechanism placed_at(const Mechanism& mechanism, const State& state);
+
+/// What of a start the constraints do not allow, and what is used instead; empty if it is as it was given.
+/// @param start of the simulation, at t = 0
+std::string start_note(const Mechanism& given, const Snapshot& start);
 
 /// Why a simulation ended early, with what to do about it.
 std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings);

@@ -277,7 +277,7 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
         vec4(body_numbers(y_dot, m) + 3) = body.p_dot;
     }
     write_accelerations(y_dot);
-    return {smallest_pivot(), largest_of_kept_rows(phi_)};
+    return {smallest_pivot(), largest(phi_, true), largest(phi_, false)};
 }
 
 template <int B>

@@ -93,8 +93,8 @@ private:
     void compare_masses(double t);
     /// M⁻¹ Q of every body becomes its accelerations.
     void solve_by_pivoting();
-    /// Of Φ or Φ̇, each by the size of its equation.
-    double largest_of_kept_rows(const std::vector<double>& numbers) const;
+    /// Of Φ or Φ̇, each by the size of its equation; of the rows kept or of those left out.
+    double largest(const std::vector<double>& numbers, bool kept) const;
     /// λ = numbers of the kept rows, 0 for the others.
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);

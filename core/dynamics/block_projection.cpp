@@ -58,7 +58,7 @@ double BlockEquations<B>::project(double t, double* y) {
     for (int round = 0; round < kMostRounds; ++round) {
         set_bodies<false>(y);
         evaluate_links<false>(t);
-        const double worst = largest_of_kept_rows(phi_);
+        const double worst = largest(phi_, true);
         if (round == 0) { before = worst; }
         if (is_at_rounding(worst, last)) { break; }
         const bool slow = worst > kFastConvergence * last;
@@ -81,12 +81,12 @@ double BlockEquations<B>::project(double t, double* y) {
 }
 
 template <int B>
-double BlockEquations<B>::largest_of_kept_rows(const std::vector<double>& numbers) const {
+double BlockEquations<B>::largest(const std::vector<double>& numbers, bool kept) const {
     double worst = 0.0;
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         for (int row = 0; row < nodes_[n].link.rows; ++row) {
             const std::size_t k = n * B + at(row);
-            if (has(nodes_[n].kept, row)) {
+            if (has(nodes_[n].kept, row) == kept) {
                 worst = std::max(worst, std::abs(numbers[k]) * inverse_unit_[k]);
             }
         }
@@ -107,7 +107,7 @@ void BlockEquations<B>::project_velocities(double* y) {
     for (int round = 0; round < kMostRounds; ++round) {
         set_lambda(nu_);
         subtract_products(six_.data(), lambda_.data());
-        const double worst = largest_of_kept_rows(lambda_);
+        const double worst = largest(lambda_, true);
         // rounding has been reached, as for positions
         if (round > 0 && (worst <= kExact * size || worst > 0.5 * last)) { break; }
         last = worst;
@@ -224,6 +224,9 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
     return upper.solve(svd.matrixV().rightCols(columns - rank));
 }
 
+template double BlockEquations<3>::largest(const std::vector<double>&, bool) const;
+template double BlockEquations<5>::largest(const std::vector<double>&, bool) const;
+template double BlockEquations<6>::largest(const std::vector<double>&, bool) const;
 template double BlockEquations<3>::project(double, double*);
 template double BlockEquations<5>::project(double, double*);
 template double BlockEquations<6>::project(double, double*);

@@ -13,6 +13,11 @@ inline constexpr double kExact = 1e-15;
 inline constexpr double kNearlyExact = 1e-12;
 /// Quadratic convergence: from the error of a step two or three rounds reach rounding.
 inline constexpr int kMostRounds = 12;
+/// Residual after a projection up to which equations are met; where more is left nothing meets them.
+inline constexpr double kMet = 1e-9;
+/// Residual up to which rows that were left out repeat the others: what a lesson was typed with, seven
+/// digits, grown a thousand times on the way.
+inline constexpr double kContradicts = 1e-3;
 
 /// @param worst residual of this round; @param last of the round before, infinite for the first
 inline bool is_at_rounding(double worst, double last) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/singular_steps.hpp"
 
 namespace jw {
@@ -20,6 +21,12 @@ constexpr double kRowsTurnBad = 1e-2;
 constexpr int kMostDodges = 8;
 /// Drift off the constraints that is allowed, by the tolerance of a step.
 constexpr double kDriftShare = 0.1;
+/// Rows left out are asked again where their residual is no rounding, and once more when it has grown so
+/// much.
+constexpr double kAskedAgain = 10.0;
+/// Share of the longest step so far below which one is no progress towards an end of reach: accelerations
+/// grow beyond bounds there.
+constexpr double kNoProgress = 1e-6;
 
 }  // namespace
 
@@ -29,7 +36,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     : equations_(&equations),
       table_(&table),
       options_(options),
-      scales_(options.length_scale, equations.scales()),
+      scales_(options, equations.scales()),
       t_(t),
       y_(std::move(y)),
       y_new_(y_.size()),
@@ -72,6 +79,7 @@ double ExplicitIntegrator::error_of(double h) const {
         sum_third += (third / scale) * (third / scale);
     }
     const double count = static_cast<double>(y_.size());
+    if (y_.empty()) { return 0.0; }
     if (sum_third == 0.0) { return std::abs(h) * std::sqrt(sum / count) / options_.tolerance; }
     return std::abs(h) * sum / std::sqrt((sum + 0.01 * sum_third) * count) / options_.tolerance;
 }
@@ -126,15 +134,39 @@ void ExplicitIntegrator::accept(double t) {
         ++counts_.row_choices;
     } else if (verdict_.smallest_pivot < kRowsTurnBad * pivot_at_choice_) {
         choose_rows_again();
+    } else if (options_.project && verdict_.left_out > left_out_asked_) {
+        take_up_rows();
     }
+}
+
+/// A scene that begins at a singular position leaves out rows that have something to say later.
+void ExplicitIntegrator::take_up_rows() {
+    left_out_asked_ = kAskedAgain * verdict_.left_out;
+    const int left_out = equations_->rows_left_out();
+    if (!equations_->choose_rows(t_, y_.data())) { return; }
+    if (equations_->rows_left_out() >= left_out) { return equations_->take_back_rows(); }
+    ++counts_.row_choices;
+    project(t_, y_);
+    verdict_ = evaluate(t_, y_, stages_.front());
+    pivot_at_choice_ = verdict_.smallest_pivot;
+}
+
+/// Not a number is told by others.
+bool ExplicitIntegrator::is_off_constraints() const {
+    const double drift = is_fixed() ? 0.0 : kDriftShare * options_.tolerance;
+    return options_.project && verdict_new_.violation > std::max(kMet, drift);
+}
+
+bool ExplicitIntegrator::is_contradicted() const {
+    return options_.project && verdict_.left_out > std::max(kContradicts, options_.tolerance);
 }
 
 /// [s]
 double ExplicitIntegrator::longest_step() {
     const double most = std::min(options_.most_turn, equations_->most_turn());
-    if (!std::isfinite(most)) { return most; }
+    if (!std::isfinite(most)) { return options_.longest_step; }
     const double omega = fastest_turn(*equations_, y_.data(), flat_);
-    return omega > 0.0 ? most / omega : std::numeric_limits<double>::infinity();
+    return omega > 0.0 ? std::min(options_.longest_step, most / omega) : options_.longest_step;
 }
 
 /// Other rows may say the same better. Where all are equally bad the position itself is singular.
@@ -170,6 +202,7 @@ bool ExplicitIntegrator::is_near_singular() const {
 }
 
 bool ExplicitIntegrator::step(double t_end) {
+    if (is_contradicted()) { return false; }
     if (is_fixed()) { h_ = options_.fixed_step; }
     int dodges = 0;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
@@ -188,11 +221,21 @@ bool ExplicitIntegrator::step(double t_end) {
                 continue;
             }
         }
+        tried_ = ahead.end;
+        if (is_off_constraints()) {
+            // out of reach: nothing but a shorter step may help
+            if (is_fixed() || h < kNoProgress * longest_taken_) { return false; }
+            ++counts_.rejected;
+            rejected_before_ = true;
+            h_ = 0.3 * h;
+            continue;
+        }
         const double error = is_fixed() ? 0.0 : error_of(h);
         // the estimate of a step through a singular position sees rounding, not the motion
         const bool small_enough = singular && h <= kSmallestShare * regular_step_;
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             accept(ahead.end);
+            longest_taken_ = std::max(longest_taken_, h);
             if (singular) { ++counts_.singular_passages; }
             if (is_fixed()) { return true; }
             h_ = h * growth_after(error);

@@ -22,6 +22,7 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return stages_.front(); }
     const IntegrationCounts& counts() const override { return counts_; }
+    std::pair<double, std::vector<double>> tried() const override { return {tried_, y_new_}; }
 
 private:
     void take_step(double h);
@@ -30,6 +31,9 @@ private:
     double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
+    void take_up_rows();
+    bool is_off_constraints() const;  ///< at the end of the step, projected or not
+    bool is_contradicted() const;     ///< by rows left out, at its start
     double longest_step();
     bool is_fixed() const { return options_.fixed_step > 0.0; }
     void project(double t, std::vector<double>& y);
@@ -54,8 +58,11 @@ private:
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
     double pivot_at_choice_ = 1.0;
-    double lowest_pivot_ = 1.0;  ///< over the stages of the last step
-    bool on_manifold_ = false;   ///< stages are projected before they are evaluated
+    double left_out_asked_ = 1e-6;  ///< residual of rows left out from which they are asked again
+    double tried_ = 0.0;            ///< end of the last attempt [s]
+    double longest_taken_ = 0.0;    ///< longest step so far [s]
+    double lowest_pivot_ = 1.0;     ///< over the stages of the last step
+    bool on_manifold_ = false;      ///< stages are projected before they are evaluated
 };
 
 }  // namespace jw

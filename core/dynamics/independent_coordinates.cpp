@@ -24,6 +24,8 @@ double sharpness_of(const IndependentCoordinate& c, const MeasureJet& jet) {
     return of_body != nullptr && of_body->coordinate >= 3 ? 2.0 * jet.by_j.norm() : 1.0;
 }
 
+double share_of(double pivot, double best) { return best > 0.0 ? pivot / best : 0.0; }
+
 }  // namespace
 
 IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations)
@@ -134,20 +136,19 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     for (const IndependentCoordinate& c : chosen_) {
         driven_scene_.mechanism.drivers.push_back({"", -1, c.body_i, c.body_j, c.measure, TimeFunction{}});
     }
+    VectorX x(2 * d);
+    for (Eigen::Index k = 0; k < d; ++k) {
+        const MeasureJet jet = jet_at(chosen_[at(k)], y);
+        x(k) = jet.value;
+        x(d + k) = jet.rate;
+    }
     driven_ = block_equations(driven_scene_);
+    drive(t, x);
     driven_->choose_rows(t, y);
     std::vector<double> here(y, y + equations_->size());
     driven_->project(t, here.data());
     pivot_at_choice_ = driven_->smallest_pivot();
-    best_pivot_ = std::max(best_pivot_, pivot_at_choice_);
     best_pivot_of_rows_ = std::max(best_pivot_of_rows_, pivot_of_rows_);
-
-    VectorX x(2 * d);
-    for (Eigen::Index k = 0; k < d; ++k) {
-        const MeasureJet jet = jet_at(chosen_[static_cast<std::size_t>(k)], y);
-        x(k) = jet.value;
-        x(d + k) = jet.rate;
-    }
     return x;
 }
 
@@ -158,21 +159,28 @@ bool IndependentCoordinates::is_sound() const {
 }
 
 double IndependentCoordinates::pivot_left() const {
-    const auto left = [](double pivot, double best) { return best > 0.0 ? pivot / best : 0.0; };
-    return std::min(
-        left(driven_->smallest_pivot(), best_pivot_),
-        left(equations_->smallest_pivot(), best_pivot_of_rows_));
+    return share_of(equations_->smallest_pivot(), best_pivot_of_rows_);
 }
 
-void IndependentCoordinates::evaluate(
-    double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) {
+double IndependentCoordinates::pivot_with_coordinates_left() const {
+    return share_of(driven_->smallest_pivot(), pivot_at_choice_);
+}
+
+/// The coordinates become x at t, and go on with their rates.
+void IndependentCoordinates::drive(double t, const VectorX& x) {
     const auto d = static_cast<Eigen::Index>(chosen_.size());
     const int first = static_cast<int>(scene_->mechanism.drivers.size());
     for (Eigen::Index k = 0; k < d; ++k) {
         driven_->set_driver(first + static_cast<int>(k), x(k) - t * x(d + k), x(d + k));
     }
+}
+
+void IndependentCoordinates::evaluate(
+    double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) {
+    const auto d = static_cast<Eigen::Index>(chosen_.size());
+    drive(t, x);
     driven_->project(t, y);
-    equations_->evaluate(t, y, y_dot);
+    verdict_ = equations_->evaluate(t, y, y_dot);
     x_dot.head(d) = x.tail(d);
     sharpness_ = 1.0;
     for (Eigen::Index k = 0; k < d; ++k) {

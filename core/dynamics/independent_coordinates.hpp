@@ -32,6 +32,8 @@ public:
     bool is_sound() const override;
 
     double pivot_left() const override;
+    double pivot_with_coordinates_left() const override;
+    RowsVerdict verdict() const override { return verdict_; }
 
     /// Moves y, an estimate, to where the coordinates are x, and tells ẋ.
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override;
@@ -43,6 +45,7 @@ private:
     MeasureJet jet_at(const IndependentCoordinate& coordinate, const double* y) const;
     /// Their gradients, rows of six numbers per moving body.
     MatrixX gradients(const std::vector<IndependentCoordinate>& of, const double* y) const;
+    void drive(double t, const VectorX& x);
     /// How fast one changes when bodies move as the six rates in `y_dot` say.
     double along(const IndependentCoordinate& coordinate, const MeasureJet& jet, const double* y_dot) const;
     int order_of(int body) const { return order_of_body_[static_cast<std::size_t>(body)]; }
@@ -53,12 +56,12 @@ private:
     std::vector<IndependentCoordinate> of_joints_;
     std::vector<IndependentCoordinate> of_bodies_;
     std::vector<IndependentCoordinate> chosen_;
-    double pivot_at_choice_ = 1.0;  ///< of the driven equations
-    double pivot_of_rows_ = 1.0;    ///< of the equations without the coordinates' drivers, likewise
-    double best_pivot_ = 0.0;       ///< of all choices so far
-    double best_pivot_of_rows_ = 0.0;
-    double sharpness_ = 1.0;   ///< of the coordinate that told least where it was evaluated last
-    Centroidal driven_scene_;  ///< with a driver for every chosen coordinate
+    double pivot_at_choice_ = 1.0;     ///< of the driven equations
+    double pivot_of_rows_ = 1.0;       ///< of the equations without the coordinates' drivers, likewise
+    double best_pivot_of_rows_ = 0.0;  ///< of all choices so far
+    RowsVerdict verdict_;              ///< where it was evaluated last
+    double sharpness_ = 1.0;           ///< of the coordinate that told least where it was evaluated last
+    Centroidal driven_scene_;          ///< with a driver for every chosen coordinate
     std::unique_ptr<DrivableEquations> driven_;
 };
 

@@ -93,7 +93,10 @@ constexpr std::string_view why_not(Method method, Treatment treatment) {
                      "tangent"
                    : "";
     }
-    return treatment == Treatment::tangent ? "treatment tangent needs an implicit method" : "";
+    return treatment == Treatment::tangent ? "treatment tangent needs an implicit method; expected "
+                                             "implicit-5 or implicit-9, or treatment "
+                                             "projection"
+                                           : "";
 }
 
 }  // namespace jw

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/singular_steps.hpp"
 
 namespace jw {
@@ -18,8 +19,10 @@ constexpr double kFarthest = 2.0;
 /// numbers tells that the others were passed over.
 constexpr double kMostTurn = 1.0;
 constexpr int kMostDodges = 12;
+/// A step one of whose stages lies so near passes through a singular position; the square of 0.03.
+constexpr double kThrough = 1e-3;
 /// Share of the last regular step below which one near a singular position is given up.
-constexpr double kGivesUp = 0.05;
+constexpr double kGivesUp = 1e-3;
 /// Rounding of acos near 1 [rad].
 constexpr double kNoTurn = 1e-6;
 /// Contraction of Newton's iteration that makes a new Jacobian worth its evaluations.
@@ -49,7 +52,7 @@ RadauIntegrator::RadauIntegrator(
     : equations_(&equations),
       table_(radau_table(stages)),
       options_(options),
-      scales_(options.length_scale, equations.scales()),
+      scales_(options, equations.scales()),
       t_(t),
       y_(std::move(y)),
       y_dot_(y_.size()),
@@ -152,7 +155,9 @@ double RadauIntegrator::norm(const VectorX& change) const {
 }
 
 bool RadauIntegrator::NewtonEnd::is_near_singular() const { return pivot_left < kNearSingular; }
-bool RadauIntegrator::NewtonEnd::is_too_near() const { return pivot_left < kTooNear; }
+bool RadauIntegrator::NewtonEnd::is_too_near() const {
+    return std::min(pivot_left, pivot_with_coordinates_left) < kTooNear;
+}
 
 RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     const Eigen::Index stages = table_.c.size();
@@ -162,12 +167,16 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     NewtonEnd end;
     double last = 0.0;
     for (end.iterations = 1; end.iterations <= kMostIterations; ++end.iterations) {
-        end.pivot_left = 1.0;
+        end.pivot_left = end.pivot_with_coordinates_left = 1.0;
+        end.violation = 0.0;
         for (Eigen::Index i = 0; i < stages; ++i) {
             evaluate(
                 t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rate_.data(),
                 x_rates_.col(i));
             end.pivot_left = std::min(end.pivot_left, coordinates_->pivot_left());
+            end.pivot_with_coordinates_left =
+                std::min(end.pivot_with_coordinates_left, coordinates_->pivot_with_coordinates_left());
+            end.violation = std::max(end.violation, coordinates_->verdict().violation);
         }
         const MatrixX residual = h * x_rates_ * table_.a.transpose() - (x_stages_.colwise() - x_);
         const VectorX change = stages_lu_.solve(Eigen::Map<const VectorX>(residual.data(), residual.size()));
@@ -302,6 +311,7 @@ double RadauIntegrator::growth_after(double error, int iterations) const {
 
 bool RadauIntegrator::step(double t_end) {
     const bool fixed = options_.fixed_step > 0.0;
+    if (coordinates_->verdict().left_out > std::max(kContradicts, options_.tolerance)) { return false; }
     Trial trial;
     trial.doubtful = step_before_ == 0.0;
     trial.renewed = jacobian_is_stale();
@@ -311,12 +321,15 @@ bool RadauIntegrator::step(double t_end) {
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const double turn_rate = fastest_turn(*equations_, y_.data(), flat_);
         if (!fixed && turn_rate * h_ > most_turn()) { h_ = most_turn() / turn_rate; }
+        h_ = std::min(h_, options_.longest_step);
         const StepAhead ahead(t_, t_end, h_);
         const double h = ahead.h;
         factor(h);
         predict(h);
         const NewtonEnd newton = solve_stages(h);
-        if (!newton.converged || newton.is_too_near()) {
+        tried_ = ahead.end;
+        // where nothing meets the equations, a shorter step may stay within reach
+        if (!newton.converged || newton.is_too_near() || newton.violation > kMet) {
             if (!try_otherwise(h, newton, trial)) { return false; }
             continue;
         }
@@ -329,7 +342,8 @@ bool RadauIntegrator::step(double t_end) {
         const double growth = growth_after(error, newton.iterations);
         const bool singular = newton.is_near_singular();
         // the estimate of a step through a singular position sees rounding, not the motion
-        const bool small_enough = singular && h <= kSmallestShare * regular_step_;
+        const bool through = newton.pivot_left < kThrough;
+        const bool small_enough = through && h <= kSmallestShare * regular_step_;
         if (error > 1.0 && !small_enough) {
             ++counts_.rejected;
             trial.doubtful = true;

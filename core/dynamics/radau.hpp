@@ -33,6 +33,10 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return y_dot_; }
     const IntegrationCounts& counts() const override { return counts_; }
+    std::pair<double, std::vector<double>> tried() const override {
+        const auto end = y_stages_.rightCols(1);
+        return {tried_, {end.data(), end.data() + end.size()}};
+    }
     /// The polynomial of the step, moved onto the constraints: what drivers turn is no polynomial.
     void interpolate(double t, double* y) const override;
     bool has_polynomial() const override { return last_step_ > 0.0; }
@@ -43,9 +47,11 @@ private:
         bool converged = false;
         int iterations = 0;
         double contraction = 1.0;
-        double pivot_left = 1.0;  ///< least of the stages
+        double pivot_left = 1.0;                   ///< least of the stages
+        double pivot_with_coordinates_left = 1.0;  ///< likewise
+        double violation = 0.0;                    ///< largest of the stages
         bool is_near_singular() const;
-        bool is_too_near() const;  ///< for accelerations to have digits
+        bool is_too_near() const;  ///< for accelerations, or coordinates, to have digits
     };
     /// What has been tried for one step.
     struct Trial {
@@ -88,6 +94,7 @@ private:
     StateScales scales_;
     double t_;
     double h_ = 0.0;             ///< to try next [s]
+    double tried_ = 0.0;         ///< end of the last attempt [s]
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;

@@ -17,14 +17,19 @@ public:
     virtual VectorX choose(double t, const double* y) = 0;
     /// Whether the choice is still good where it was evaluated last.
     virtual bool is_sound() const = 0;
-    /// Smallest pivot where it was evaluated last, by the best that any choice began with: falls as
-    /// (distance)² to a singular position.
+    /// Smallest pivot of the rows where it was evaluated last, by the best that any choice began with: falls
+    /// as (distance)² to a singular position.
     virtual double pivot_left() const { return 1.0; }
+    /// The same of rows and coordinates together, by what this choice began with: falls also where the
+    /// coordinates stop telling the freedoms apart.
+    virtual double pivot_with_coordinates_left() const { return 1.0; }
     /// Moves y, an estimate, to where the coordinates are x, and tells ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
     /// Whether that takes a projection.
     virtual bool are_projected() const { return true; }
+    /// Of the equations there.
+    virtual RowsVerdict verdict() const { return {}; }
     /// Sizes that changes of x are compared with.
     virtual VectorX sizes(const StateScales& scales) const = 0;
 };

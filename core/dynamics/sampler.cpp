@@ -38,6 +38,14 @@ void Sampler::take(const TimeStepper& stepper) {
     if (known_ == kNodes) { give_until(nodes_[2].t); }
 }
 
+void Sampler::begin_anew() {
+    if (known_ < 2) { return; }
+    finish();
+    std::swap(nodes_.front(), nodes_[known_ - 1]);
+    known_ = 1;
+    fitted_ = false;
+}
+
 void Sampler::finish() {
     if (known_ > 0) { give_until(nodes_[known_ - 1].t); }
 }

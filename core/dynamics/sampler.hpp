@@ -26,6 +26,8 @@ public:
 
     /// To be called with the start and after every step.
     void take(const TimeStepper& stepper);
+    /// What follows is no smooth continuation: no polynomial reaches across the end of the last step.
+    void begin_anew();
     /// After the last step: what is left.
     void finish();
 

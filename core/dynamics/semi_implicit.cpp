@@ -1,7 +1,6 @@
 #include "core/dynamics/semi_implicit.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "core/dynamics/constraint_rounding.hpp"
 
 namespace jw {
 
@@ -15,23 +14,29 @@ SemiImplicitEuler::SemiImplicitEuler(
 }
 
 bool SemiImplicitEuler::step(double t_end) {
+    if (options_.project && verdict_.left_out > kContradicts) { return false; }
     const StepAhead ahead(t_, t_end, options_.fixed_step);
     const double h = ahead.h;
+    y_new_ = y_;
     for (std::size_t body = 0; body < y_.size(); body += kNumbersPerBody) {
-        double* y = y_.data() + body;
+        double* y = y_new_.data() + body;
         const double* y_dot = y_dot_.data() + body;
         for (int k = 7; k < kNumbersPerBody; ++k) { y[k] += h * y_dot[k]; }
         vec3(y) += h * vec3(y + 7);
         // a turn by h ω': p stays unit
         vec4(y + 3) = turned_local(vec4(y + 3), h * vec3(y + 10));
     }
-    t_ = ahead.end;
+    tried_ = ahead.end;
     if (options_.project) {
-        equations_->project(t_, y_.data());
+        equations_->project(tried_, y_new_.data());
         ++counts_.projections;
     }
-    equations_->evaluate(t_, y_.data(), y_dot_.data());
+    verdict_ = equations_->evaluate(tried_, y_new_.data(), y_dot_.data());
     ++counts_.evaluations;
+    // not a number is told by others
+    if (options_.project && verdict_.violation > kMet) { return false; }
+    std::swap(y_, y_new_);
+    t_ = tried_;
     ++counts_.steps;
     return true;
 }

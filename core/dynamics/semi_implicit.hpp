@@ -17,14 +17,18 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return y_dot_; }
     const IntegrationCounts& counts() const override { return counts_; }
+    std::pair<double, std::vector<double>> tried() const override { return {tried_, y_new_}; }
 
 private:
     MotionEquations* equations_;
     IntegrationOptions options_;
     IntegrationCounts counts_;
     double t_;
+    double tried_ = 0.0;  ///< end of the last step, taken or not [s]
     std::vector<double> y_;
+    std::vector<double> y_new_;
     std::vector<double> y_dot_;
+    RowsVerdict verdict_;
 };
 
 }  // namespace jw

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/dense_equations.hpp"
 #include "core/dynamics/explicit_integrator.hpp"
 #include "core/dynamics/forces.hpp"
@@ -21,7 +24,10 @@ void require(const SimulationSettings& settings) {
     const std::string_view unfit = why_not(settings.method, settings.treatment);
     if (!unfit.empty()) { throw std::invalid_argument(std::string(unfit)); }
     if (settings.dense && method.kind != MethodKind::runge_kutta) {
-        throw std::invalid_argument("a coordinate choice needs an explicit Runge-Kutta method");
+        throw std::invalid_argument(
+            "a coordinate choice needs an explicit Runge-Kutta method; expected explicit-8, explicit-5, rk4 "
+            "or "
+            "euler");
     }
     if (method.adaptive && !is_tolerance(settings.tolerance)) {
         throw std::invalid_argument(std::string("the tolerance is out of range; ") + kToleranceRange);
@@ -53,6 +59,42 @@ std::string name_of(const System& system, int row) {
         return mechanism.drivers[at(system.drivers()[index].driver)].name;
     }
     return mechanism.joints[at(system.constraints()[index].joint)].name;
+}
+
+/// Calls `f` with every function of time that moves the scene.
+template <class F>
+void for_each_function(const Centroidal& scene, F&& f) {
+    for (const Driver& driver : scene.mechanism.drivers) { f(driver.function); }
+    for (const AppliedForce& force : scene.loads.forces) { f(force.magnitude); }
+    for (const AppliedTorque& torque : scene.loads.torques) { f(torque.magnitude); }
+}
+
+/// Times between 0 and `end` at which something begins or ends that no step before has seen, and `end`.
+std::vector<double> events_until(double end, const Centroidal& scene) {
+    std::vector<double> events{end};
+    for_each_function(scene, [&](const TimeFunction& function) {
+        for (const TimeFunction::SmoothStep& step : function.steps) {
+            for (const double t : {step.start, step.end}) {
+                if (t > 0.0 && t < end) { events.push_back(t); }
+            }
+        }
+    });
+    std::ranges::sort(events);
+    const auto same = [&](double a, double b) { return b - a <= 1e-12 * end; };
+    events.erase(std::unique(events.begin(), events.end(), same), events.end());
+    events.back() = end;
+    return events;
+}
+
+/// Half the period of the fastest harmonic [s]: the stages of a longer step might all see the same of it.
+double half_of_fastest_swing(const Centroidal& scene) {
+    double omega = 0.0;
+    for_each_function(scene, [&](const TimeFunction& function) {
+        for (const TimeFunction::Harmonic& h : function.harmonics) {
+            if (h.amplitude != 0.0) { omega = std::max(omega, std::abs(h.omega)); }
+        }
+    });
+    return omega > 0.0 ? std::numbers::pi / omega : std::numeric_limits<double>::infinity();
 }
 
 /// Where fixed steps and drifts are to be seen, bodies are integrated; with a tolerance only the result
@@ -109,23 +151,70 @@ void Simulation::take_joints() {
 
 void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
     double violation = block_->violation(0.0, start_.data()).first;
-    if (violation <= kRepeatsUpTo) { return; }
+    if (violation <= kRepeatsUpTo) {
+        look_for_contradicting_rates();
+        return;
+    }
     // a way back onto equations that nothing satisfies may end anywhere: then the start as it was says more
     const double before = block_->violation(0.0, as_given.data()).first;
     if (before < violation) {
         violation = before;
         start_ = as_given;
     }
+    contradiction_ = worst_equation(SimulationFailure::Cause::contradiction, Off::value, 0.0, start_);
+}
+
+/// Two drivers may begin at the same place and lead to different ones.
+void Simulation::look_for_contradicting_rates() {
+    constexpr double typed = 1e-4;  // with seven digits at least, and some lost on the way
+    double fastest = 0.0;
+    const double length = extent(scene_.mechanism);
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const double* rates = body_numbers(start_.data(), m) + 7;
+        fastest = std::max({fastest, vec3(rates).norm() / length, vec3(rates + 3).norm()});
+    }
+    if (block_->violation(0.0, start_.data()).second <= typed * fastest + kMet) { return; }
+    contradiction_ = worst_equation(SimulationFailure::Cause::contradiction, Off::rate, 0.0, start_);
+}
+
+SimulationFailure Simulation::worst_equation(
+    SimulationFailure::Cause cause, Off off, double t, const std::vector<double>& y) const {
     const System system(scene_.mechanism, everything(scene_.mechanism));
     Assembler<OmegaLocal> assembler(system);
-    assembler.assemble_phi_and_jacobian(unpacked(start_).first, 0.0);
+    const auto [state, motion] = unpacked(y);
+    assembler.assemble_phi_and_jacobian(state, t);
+    assembler.assemble_nu(t);
+    VectorX values = assembler.phi();
+    if (off == Off::rate) {
+        values = assembler.jacobian() * assembler.layout().columns_of(state, motion) - assembler.nu();
+    }
     int worst = 0;
-    const auto size = [&](int row) { return std::abs(assembler.phi()(row)) / system.row_unit(row); };
+    const auto size = [&](int row) { return std::abs(values(row)) / system.row_unit(row); };
     for (int row = 1; row < system.rows(); ++row) {
         if (size(row) > size(worst)) { worst = row; }
     }
-    contradiction_ =
-        SimulationFailure{SimulationFailure::Cause::contradiction, 0.0, name_of(system, worst), violation};
+    return {cause, t, name_of(system, worst), size(worst)};
+}
+
+SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
+    using Cause = SimulationFailure::Cause;
+    const auto flat_of = [&](const std::vector<double>& y) {
+        std::vector<double> flat(start_.size());
+        integrated().to_flat(y.data(), flat.data());
+        return flat;
+    };
+    if (block_->rows() > 0) {
+        const std::vector<double> here = flat_of(stepper.y());
+        if (block_->violation(stepper.t(), here.data()).first > kContradicts) {
+            return worst_equation(Cause::contradiction, Off::value, stepper.t(), here);
+        }
+        const auto [t, y] = stepper.tried();
+        const std::vector<double> there = flat_of(y);
+        if (block_->violation(t, there.data()).first > kMet) {
+            return worst_equation(Cause::out_of_reach, Off::value, t, there);
+        }
+    }
+    return {Cause::step_too_small, stepper.t(), {}, 0.0};
 }
 
 std::vector<double> Simulation::integrated_start() const {
@@ -134,8 +223,10 @@ std::vector<double> Simulation::integrated_start() const {
     return y;
 }
 
-std::unique_ptr<TimeStepper> Simulation::stepper() const {
+std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
     IntegrationOptions options;
+    if (end > 0.0) { options.duration = end; }
+    options.longest_step = half_of_fastest_swing(scene_);
     options.tolerance = settings_.tolerance;
     options.length_scale = extent(scene_.mechanism);
     options.project =
@@ -184,32 +275,44 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
     if (contradiction_) { return {{}, contradiction_}; }
     for (RotationalSpring& spring : scene_.loads.rotational_springs) { spring.twist_before = 0.0; }
     count_turns_at(start_);
-    const std::unique_ptr<TimeStepper> integration = stepper();
+    const double end = times.empty() ? 0.0 : times.back();
+    const std::unique_ptr<TimeStepper> integration = stepper(end);
     Sampler sampler(integrated(), times, receive);
     sampler.take(*integration);
-    const double end = times.empty() ? 0.0 : times.back();
     SimulationOutcome outcome;
-    std::vector<double> reached(start_.size());
-    while (integration->t() < end && !outcome.failure) {
-        const bool went_on = integration->step(end);
-        if (counts_turns()) {
-            integrated().to_flat(integration->y().data(), reached.data());
-            count_turns_at(reached);
+    // fixed steps are as long as they are asked to be
+    const bool adaptive = entry_of(settings_.method).adaptive;
+    for (const double event : adaptive ? events_until(end, scene_) : std::vector{end}) {
+        while (integration->t() < event && !outcome.failure) {
+            outcome.failure = failure_of_step(*integration, event, end);
+            if (!outcome.failure || outcome.failure->cause == SimulationFailure::Cause::too_many_steps) {
+                sampler.take(*integration);
+            }
         }
-        const bool finite = std::ranges::all_of(integration->y(), [](double x) { return std::isfinite(x); });
-        using Cause = SimulationFailure::Cause;
-        if (!finite) {
-            outcome.failure = SimulationFailure{Cause::not_finite, integration->t(), {}, 0.0};
-        } else if (!went_on) {
-            outcome.failure = SimulationFailure{Cause::step_too_small, integration->t(), {}, 0.0};
-        } else if (integration->t() < end && integration->counts().steps >= settings_.most_steps) {
-            outcome.failure = SimulationFailure{Cause::too_many_steps, integration->t(), {}, 0.0};
-        }
-        if (finite) { sampler.take(*integration); }
+        sampler.begin_anew();
     }
     sampler.finish();
     outcome.counts = integration->counts();
     return outcome;
+}
+
+std::optional<SimulationFailure> Simulation::failure_of_step(
+    TimeStepper& integration, double event, double end) {
+    using Cause = SimulationFailure::Cause;
+    const bool went_on = integration.step(event);
+    if (!std::ranges::all_of(integration.y(), [](double x) { return std::isfinite(x); })) {
+        return SimulationFailure{Cause::not_finite, integration.t(), {}, 0.0};
+    }
+    if (!went_on) { return failure_of(integration); }
+    if (counts_turns()) {
+        std::vector<double> reached(start_.size());
+        integrated().to_flat(integration.y().data(), reached.data());
+        count_turns_at(reached);
+    }
+    if (integration.t() < end && integration.counts().steps >= settings_.most_steps) {
+        return SimulationFailure{Cause::too_many_steps, integration.t(), {}, 0.0};
+    }
+    return std::nullopt;
 }
 
 std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {

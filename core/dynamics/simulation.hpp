@@ -41,15 +41,16 @@ struct Snapshot {
 /// Why a simulation ended before its time.
 struct SimulationFailure {
     enum class Cause {
-        contradiction,  ///< at the start: equations that should repeat others ask for something else
+        contradiction,  ///< equations that should repeat others ask for something else
+        out_of_reach,   ///< nothing meets the equations
         step_too_small,
         not_finite,
         too_many_steps
     };
     Cause cause = Cause::step_too_small;
     double t = 0.0;
-    std::string equation_of;  ///< contradiction: the joint or driver whose equation is off most
-    double violation = 0.0;   ///< contradiction: by how much, by the size of the equation
+    std::string equation_of;  ///< of the first two: the joint or driver whose equation is off most
+    double violation = 0.0;   ///< of the first two: by how much, by the size of the equation
 };
 
 struct SimulationOutcome {
@@ -86,12 +87,21 @@ public:
     std::vector<double> integrated_start() const;
 
 private:
-    std::unique_ptr<TimeStepper> stepper() const;
+    std::unique_ptr<TimeStepper> stepper(double end) const;
     void take_joints();
     bool counts_turns() const;
     /// Of rotational springs, from a state (flat) that the motion has reached.
     void count_turns_at(const std::vector<double>& y);
     void look_for_contradiction(const std::vector<double>& as_given);
+    void look_for_contradicting_rates();
+    /// One step towards `event`, and what keeps the run from going on after it.
+    std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
+    /// Why no step can be taken from where the stepper is.
+    SimulationFailure failure_of(const TimeStepper& stepper) const;
+    /// The equation that is off most at a flat state, or whose rate is, as the failure of a cause.
+    enum class Off { value, rate };
+    SimulationFailure worst_equation(
+        SimulationFailure::Cause cause, Off off, double t, const std::vector<double>& y) const;
     /// State and motion of the centroidal frames.
     std::pair<State, Motion> unpacked(const std::vector<double>& y) const;
 

@@ -16,8 +16,11 @@ StepAhead::StepAhead(double t, double t_end, double wanted) {
     end = last ? t_end : t + h;
 }
 
-StateScales::StateScales(double length, std::vector<NumberScale> numbers)
-    : length_(length), numbers_(std::move(numbers)), scale_(numbers_.size(), 1.0) {}
+StateScales::StateScales(const IntegrationOptions& options, std::vector<NumberScale> numbers)
+    : length_(options.length_scale),
+      slowest_(1.0 / options.duration),
+      numbers_(std::move(numbers)),
+      scale_(numbers_.size(), 1.0) {}
 
 /// Largest of the numbers of a kind, by what they move.
 double StateScales::largest(const std::vector<double>& y, NumberScale::Kind kind) const {
@@ -36,8 +39,7 @@ void StateScales::include(const std::vector<double>& y, const std::vector<double
     velocity_ = std::max(velocity_, speed(Kind::velocity));
     omega_ = std::max(omega_, speed(Kind::omega));
     // what only turns is compared with the speed of points one length away, and the other way round
-    constexpr double still = 1e-300;  // of a scene where nothing moves and nothing will
-    velocity_ = std::max({velocity_, omega_ * length_, still});
+    velocity_ = std::max({velocity_, omega_ * length_, slowest_ * length_});
     omega_ = std::max(omega_, velocity_ / length_);
     for (std::size_t k = 0; k < scale_.size(); ++k) {
         scale_[k] = size_of(numbers_[k].kind) / numbers_[k].weight;
@@ -55,10 +57,9 @@ double StateScales::size_of(Kind kind) const {
 }
 
 double StateScales::first_step(const std::vector<double>& y_dot, double tolerance, int order) const {
-    constexpr double slowest = 1e-3;  // [1/s], of a scene at rest without forces
     const double acceleration =
         std::max(largest(y_dot, Kind::velocity) / length_, largest(y_dot, Kind::omega));
-    const double rate = std::max({slowest, velocity_ / length_, omega_, std::sqrt(acceleration)});
+    const double rate = std::max({slowest_, velocity_ / length_, omega_, std::sqrt(acceleration)});
     return 0.5 * std::pow(tolerance, 1.0 / order) / rate;
 }
 

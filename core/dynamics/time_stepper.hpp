@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/dynamics/motion_equations.hpp"
@@ -15,6 +16,10 @@ struct IntegrationOptions {
     double length_scale = 1.0;  ///< [m]
     /// Of a body, within a step that follows the tolerance [rad].
     double most_turn = std::numeric_limits<double>::infinity();
+    /// Of a step that follows the tolerance [s]: what drives the scene may swing faster than it moves.
+    double longest_step = std::numeric_limits<double>::infinity();
+    /// What moves more slowly than by its size in this time counts as being at rest [s].
+    double duration = 1e3;
 };
 
 struct IntegrationCounts {
@@ -40,7 +45,7 @@ struct StepAhead {
 /// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
 class StateScales {
 public:
-    StateScales(double length, std::vector<NumberScale> numbers);
+    StateScales(const IntegrationOptions& options, std::vector<NumberScale> numbers);
     void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
     /// Of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
@@ -53,6 +58,7 @@ private:
     double size_of(NumberScale::Kind kind) const;
 
     double length_;
+    double slowest_;  ///< [1/s]
     std::vector<NumberScale> numbers_;
     std::vector<double> scale_;
     double velocity_ = 0.0;
@@ -74,6 +80,8 @@ public:
     virtual bool step(double t_end) = 0;
 
     virtual double t() const = 0;
+    /// Time and state at the end of the last attempt, where `step` failed.
+    virtual std::pair<double, std::vector<double>> tried() const { return {t(), y()}; }
     virtual const std::vector<double>& y() const = 0;
     virtual const std::vector<double>& y_dot() const = 0;
     virtual const IntegrationCounts& counts() const = 0;

@@ -119,7 +119,7 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
     tree_.set_inertias(Metric::mass);
     add_loads(t);
     tree_.fold();
-    double violation = 0.0;
+    RowsVerdict verdict;
     if (!rows_.empty()) {
         evaluate_rows(t, kept_groups_);
         factor_rows();
@@ -132,11 +132,11 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
             lambda_[k] = right;
         }
         add_answer_of_rows();
-        violation = largest_of_kept_rows(&Row::phi);
+        verdict = {smallest_pivot_, largest(kept_, &Row::phi), largest(watched_, &Row::phi)};
     }
     tree_.unfold();
     write_rates(y, y_dot);
-    return {smallest_pivot_, violation};
+    return verdict;
 }
 
 void TreeEquations::write_rates(const double* y, double* y_dot) const {

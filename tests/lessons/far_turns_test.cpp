@@ -1,14 +1,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/dynamics/simulation.hpp"
+#include "tests/lessons/dynamics_paths.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
 /// What turns far: springs over several turns, axes that leave their pair of rows, drivers with nothing free.
 namespace jw {
 
+using test::all_ways;
 using test::lesson_of;
+using test::Path;
+using test::path_of;
+using test::points_of;
 
 namespace {
 
@@ -22,58 +26,6 @@ std::string on_an_axis(const std::string& joint, const std::string& motion, cons
            "\n[dynamics]\ngravity = [0, 0, 0]\nduration = 3\npoint = { body = \"disc\", point = [0.1, 0, 0] "
            "}\n" +
            rest;
-}
-
-std::vector<SimulationSettings> all_ways(double tolerance) {
-    SimulationSettings settings;
-    settings.tolerance = tolerance;
-    std::vector<SimulationSettings> ways;
-    for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
-        settings.formulation = formulation;
-        ways.push_back(settings);
-    }
-    for (const Method method : {Method::implicit_5, Method::implicit_9}) {
-        settings.formulation = Formulation::automatic;
-        settings.method = method;
-        ways.push_back(settings);
-    }
-    settings.method = Method::explicit_8;
-    for (const CoordinateChoice choice :
-         {CoordinateChoice::omega_local, CoordinateChoice::omega_global,
-          CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters}) {
-        settings.dense = choice;
-        ways.push_back(settings);
-    }
-    return ways;
-}
-
-/// Flat states at the times, and the sums of energies.
-struct Path {
-    std::vector<std::vector<double>> states;
-    std::vector<double> energies;
-    bool failed = false;
-};
-Path path_of(const Lesson& lesson, const SimulationSettings& settings, const std::vector<double>& times) {
-    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    Path path;
-    const auto outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
-        path.states.push_back(y);
-        const Snapshot snapshot = simulation.snapshot(t, y);
-        path.energies.push_back(snapshot.kinetic + snapshot.potential);
-    });
-    path.failed = outcome.failure.has_value();
-    return path;
-}
-
-/// Where the lesson's point is in the states.
-std::vector<Vec3> points_of(const Lesson& lesson, const Path& path) {
-    const Simulation simulation(lesson.mechanism, lesson.dynamics->loads, {});
-    std::vector<Vec3> points;
-    for (const std::vector<double>& y : path.states) {
-        points.push_back(
-            simulation.point(y, lesson.dynamics->point->body, lesson.dynamics->point->point_local));
-    }
-    return points;
 }
 
 }  // namespace
