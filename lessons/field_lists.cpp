@@ -17,9 +17,11 @@ std::string in_words(std::size_t count) {
 }  // namespace
 
 std::optional<Located<std::vector<double>>> Fields::list_in(
-    const toml::node& node, const std::string& what, std::size_t count, std::size_t most) {
-    const std::string expected =
-        count != 0 ? in_words(count) + " numbers" : "a list of 1 to " + std::to_string(most) + " numbers";
+    const toml::node& node, const std::string& what, std::size_t count, std::size_t most,
+    std::string_view said) {
+    const std::string expected = !said.empty() ? std::string(said)
+                                 : count != 0  ? in_words(count) + " numbers"
+                                               : "a list of 1 to " + std::to_string(most) + " numbers";
     const toml::array* list = node.as_array();
     if (list == nullptr) {
         problems_->add(span_of(node.source()), what + " is " + kind_of(node) + "; expected " + expected);
@@ -48,10 +50,10 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
 }
 
 std::optional<Located<std::vector<double>>> Fields::numbers(
-    std::string_view key, std::size_t count, std::size_t most) {
+    std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
-    return list_in(*node, in_quotes(key), count, most);
+    return list_in(*node, in_quotes(key), count, most, expected);
 }
 
 bool Fields::is_nested(std::string_view key) {

@@ -51,9 +51,10 @@ public:
     std::optional<Located<Vec3>> vector(std::string_view key);
     /// A vector that is not zero.
     std::optional<Located<Vec3>> direction(std::string_view key);
-    /// `count` numbers, or any number of them up to `most`.
+    /// `count` numbers, or any number of them up to `most`. @param expected said of others, if not just that
     std::optional<Located<std::vector<double>>> numbers(
-        std::string_view key, std::size_t count = 0, std::size_t most = kLongestList);
+        std::string_view key, std::size_t count = 0, std::size_t most = kLongestList,
+        std::string_view expected = {});
     /// Three rows of three numbers.
     std::optional<Located<Mat3>> matrix(std::string_view key);
     /// Whether the entries of a list are lists themselves.
@@ -84,7 +85,8 @@ private:
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
     std::optional<Located<std::vector<double>>> list_in(
-        const toml::node& node, const std::string& what, std::size_t count, std::size_t most);
+        const toml::node& node, const std::string& what, std::size_t count, std::size_t most,
+        std::string_view expected = {});
 
     const toml::table* table_;
     std::string what_;

@@ -70,7 +70,7 @@ void read_torque(Fields& fields, Reading& reading) {
 void read_constants(Fields& fields, double& stiffness, double& damping) {
     if (const auto k = fields.not_negative("stiffness")) { stiffness = k->value; }
     if (const auto c = fields.not_negative("damping")) { damping = c->value; }
-    if (!fields.has("damping")) { fields.require("stiffness", "a number above 0, or 'damping'"); }
+    if (!fields.has("damping")) { fields.require("stiffness", "a number in N/m or N m/rad, or 'damping'"); }
 }
 
 /// Both ends of a spring. @return whether they are known

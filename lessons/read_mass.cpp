@@ -13,10 +13,12 @@ constexpr double kTypedDigits = 1e-3;
 // a moment that is this much smaller than the largest is what rounding leaves of 0
 constexpr double kNoMoment = 1e-13;
 
+constexpr const char* kTensor = "[Jxx, Jyy, Jzz], [Jxx, Jyy, Jzz, Jxy, Jxz, Jyz] or three rows of three";
+
 /// J' from three moments, six numbers or three rows.
 std::optional<Located<Mat3>> read_tensor(Fields& fields) {
     if (fields.is_nested("inertia")) { return fields.matrix("inertia"); }
-    const auto list = fields.numbers("inertia", 0, 9);
+    const auto list = fields.numbers("inertia", 0, 9, kTensor);
     if (!list) { return std::nullopt; }
     const std::vector<double>& n = list->value;
     Mat3 J = Mat3::Zero();
@@ -31,7 +33,7 @@ std::optional<Located<Mat3>> read_tensor(Fields& fields) {
     }
     fields.problems().add(
         list->span, "'inertia' has " + std::to_string(n.size()) + (n.size() == 1 ? " entry" : " entries") +
-                        "; expected [Jxx, Jyy, Jzz], [Jxx, Jyy, Jzz, Jxy, Jxz, Jyz] or three rows of three");
+                        "; expected " + kTensor);
     return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
 #include "core/dynamics/tolerances.hpp"
+#include "lessons/diagnostics.hpp"
 
 namespace jw {
 
@@ -37,7 +38,8 @@ DynamicsRequest request_for(const Options& options, const Lesson& lesson) {
     request.duration = options.duration.value_or(request.duration);
     request.samples = options.samples.value_or(request.samples);
     if (!std::isfinite(request.duration) || request.duration <= 0.0) {
-        throw bad_option("--duration is not positive; expected a time in s");
+        throw bad_option(
+            "--duration is " + short_number(request.duration) + "; expected a time above 0, in s");
     }
     if (!entry_of(request.settings.method).adaptive &&
         request.duration / request.settings.step > kMostFixedSteps) {
@@ -66,6 +68,7 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
           {"row_choices", c.row_choices},
           {"singular_passages", c.singular_passages}}},
         {"not_unique", table.not_unique},
+        {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
         {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
 }
 
@@ -95,6 +98,7 @@ Exit simulate_command(const Options& options, const Streams& streams) {
         streams.out << csv_of(table.columns, table.rows);
     }
     streams.err << "jointwise: " << table.summary << '\n';
+    if (!table.start_note.empty()) { streams.err << "jointwise: note: " << table.start_note << '\n'; }
     for (const std::string& name : table.not_unique) {
         streams.err << "jointwise: note: the reaction in '" << name
                     << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";

@@ -1,5 +1,6 @@
 #include "app/session/inspection.hpp"
 
+#include "app/session/dynamics_run.hpp"
 #include "app/session/explanations.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/sentences.hpp"
@@ -84,10 +85,43 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
     return inspection;
 }
 
+namespace {
+
+/// Where masses and forces have led to.
+void simulate_to(const Lesson& lesson, double t, Inspection& inspection) {
+    if (t < 0.0) { throw PoseNotReached(lesson.file_name + ": there is no motion before the start at 0 s"); }
+    const SimulationSettings settings = request_of(lesson).settings;
+    Simulation simulation(placed_at(lesson.mechanism, inspection.state), lesson.dynamics->loads, settings);
+    auto system = std::make_shared<System>(*inspection.system);
+    const SimulationOutcome outcome = simulation.run({t}, [&](double, const std::vector<double>& y) {
+        const Snapshot snapshot = simulation.snapshot(t, y);
+        inspection.state = snapshot.state;
+        inspection.velocity = snapshot.velocity;
+    });
+    if (outcome.failure) {
+        throw PoseNotReached(lesson.file_name + ": " + failure_text(*outcome.failure, settings));
+    }
+    system->choose_rows(inspection.state);
+    inspection.system = system;
+}
+
+}  // namespace
+
 Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice) {
     const Story story(lesson, poses_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
+    if (lesson.dynamics && !lesson.motion) {
+        Inspection inspection;
+        inspection.moment = "t = " + number_text(t, 9) + " s";
+        inspection.choice = choice;
+        inspection.system = last.system;
+        inspection.state = last.state;
+        inspection.t = t;
+        simulate_to(lesson, t, inspection);
+        evaluate(inspection);
+        return inspection;
+    }
     auto system = std::make_shared<System>(*last.system);
     MotionTracker tracker(*system, last.state, start_time(lesson));
     bool switched = false;

@@ -248,6 +248,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
     text += ".";
     if (const auto reactions = reactions_of(step)) { text += reactions_text(m, *reactions); }
     if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
+    if (!step.note.empty()) { text += " Note: " + step.note + "."; }
     return text;
 }
 

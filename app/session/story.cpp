@@ -244,11 +244,7 @@ void Story::tell_motion(const MotionPlan& plan, const StoryOptions& options) {
 
 /// From the assembled pose on, by the method of the lesson.
 void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
-    Mechanism assembled = lesson_->mechanism;
-    for (std::size_t b = 0; b < assembled.bodies.size(); ++b) {
-        assembled.bodies[b].r = state_.r[b];
-        assembled.bodies[b].p = state_.p[b];
-    }
+    const Mechanism assembled = placed_at(lesson_->mechanism, state_);
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
     DynamicsRequest request = request_of(*lesson_);
     request.settings.most_steps = kMostStepsOfStory;
@@ -260,6 +256,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
         const Snapshot snapshot = simulation.snapshot(t, y);
         Step step;
+        if (t == 0.0) { step.note = start_note(assembled, snapshot); }
         step.kind = Step::Kind::motion;
         step.additions = static_cast<int>(lesson_->order.size());
         step.rows_switched = system.choose_rows(snapshot.state);

@@ -33,6 +33,7 @@ struct Step {
     std::shared_ptr<const RankReport> rank_before;  ///< before the addition, at its pose
     std::shared_ptr<const RankReport> rank;         ///< bodies, assembled, failed
     std::optional<PositionFailure> failure;
+    std::string note;            ///< motion: what else is to be said, one sentence; mostly empty
     std::string ended;           ///< motion by masses and forces: why it goes no further; empty if it does
     bool rows_switched = false;  ///< motion: a p1 / p2 choice changed on the way here
     bool change_point = false;   ///< motion

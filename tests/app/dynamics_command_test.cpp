@@ -89,6 +89,28 @@ TEST_CASE(
     CHECK(steps[steps.size() - 2]["failure"].is_null());
 }
 
+TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {
+    const Folder folder;
+    std::string text = bytes_of(kPendulum);
+    text.replace(text.find("mass = 1 "), 9, "omega_local_rad_per_s = [0, 0, 10]\nmass = 1 ");
+    const Ran ran = run({"simulate", folder.file("spun.toml", text), "--duration", "0.1"});
+    CHECK(ran.status == 0);
+    CHECK(ran.err.find("body 'ball' was given 10 rad/s and begins with") != std::string::npos);
+    CHECK(run({"simulate", kPendulum, "--duration", "0.1"}).err.find("note") == std::string::npos);
+}
+
+TEST_CASE("inspect --time shows where masses and forces have led to", "[app][dynamics]") {
+    const Ran table = run({"simulate", kPendulum, "--duration", "0.5", "--samples", "1", "--output", "json"});
+    const Ran seen = run({"inspect", kPendulum, "--time", "0.5", "--format", "json"});
+    REQUIRE(seen.status == 0);
+    const auto there = nlohmann::json::parse(table.out)["rows"].back();
+    const auto ball = nlohmann::json::parse(seen.out)["bodies"].back();
+    // two runs at tolerance 1e-6
+    CHECK(ball["r"][0].get<double>() == Approx(there[1].get<double>()).margin(1e-5));
+    CHECK(ball["r"][1].get<double>() == Approx(there[2].get<double>()).margin(1e-5));
+    CHECK(run({"inspect", kPendulum, "--time", "-1"}).status == 3);
+}
+
 TEST_CASE("bench says what a digit costs", "[app][dynamics]") {
     const Ran ran = run({"bench", "simple-pendulum", "--method", "explicit-8", "--output", "json"});
     REQUIRE(ran.status == 0);
