@@ -12,12 +12,21 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
     : scene_(&scene),
       joints_(scene.mechanism, start),
       nodes_(joints_.nodes().size() + 1),
+      half_turns_(joints_.nodes().size()),
       e_(at(joints_.velocities()), 0.0),
       u_dot_(e_.size(), 0.0) {
     for (std::size_t n = 1; n < nodes_.size(); ++n) { nodes_[n].parent = joints_.nodes()[n - 1].parent + 1; }
 }
 
 void ArticulatedTree::place(const double* y) {
+    // all of them first: in the chain of nodes each would be waited for
+    for (std::size_t n = 0; n < half_turns_.size(); ++n) {
+        const TreeNode& joint = joints_.nodes()[n];
+        if (joint.turns) {
+            const double half = 0.5 * y[joint.position];
+            half_turns_[n] = {std::cos(half), std::sin(half)};
+        }
+    }
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         const TreeNode& joint = joints_.nodes()[n - 1];
         Node& node = nodes_[n];
@@ -38,8 +47,8 @@ void ArticulatedTree::place(const double* y) {
             continue;
         }
         if (joint.turns) {
-            const double half = 0.5 * *position;
-            node.p = product(parent.p, std::cos(half) * joint.p_parent + std::sin(half) * joint.p_turned);
+            const auto [cosine, sine] = half_turns_[n - 1];
+            node.p = product(parent.p, cosine * joint.p_parent + sine * joint.p_turned);
         } else {
             node.p = product(parent.p, joint.p_parent);
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/dynamics/joint_tree.hpp"
@@ -81,6 +82,7 @@ private:
     const Centroidal* scene_;
     JointTree joints_;
     std::vector<Node> nodes_;
+    std::vector<std::array<double, 2>> half_turns_;  ///< cos q/2, sin q/2 of the joints that turn
     std::vector<double> e_;
     std::vector<double> u_dot_;
 };

@@ -81,7 +81,7 @@ void Sampler::fit() {
             if (width == 0.0) {
                 differences_.col(k) = nodes[static_cast<std::size_t>(k / 3)].known.col(order);
             } else {
-                differences_.col(k) = (differences_.col(k) - differences_.col(k - 1)) / width;
+                differences_.col(k) = (differences_.col(k) - differences_.col(k - 1)) * (1.0 / width);
             }
         }
         coefficients_.col(order) = differences_.col(order);
