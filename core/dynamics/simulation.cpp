@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "core/dynamics/constraint_rounding.hpp"
@@ -13,6 +11,7 @@
 #include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
+#include "core/dynamics/time_events.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
 namespace jw {
@@ -59,42 +58,6 @@ std::string name_of(const System& system, int row) {
         return mechanism.drivers[at(system.drivers()[index].driver)].name;
     }
     return mechanism.joints[at(system.constraints()[index].joint)].name;
-}
-
-/// Calls `f` with every function of time that moves the scene.
-template <class F>
-void for_each_function(const Centroidal& scene, F&& f) {
-    for (const Driver& driver : scene.mechanism.drivers) { f(driver.function); }
-    for (const AppliedForce& force : scene.loads.forces) { f(force.magnitude); }
-    for (const AppliedTorque& torque : scene.loads.torques) { f(torque.magnitude); }
-}
-
-/// Times between 0 and `end` at which something begins or ends that no step before has seen, and `end`.
-std::vector<double> events_until(double end, const Centroidal& scene) {
-    std::vector<double> events{end};
-    for_each_function(scene, [&](const TimeFunction& function) {
-        for (const TimeFunction::SmoothStep& step : function.steps) {
-            for (const double t : {step.start, step.end}) {
-                if (t > 0.0 && t < end) { events.push_back(t); }
-            }
-        }
-    });
-    std::ranges::sort(events);
-    const auto same = [&](double a, double b) { return b - a <= 1e-12 * end; };
-    events.erase(std::unique(events.begin(), events.end(), same), events.end());
-    events.back() = end;
-    return events;
-}
-
-/// Half the period of the fastest harmonic [s]: the stages of a longer step might all see the same of it.
-double half_of_fastest_swing(const Centroidal& scene) {
-    double omega = 0.0;
-    for_each_function(scene, [&](const TimeFunction& function) {
-        for (const TimeFunction::Harmonic& h : function.harmonics) {
-            if (h.amplitude != 0.0) { omega = std::max(omega, std::abs(h.omega)); }
-        }
-    });
-    return omega > 0.0 ? std::numbers::pi / omega : std::numeric_limits<double>::infinity();
 }
 
 /// Where fixed steps and drifts are to be seen, bodies are integrated; with a tolerance only the result
@@ -203,7 +166,8 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
         integrated().to_flat(y.data(), flat.data());
         return flat;
     };
-    if (block_->rows() > 0) {
+    const bool drifts = settings_.treatment == Treatment::none || settings_.treatment == Treatment::baumgarte;
+    if (block_->rows() > 0 && !drifts) {
         const std::vector<double> here = flat_of(stepper.y());
         if (block_->violation(stepper.t(), here.data()).first > kContradicts) {
             return worst_equation(Cause::contradiction, Off::value, stepper.t(), here);
