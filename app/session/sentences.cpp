@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -287,7 +288,10 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
 }
 
 std::string failure_text(const Step& step) {
-    return step.failure ? failure_text(*step.system, *step.failure) : step.ended;
+    if (step.failure) { return failure_text(*step.system, *step.failure); }
+    std::string text = step.ended;
+    if (!text.empty()) { text.front() = static_cast<char>(std::toupper(text.front())); }
+    return text;
 }
 
 }  // namespace jw

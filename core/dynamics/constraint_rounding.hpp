@@ -18,6 +18,10 @@ inline constexpr double kMet = 1e-9;
 /// Residual up to which rows that were left out repeat the others: what a lesson was typed with, seven
 /// digits, grown a thousand times on the way.
 inline constexpr double kContradicts = 1e-3;
+/// Residual from which rows that were left out are asked again, and the growth after which once more: a scene
+/// that begins at a singular position leaves out some that have something to say later.
+inline constexpr double kAskedFrom = 1e-6;
+inline constexpr double kAskedAgain = 10.0;
 
 /// @param worst residual of this round; @param last of the round before, infinite for the first
 inline bool is_at_rounding(double worst, double last) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/singular_steps.hpp"
 
 namespace jw {
@@ -21,9 +20,6 @@ constexpr double kRowsTurnBad = 1e-2;
 constexpr int kMostDodges = 8;
 /// Drift off the constraints that is allowed, by the tolerance of a step.
 constexpr double kDriftShare = 0.1;
-/// Rows left out are asked again where their residual is no rounding, and once more when it has grown so
-/// much.
-constexpr double kAskedAgain = 10.0;
 /// Share of the longest step so far below which one is no progress towards an end of reach: accelerations
 /// grow beyond bounds there.
 constexpr double kNoProgress = 1e-6;
@@ -139,7 +135,7 @@ void ExplicitIntegrator::accept(double t) {
     }
 }
 
-/// A scene that begins at a singular position leaves out rows that have something to say later.
+/// If the rank has risen.
 void ExplicitIntegrator::take_up_rows() {
     left_out_asked_ = kAskedAgain * verdict_.left_out;
     const int left_out = equations_->rows_left_out();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/runge_kutta.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
@@ -58,11 +59,11 @@ private:
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
     double pivot_at_choice_ = 1.0;
-    double left_out_asked_ = 1e-6;  ///< residual of rows left out from which they are asked again
-    double tried_ = 0.0;            ///< end of the last attempt [s]
-    double longest_taken_ = 0.0;    ///< longest step so far [s]
-    double lowest_pivot_ = 1.0;     ///< over the stages of the last step
-    bool on_manifold_ = false;      ///< stages are projected before they are evaluated
+    double left_out_asked_ = kAskedFrom;
+    double tried_ = 0.0;          ///< end of the last attempt [s]
+    double longest_taken_ = 0.0;  ///< longest step so far [s]
+    double lowest_pivot_ = 1.0;   ///< over the stages of the last step
+    bool on_manifold_ = false;    ///< stages are projected before they are evaluated
 };
 
 }  // namespace jw

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/singular_steps.hpp"
 
 namespace jw {
@@ -238,7 +237,10 @@ void RadauIntegrator::accept(double h, double t) {
     ++counts_.steps;
     scales_.include(y_, y_dot_, 0.0);
     x_scale_ = coordinates_->sizes(scales_);
-    if (!coordinates_->is_sound()) { choose_coordinates(); }
+    const double left_out = coordinates_->verdict().left_out;
+    const bool ask_again = left_out > left_out_asked_;
+    if (ask_again) { left_out_asked_ = kAskedAgain * left_out; }
+    if (ask_again || !coordinates_->is_sound()) { choose_coordinates(); }
 }
 
 RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {

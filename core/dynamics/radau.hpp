@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/reduced_coordinates.hpp"
 
 /// Radau IIA: implicit Runge-Kutta methods of order 2 s - 1 for stiff scenes.
@@ -93,8 +94,9 @@ private:
     IntegrationCounts counts_;
     StateScales scales_;
     double t_;
-    double h_ = 0.0;             ///< to try next [s]
-    double tried_ = 0.0;         ///< end of the last attempt [s]
+    double h_ = 0.0;      ///< to try next [s]
+    double tried_ = 0.0;  ///< end of the last attempt [s]
+    double left_out_asked_ = kAskedFrom;
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;
