@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace jw {
 
@@ -80,6 +81,30 @@ double relative_angle(const Joint& joint, const State& state) {
     const Vec3 u_i = A_i * joint.geometry.u_i_local;
     const Vec3 u_j = homogeneous_rotation_matrix(state.p[j]) * joint.geometry.u_j_local;
     return std::atan2(u_i.cross(u_j).dot(A_i * joint.geometry.s_i_local.normalized()), u_i.dot(u_j));
+}
+
+double screw_angle(const Joint& joint, const State& state) {
+    const double angle = relative_angle(joint, state);
+    const JointGeometry& g = joint.geometry;
+    if (g.alpha == 0.0) { return angle; }
+    const auto point = [&](int body, const Vec3& s_local) -> Vec3 {
+        const auto b = static_cast<std::size_t>(body);
+        return state.r[b] + homogeneous_rotation_matrix(state.p[b]) * s_local;
+    };
+    const Mat3 A_i = homogeneous_rotation_matrix(state.p[static_cast<std::size_t>(joint.body_i)]);
+    const Vec3 d = point(joint.body_j, g.P_j_local) - point(joint.body_i, g.P_i_local);
+    const double by_advance = g.theta_0 + ((A_i * g.s_i_local.normalized()).dot(d) - g.d_0) / g.alpha;
+    constexpr double turn = 2.0 * std::numbers::pi;
+    return angle + turn * std::round((by_advance - angle) / turn);
+}
+
+double angle_rate(const Joint& joint, const State& state, const Motion& motion) {
+    const auto i = static_cast<std::size_t>(joint.body_i);
+    const auto j = static_cast<std::size_t>(joint.body_j);
+    const Mat3 A_i = homogeneous_rotation_matrix(state.p[i]);
+    const Vec3 omega_i = A_i * motion.omega_local[i];
+    const Vec3 omega_j = homogeneous_rotation_matrix(state.p[j]) * motion.omega_local[j];
+    return (A_i * joint.geometry.s_i_local.normalized()).dot(omega_j - omega_i);
 }
 
 double extent(const Mechanism& mechanism) {

@@ -84,6 +84,12 @@ Motion zero_motion(const Mechanism& mechanism);
 /// Right-handed angle from u_i to u_j about s_i of a joint at `state`, in (-π, π].
 double relative_angle(const Joint& joint, const State& state);
 
+/// θ of a screw: that angle with the turns that its advance tells [rad].
+double screw_angle(const Joint& joint, const State& state);
+
+/// Rate of either, s_iᵀ (ω_j - ω_i) [rad/s].
+double angle_rate(const Joint& joint, const State& state, const Motion& motion);
+
 /// The joint's measures for drivers and quantities.
 AngleMeasure angle_of(const Joint& joint);
 DisplacementMeasure displacement_of(const Joint& joint);

@@ -73,7 +73,7 @@ void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     if (step.end - step.start < kShortestStep) {
         fields.problems().add(
             end->span, "the step ends at " + short_number(step.end) + " s and starts at " +
-                           short_number(step.start) + " s; expected 'end_s' above 'start_s'");
+                           short_number(step.start) + " s; expected 'end_s' at least 1e-6 s after 'start_s'");
         return;
     }
     function.steps.push_back(step);

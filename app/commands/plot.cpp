@@ -6,6 +6,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/commands/tries.hpp"
+#include "app/session/inspection.hpp"
 #include "app/session/series.hpp"
 #include "lessons/diagnostics.hpp"
 #include "render/png.hpp"
@@ -127,6 +128,10 @@ Exit plot(const Options& options, const Streams& streams) {
             options.out, render::encode_png(picture_of_plot(set, state, title, size.width, size.height)));
     }
     streams.err << options.out << ": " << set.at.size() << " points\n";
+    if (const Step* failed = story.failure()) {
+        streams.err << not_reached(tried.lesson, *failed).what() << '\n';
+        return Exit::numerics;
+    }
     return Exit::done;
 }
 

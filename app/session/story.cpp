@@ -35,7 +35,7 @@ void thin_out_iterations(std::vector<Step>& steps) {
 }
 
 // of one that is told again at every change: a scene that somebody made stiff or endless ends early
-constexpr long kMostStepsOfStory = 2000;
+constexpr long kMostStepsOfStory = 10'000;
 // their reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
 constexpr double kNoMoment = 1e-6;  // far above rounding, 1e-13 by the forces

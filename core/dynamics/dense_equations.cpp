@@ -124,13 +124,9 @@ void DenseEquations<C>::find_thetas() {
     std::size_t theta = 0;
     for (const Joint& joint : scene_->mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        const auto& i = bodies_[at(joint.body_i)];
-        const auto& j = bodies_[at(joint.body_j)];
         double& value = state_.theta[theta];
         value += std::remainder(relative_angle(joint, state_) - value, 2.0 * std::numbers::pi);
-        const Vec3 omega_i = i.A * motion_.omega_local[at(joint.body_i)];
-        const Vec3 omega_j = j.A * motion_.omega_local[at(joint.body_j)];
-        motion_.theta_dot[theta] = (i.A * joint.geometry.s_i_local.normalized()).dot(omega_j - omega_i);
+        motion_.theta_dot[theta] = angle_rate(joint, state_, motion_);
         ++theta;
     }
 }

@@ -46,6 +46,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     h_ = is_fixed() ? options_.fixed_step
                     : scales_.first_step(stages_.front(), options_.tolerance, table_->order);
     scales_.include(y_, stages_.front(), h_);
+    start_ = y_;
 }
 
 /// `y` is moved onto the constraints first where that was decided.
@@ -124,23 +125,37 @@ void ExplicitIntegrator::accept(double t) {
     verdict_ = verdict_new_;
     ++counts_.steps;
     scales_.include(y_, stages_.front(), 0.0);
+    if (options_.project && equations_->rows_left_out() > 0) {
+        verdict_.left_out = equations_->violation(t_, y_.data()).first;
+    }
     if (equations_->follow_rule(t_, y_.data())) {
         verdict_ = evaluate(t_, y_, stages_.front());
         pivot_at_choice_ = verdict_.smallest_pivot;
         ++counts_.row_choices;
     } else if (verdict_.smallest_pivot < kRowsTurnBad * pivot_at_choice_) {
         choose_rows_again();
-    } else if (options_.project && verdict_.left_out > left_out_asked_) {
-        take_up_rows();
     }
+    if (is_beginning_ && options_.project && equations_->rows_left_out() > 0) { take_up_rows(); }
+    if (began_singular_) { pivot_at_choice_ = std::max(pivot_at_choice_, verdict_.smallest_pivot); }
 }
 
-/// If the rank has risen.
+/// A scene that begins at a singular position leaves out rows that have something to say a step later, or,
+/// from rest, when their residual is no rounding any more. Farther on the rank is not asked again: near a
+/// singular position numbers that do not quite fit make rows look independent.
 void ExplicitIntegrator::take_up_rows() {
-    left_out_asked_ = kAskedAgain * verdict_.left_out;
+    constexpr double far = 0.1;
+    double moved = 0.0;
+    for (std::size_t k = 0; k < y_.size(); ++k) {
+        moved = std::max(moved, std::abs(y_[k] - start_[k]) / scales_.of(k));
+    }
+    is_beginning_ = moved < far;
+    if (counts_.steps > 1 && verdict_.left_out < left_out_asked_) { return; }
+    left_out_asked_ = std::max(kAskedFrom, kAskedAgain * verdict_.left_out);
     const int left_out = equations_->rows_left_out();
     if (!equations_->choose_rows(t_, y_.data())) { return; }
     if (equations_->rows_left_out() >= left_out) { return equations_->take_back_rows(); }
+    is_beginning_ = false;
+    began_singular_ = true;
     ++counts_.row_choices;
     project(t_, y_);
     verdict_ = evaluate(t_, y_, stages_.front());
@@ -228,7 +243,8 @@ bool ExplicitIntegrator::step(double t_end) {
         }
         const double error = is_fixed() ? 0.0 : error_of(h);
         // the estimate of a step through a singular position sees rounding, not the motion
-        const bool small_enough = singular && h <= kSmallestShare * regular_step_;
+        const bool small_enough =
+            singular && h <= kSmallestShare * regular_step_ && error * options_.tolerance < kMostErrorThrough;
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             accept(ahead.end);
             longest_taken_ = std::max(longest_taken_, h);

@@ -59,6 +59,9 @@ private:
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
     double pivot_at_choice_ = 1.0;
+    std::vector<double> start_;
+    bool is_beginning_ = true;
+    bool began_singular_ = false;
     double left_out_asked_ = kAskedFrom;
     double tried_ = 0.0;          ///< end of the last attempt [s]
     double longest_taken_ = 0.0;  ///< longest step so far [s]

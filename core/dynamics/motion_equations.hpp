@@ -28,7 +28,7 @@ struct RowsVerdict {
     /// those before it. It falls as (distance)² to a singular position.
     double smallest_pivot = 1.0;
     double violation = 0.0;  ///< largest |Φ| of the rows kept, each by the size of its equation
-    double left_out = 0.0;   ///< the same of rows left out, those of drivers in any case
+    double left_out = 0.0;   ///< the same of rows left out, where they are evaluated besides; else 0
 };
 
 class MotionEquations {

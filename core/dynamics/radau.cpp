@@ -345,7 +345,8 @@ bool RadauIntegrator::step(double t_end) {
         const bool singular = newton.is_near_singular();
         // the estimate of a step through a singular position sees rounding, not the motion
         const bool through = newton.pivot_left < kThrough;
-        const bool small_enough = through && h <= kSmallestShare * regular_step_;
+        const bool small_enough =
+            through && h <= kSmallestShare * regular_step_ && error * options_.tolerance < kMostErrorThrough;
         if (error > 1.0 && !small_enough) {
             ++counts_.rejected;
             trial.doubtful = true;

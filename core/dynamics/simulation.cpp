@@ -285,7 +285,9 @@ std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) cons
     unpack(y.data(), moving_, state, out.second);
     std::size_t theta = 0;
     for (const Joint& joint : scene_.mechanism.joints) {
-        if (joint.type->artificial > 0) { state.theta[theta++] = relative_angle(joint, state); }
+        if (joint.type->artificial == 0) { continue; }
+        state.theta[theta] = screw_angle(joint, state);
+        out.second.theta_dot[theta++] = angle_rate(joint, state, out.second);
     }
     return out;
 }
@@ -322,13 +324,33 @@ Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Ve
                                    vec3(numbers + 10).cross(point_local - scene_.centres[at(body)]);
 }
 
+/// What began at a singular position left out rows that are needed later: of states that others found.
+void Simulation::take_up_rows(double t, const std::vector<double>& y) const {
+    const int left_out = block_->rows_left_out();
+    if (!other_ || left_out == 0 || !block_->choose_rows(t, y.data())) { return; }
+    if (block_->rows_left_out() >= left_out) { block_->take_back_rows(); }
+}
+
 Motion Simulation::acceleration(double t, const std::vector<double>& y) const {
     std::vector<double> y_dot(y.size());
+    take_up_rows(t, y);
     block_->evaluate(t, y.data(), y_dot.data());
     Motion out = zero_motion(scene_.mechanism);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         out.r_dot[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 7);
         out.omega_local[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 10);
+    }
+    // θ̈ = s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i)
+    const auto [state, motion] = unpacked(y);
+    std::size_t theta = 0;
+    for (const Joint& joint : scene_.mechanism.joints) {
+        if (joint.type->artificial == 0) { continue; }
+        const Mat3 A_i = homogeneous_rotation_matrix(state.p[at(joint.body_i)]);
+        const Vec3 omega_i = A_i * motion.omega_local[at(joint.body_i)];
+        const Vec3 omega_j =
+            homogeneous_rotation_matrix(state.p[at(joint.body_j)]) * motion.omega_local[at(joint.body_j)];
+        const Vec3 s_i = A_i * joint.geometry.s_i_local.normalized();
+        out.theta_dot[theta++] = angle_rate(joint, state, out) + omega_i.cross(s_i).dot(omega_j - omega_i);
     }
     return out;
 }

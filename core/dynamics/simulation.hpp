@@ -89,6 +89,7 @@ public:
 private:
     std::unique_ptr<TimeStepper> stepper(double end) const;
     void take_joints();
+    void take_up_rows(double t, const std::vector<double>& y) const;
     bool counts_turns() const;
     /// Of rotational springs, from a state (flat) that the motion has reached.
     void count_turns_at(const std::vector<double>& y);

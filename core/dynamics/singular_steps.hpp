@@ -12,4 +12,8 @@ inline constexpr double kDodge = 0.93;
 /// A step through a singular position is at least this share of the last regular one.
 inline constexpr double kSmallestShare = 0.4;
 
+/// Error of a step, by the scales of the motion, up to which one through a singular position is taken
+/// whatever its tolerance: it is rounding there. Beyond, it is the motion.
+inline constexpr double kMostErrorThrough = 1e-2;
+
 }  // namespace jw

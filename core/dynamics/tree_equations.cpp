@@ -132,7 +132,7 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
             lambda_[k] = right;
         }
         add_answer_of_rows();
-        verdict = {smallest_pivot_, largest(kept_, &Row::phi), largest(watched_, &Row::phi)};
+        verdict = {smallest_pivot_, largest_of_kept_rows(&Row::phi), 0.0};
     }
     tree_.unfold();
     write_rates(y, y_dot);

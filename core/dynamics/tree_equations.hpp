@@ -98,7 +98,7 @@ private:
     void add_answer_of_rows();
     /// Changes of u that take `number` out of the kept rows.
     void take_out(double Row::*number);
-    double largest(const std::vector<int>& rows, double Row::*number) const;
+    double largest_of_kept_rows(double Row::*number) const;
     void displace(double* y) const;
     void add_velocities(double* y) const;
 
@@ -113,8 +113,7 @@ private:
     std::vector<Group> groups_;
     std::vector<int> kept_;
     std::vector<int> kept_before_;
-    std::vector<int> watched_;        ///< rows that are not kept, of the groups that are evaluated
-    std::vector<Group> kept_groups_;  ///< with a row that is kept, or of a driver
+    std::vector<Group> kept_groups_;                  ///< with a row that is kept
     std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
     std::vector<int> looked_at_;      ///< moving bodies of forces, torques, springs and cut joints
     std::vector<bool> needs_motion_;  ///< those of springs and cut joints

@@ -94,9 +94,9 @@ void TreeEquations::take_out(double Row::*number) {
     tree_.unfold();
 }
 
-double TreeEquations::largest(const std::vector<int>& rows, double Row::*number) const {
+double TreeEquations::largest_of_kept_rows(double Row::*number) const {
     double worst = 0.0;
-    for (const int k : rows) {
+    for (const int k : kept_) {
         worst = std::max(worst, std::abs(rows_[at(k)].*number) * rows_[at(k)].inverse_unit);
     }
     return worst;
@@ -115,7 +115,7 @@ double TreeEquations::project(double t, double* y) {
         tree_.set_inertias(Metric::mass);
         tree_.fold();
         factor_rows();
-        const double worst = largest(kept_, &Row::phi);
+        const double worst = largest_of_kept_rows(&Row::phi);
         if (round == 0) { before = worst; }
         if (is_at_rounding(worst, last)) { break; }
         last = worst;
@@ -231,20 +231,15 @@ void TreeEquations::take_back_rows() { keep(kept_before_); }
 
 /// Which products the matrix of these rows is made of.
 void TreeEquations::keep(std::vector<int> rows) {
-    if (rows == kept_ && !rows.empty()) { return; }
+    if (rows == kept_) { return; }
     kept_ = std::move(rows);
     lambda_.assign(kept_.size(), 0.0);
     kept_groups_.clear();
-    watched_.clear();
-    for (const Group& group : groups_) {
-        std::vector<int> its(at(group.equation->rows));
-        std::iota(its.begin(), its.end(), group.first_row);
-        const auto is_kept = [&](int row) { return std::ranges::binary_search(kept_, row); };
-        // a driver may contradict others later, joints cannot
-        if (group.link->joint >= 0 && std::ranges::none_of(its, is_kept)) { continue; }
-        kept_groups_.push_back(group);
-        std::ranges::remove_copy_if(its, std::back_inserter(watched_), is_kept);
-    }
+    std::ranges::copy_if(groups_, std::back_inserter(kept_groups_), [&](const Group& group) {
+        return std::ranges::any_of(kept_, [&](int row) {
+            return row >= group.first_row && row < group.first_row + group.equation->rows;
+        });
+    });
     struct Shared {
         int a;
         int b;

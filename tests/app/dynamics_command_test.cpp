@@ -75,18 +75,23 @@ TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[a
 
 TEST_CASE(
     "A motion by forces that cannot go on is told as far as it goes, with status 3", "[app][dynamics]") {
-    // stiff: explicit steps are tiny, and a story follows 2000 of them
-    std::string text = bytes_of(lesson_path("dynamics/governor.toml"));
-    const std::string implicit = "method = \"implicit-5\"";
-    text.replace(text.find(implicit), implicit.size(), "method = \"explicit-8\"");
+    // a motor pulls a pendulum of 1 m beyond its reach
+    std::string text = bytes_of(kPendulum);
+    text.replace(
+        text.find("[dynamics]"), 0,
+        "[[driver]]\nname = \"pull\"\nquantity = \"coordinate\"\nbody = \"ball\"\ncoordinate = \"x\"\n"
+        "polynomial = [-1, 0, 1]\n");
     const Folder folder;
-    const std::string file = folder.file("governor.toml", text);
+    const std::string file = folder.file("pulled.toml", text);
     const Ran ran = run({"step", file, "--format", "json"});
     CHECK(ran.status == 3);
     const auto steps = nlohmann::json::parse(ran.out)["steps"];
     CHECK(steps.back()["title"] == "The motion ends");
-    CHECK(steps.back()["failure"].get<std::string>().find("steps were not enough") != std::string::npos);
+    CHECK(steps.back()["failure"].get<std::string>().find("cannot be met there") != std::string::npos);
     CHECK(steps[steps.size() - 2]["failure"].is_null());
+    const Ran plotted = run({"plot", file, "--out", folder.path("plot.csv")});
+    CHECK(plotted.status == 3);
+    CHECK(plotted.err.find("cannot be met there") != std::string::npos);
 }
 
 TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {
