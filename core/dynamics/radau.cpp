@@ -87,6 +87,7 @@ void RadauIntegrator::choose_coordinates() {
     x_stages_ = x_rates_ = MatrixX::Zero(x_.size(), table_.c.size());
     step_before_ = 0.0;
     reduced_.resize(0, 0);
+    choose_again_ = false;
 }
 
 bool RadauIntegrator::jacobian_is_stale() const {
@@ -240,7 +241,8 @@ void RadauIntegrator::accept(double h, double t) {
     const double left_out = coordinates_->verdict().left_out;
     const bool ask_again = left_out > left_out_asked_;
     if (ask_again) { left_out_asked_ = kAskedAgain * left_out; }
-    if (ask_again || !coordinates_->is_sound()) { choose_coordinates(); }
+    // in the next step: until then what lies within this one is asked for in its own coordinates
+    choose_again_ = ask_again || !coordinates_->is_sound();
 }
 
 RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {
@@ -314,6 +316,7 @@ double RadauIntegrator::growth_after(double error, int iterations) const {
 bool RadauIntegrator::step(double t_end) {
     const bool fixed = options_.fixed_step > 0.0;
     if (coordinates_->verdict().left_out > std::max(kContradicts, options_.tolerance)) { return false; }
+    if (choose_again_) { choose_coordinates(); }
     Trial trial;
     trial.doubtful = step_before_ == 0.0;
     trial.renewed = jacobian_is_stale();
@@ -369,9 +372,12 @@ bool RadauIntegrator::step(double t_end) {
 }
 
 void RadauIntegrator::interpolate(double t, double* y) const {
-    const VectorX between = y_before_ * weights(1.0 - (t_ - t) / last_step_);
-    std::copy_n(between.data(), between.size(), y);
-    equations_->project(t, y);
+    const VectorX w = weights(1.0 - (t_ - t) / last_step_);
+    const VectorX estimate = y_before_ * w;
+    std::copy_n(estimate.data(), estimate.size(), y);
+    VectorX y_dot(estimate.size());
+    VectorX x_dot(x_before_.rows());
+    coordinates_->evaluate(t, x_before_ * w, y, y_dot.data(), x_dot);
 }
 
 }  // namespace jw

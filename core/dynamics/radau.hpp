@@ -38,7 +38,7 @@ public:
         const auto end = y_stages_.rightCols(1);
         return {tried_, {end.data(), end.data() + end.size()}};
     }
-    /// The polynomial of the step, moved onto the constraints: what drivers turn is no polynomial.
+    /// The polynomial of the step in its coordinates; all others follow from the constraints.
     void interpolate(double t, double* y) const override;
     bool has_polynomial() const override { return last_step_ > 0.0; }
 
@@ -97,6 +97,7 @@ private:
     double h_ = 0.0;      ///< to try next [s]
     double tried_ = 0.0;  ///< end of the last attempt [s]
     double left_out_asked_ = kAskedFrom;
+    bool choose_again_ = false;  ///< other coordinates are due
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;
