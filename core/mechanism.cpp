@@ -50,18 +50,12 @@ Motion start_motion(const Mechanism& mechanism) {
         motion.r_dot[b] = mechanism.bodies[b].r_dot;
         motion.omega_local[b] = mechanism.bodies[b].omega_local;
     }
+    const State start = start_state(mechanism);
     std::size_t theta = 0;
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        const auto omega_of = [&](int body) -> Vec3 {
-            const auto b = static_cast<std::size_t>(body);
-            return homogeneous_rotation_matrix(mechanism.bodies[b].p) * motion.omega_local[b];
-        };
-        const Vec3 s_i =
-            homogeneous_rotation_matrix(mechanism.bodies[static_cast<std::size_t>(joint.body_i)].p) *
-            joint.geometry.s_i_local.normalized();
-        motion.theta_dot[theta++] =
-            joint.geometry.theta_dot_start.value_or(s_i.dot(omega_of(joint.body_j) - omega_of(joint.body_i)));
+        const auto& given = joint.geometry.theta_dot_start;
+        motion.theta_dot[theta++] = given ? *given : angle_rate(joint, start, motion);
     }
     return motion;
 }
@@ -74,37 +68,59 @@ DisplacementMeasure displacement_of(const Joint& joint) {
     return {joint.geometry.s_i_local.normalized(), joint.geometry.P_i_local, joint.geometry.P_j_local};
 }
 
+namespace {
+
+/// The two bodies of a joint and its axis at a state.
+struct PlacedAxis {
+    PlacedAxis(const Joint& joint, const State& state)
+        : i(at(joint.body_i)),
+          j(at(joint.body_j)),
+          A_i(homogeneous_rotation_matrix(state.p[i])),
+          A_j(homogeneous_rotation_matrix(state.p[j])),
+          s_i(A_i * joint.geometry.s_i_local.normalized()) {}
+
+    /// ω_j - ω_i of a motion, or the difference of ω̇.
+    Vec3 relative(const Motion& motion) const {
+        return A_j * motion.omega_local[j] - A_i * motion.omega_local[i];
+    }
+
+    std::size_t i;
+    std::size_t j;
+    Mat3 A_i;
+    Mat3 A_j;
+    Vec3 s_i;
+};
+
+}  // namespace
+
 double relative_angle(const Joint& joint, const State& state) {
-    const auto i = static_cast<std::size_t>(joint.body_i);
-    const auto j = static_cast<std::size_t>(joint.body_j);
-    const Mat3 A_i = homogeneous_rotation_matrix(state.p[i]);
-    const Vec3 u_i = A_i * joint.geometry.u_i_local;
-    const Vec3 u_j = homogeneous_rotation_matrix(state.p[j]) * joint.geometry.u_j_local;
-    return std::atan2(u_i.cross(u_j).dot(A_i * joint.geometry.s_i_local.normalized()), u_i.dot(u_j));
+    const PlacedAxis axis(joint, state);
+    const Vec3 u_i = axis.A_i * joint.geometry.u_i_local;
+    const Vec3 u_j = axis.A_j * joint.geometry.u_j_local;
+    return std::atan2(u_i.cross(u_j).dot(axis.s_i), u_i.dot(u_j));
 }
 
 double screw_angle(const Joint& joint, const State& state) {
     const double angle = relative_angle(joint, state);
     const JointGeometry& g = joint.geometry;
     if (g.alpha == 0.0) { return angle; }
-    const auto point = [&](int body, const Vec3& s_local) -> Vec3 {
-        const auto b = static_cast<std::size_t>(body);
-        return state.r[b] + homogeneous_rotation_matrix(state.p[b]) * s_local;
-    };
-    const Mat3 A_i = homogeneous_rotation_matrix(state.p[static_cast<std::size_t>(joint.body_i)]);
-    const Vec3 d = point(joint.body_j, g.P_j_local) - point(joint.body_i, g.P_i_local);
-    const double by_advance = g.theta_0 + ((A_i * g.s_i_local.normalized()).dot(d) - g.d_0) / g.alpha;
+    const PlacedAxis axis(joint, state);
+    const Vec3 d = state.r[axis.j] + axis.A_j * g.P_j_local - state.r[axis.i] - axis.A_i * g.P_i_local;
+    const double by_advance = g.theta_0 + (axis.s_i.dot(d) - g.d_0) / g.alpha;
     constexpr double turn = 2.0 * std::numbers::pi;
     return angle + turn * std::round((by_advance - angle) / turn);
 }
 
 double angle_rate(const Joint& joint, const State& state, const Motion& motion) {
-    const auto i = static_cast<std::size_t>(joint.body_i);
-    const auto j = static_cast<std::size_t>(joint.body_j);
-    const Mat3 A_i = homogeneous_rotation_matrix(state.p[i]);
-    const Vec3 omega_i = A_i * motion.omega_local[i];
-    const Vec3 omega_j = homogeneous_rotation_matrix(state.p[j]) * motion.omega_local[j];
-    return (A_i * joint.geometry.s_i_local.normalized()).dot(omega_j - omega_i);
+    const PlacedAxis axis(joint, state);
+    return axis.s_i.dot(axis.relative(motion));
+}
+
+double angle_acceleration(
+    const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration) {
+    const PlacedAxis axis(joint, state);
+    const Vec3 omega_i = axis.A_i * motion.omega_local[axis.i];
+    return axis.s_i.dot(axis.relative(acceleration)) + omega_i.cross(axis.s_i).dot(axis.relative(motion));
 }
 
 double extent(const Mechanism& mechanism) {

@@ -90,6 +90,10 @@ double screw_angle(const Joint& joint, const State& state);
 /// Rate of either, s_iᵀ (ω_j - ω_i) [rad/s].
 double angle_rate(const Joint& joint, const State& state, const Motion& motion);
 
+/// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration ω̇' in the place of ω'
+double angle_acceleration(
+    const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration);
+
 /// The joint's measures for drivers and quantities.
 AngleMeasure angle_of(const Joint& joint);
 DisplacementMeasure displacement_of(const Joint& joint);

@@ -61,19 +61,11 @@ void write_spring(const Written& written, const Spring& spring, Lines& lines) {
     lines.key("free_length", spring.free_length, "m");
 }
 
-bool acts_along(const RotationalSpring& spring, const Joint& joint) {
-    if (!has_angle(*joint.type)) { return false; }
-    const AngleMeasure angle = angle_of(joint);
-    return joint.body_i == spring.body_i && joint.body_j == spring.body_j &&
-           angle.s_i_local == spring.angle.s_i_local && angle.u_i_local == spring.angle.u_i_local &&
-           angle.u_j_local == spring.angle.u_j_local;
-}
-
 void write_rotational_spring(const Written& written, const RotationalSpring& spring, Lines& lines) {
     const std::vector<Joint>& joints = written.lesson->mechanism.joints;
     bool any = false;
     for (std::size_t k = 0; k < joints.size(); ++k) {
-        if (!acts_along(spring, joints[k])) { continue; }
+        if (!acts_about(spring, joints[k])) { continue; }
         any = true;
         if (!written.has({Addition::Kind::joint, static_cast<int>(k)})) { continue; }
         lines.table("[[rotational_spring]]");

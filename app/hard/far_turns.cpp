@@ -1,10 +1,10 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/rank.hpp"
 #include "core/system.hpp"
 
 namespace jw::hard {

@@ -87,22 +87,36 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
 
 namespace {
 
-/// Where masses and forces have led to.
-void simulate_to(const Lesson& lesson, double t, Inspection& inspection) {
-    if (t < 0.0) { throw PoseNotReached(lesson.file_name + ": there is no motion before the start at 0 s"); }
+/// State and velocity where masses and forces have led to from an assembled start.
+void simulate_to(const Lesson& lesson, const State& start, Inspection& inspection) {
+    if (inspection.t < 0.0) {
+        throw PoseNotReached(lesson.file_name + ": there is no motion before the start at 0 s");
+    }
     const SimulationSettings settings = request_of(lesson).settings;
-    Simulation simulation(placed_at(lesson.mechanism, inspection.state), lesson.dynamics->loads, settings);
-    auto system = std::make_shared<System>(*inspection.system);
-    const SimulationOutcome outcome = simulation.run({t}, [&](double, const std::vector<double>& y) {
-        const Snapshot snapshot = simulation.snapshot(t, y);
-        inspection.state = snapshot.state;
-        inspection.velocity = snapshot.velocity;
-    });
+    Simulation simulation(placed_at(lesson.mechanism, start), lesson.dynamics->loads, settings);
+    const SimulationOutcome outcome =
+        simulation.run({inspection.t}, [&](double t, const std::vector<double>& y) {
+            const Snapshot snapshot = simulation.snapshot(t, y);
+            inspection.state = snapshot.state;
+            inspection.velocity = snapshot.velocity;
+        });
     if (outcome.failure) {
         throw PoseNotReached(lesson.file_name + ": " + failure_text(*outcome.failure, settings));
     }
-    system->choose_rows(inspection.state);
-    inspection.system = system;
+}
+
+/// State and velocity where the drivers have led to. @param system its rows switch on the way
+void follow_to(const Lesson& lesson, const State& start, System& system, Inspection& inspection) {
+    MotionTracker tracker(system, start, start_time(lesson));
+    bool switched = false;
+    if (!advance_along(tracker, lesson, inspection.t, switched)) {
+        if (is_far_outside(lesson, inspection.t)) {
+            throw far_outside(lesson, inspection.t, tracker.frame().t);
+        }
+        throw not_reached(lesson, system, *tracker.failure());
+    }
+    inspection.state = tracker.frame().state;
+    inspection.velocity = tracker.frame().velocity;
 }
 
 }  // namespace
@@ -111,31 +125,18 @@ Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice)
     const Story story(lesson, poses_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
-    if (lesson.dynamics && !lesson.motion) {
-        Inspection inspection;
-        inspection.moment = "t = " + number_text(t, 9) + " s";
-        inspection.choice = choice;
-        inspection.system = last.system;
-        inspection.state = last.state;
-        inspection.t = t;
-        simulate_to(lesson, t, inspection);
-        evaluate(inspection);
-        return inspection;
-    }
-    auto system = std::make_shared<System>(*last.system);
-    MotionTracker tracker(*system, last.state, start_time(lesson));
-    bool switched = false;
-    if (!advance_along(tracker, lesson, t, switched)) {
-        if (is_far_outside(lesson, t)) { throw far_outside(lesson, t, tracker.frame().t); }
-        throw not_reached(lesson, *system, *tracker.failure());
-    }
     Inspection inspection;
     inspection.moment = "t = " + number_text(t, 9) + " s";
     inspection.choice = choice;
-    inspection.system = system;
-    inspection.state = tracker.frame().state;
-    inspection.velocity = tracker.frame().velocity;
     inspection.t = t;
+    auto system = std::make_shared<System>(*last.system);
+    if (lesson.dynamics && !lesson.motion) {
+        simulate_to(lesson, last.state, inspection);
+        system->choose_rows(inspection.state);
+    } else {
+        follow_to(lesson, last.state, *system, inspection);
+    }
+    inspection.system = std::move(system);
     evaluate(inspection);
     return inspection;
 }

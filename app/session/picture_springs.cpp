@@ -70,14 +70,6 @@ void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& 
     add_wire(std::move(points), scene);
 }
 
-/// The first joint between the bodies of the spring; lessons name one.
-int joint_of(const Mechanism& mechanism, const RotationalSpring& spring) {
-    const auto found = std::ranges::find_if(mechanism.joints, [&](const Joint& joint) {
-        return joint.body_i == spring.body_i && joint.body_j == spring.body_j;
-    });
-    return found == mechanism.joints.end() ? -1 : static_cast<int>(found - mechanism.joints.begin());
-}
-
 }  // namespace
 
 void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene) {
@@ -90,8 +82,11 @@ void add_springs(const Lesson& lesson, const PictureStyle& style, const State& s
         add(style, from, to, scene);
     }
     for (const RotationalSpring& spring : lesson.dynamics->loads.rotational_springs) {
-        const int joint = joint_of(lesson.mechanism, spring);
-        if (joint >= 0) { add_spiral(style, placed(lesson.mechanism, joint, state), scene); }
+        const std::vector<Joint>& joints = lesson.mechanism.joints;
+        const auto joint =
+            std::ranges::find_if(joints, [&](const Joint& j) { return acts_about(spring, j); });
+        if (joint == joints.end()) { continue; }
+        add_spiral(style, placed(lesson.mechanism, static_cast<int>(joint - joints.begin()), state), scene);
     }
 }
 

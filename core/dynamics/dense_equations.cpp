@@ -194,8 +194,7 @@ RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot
         y += kNumbers;
         y_dot += kNumbers;
     }
-    return {
-        saddle_point_.smallest_pivot(), largest_of_kept_rows(assembler_.phi()), largest_of_rows_left_out()};
+    return {saddle_point_.smallest_pivot(), largest_of_kept_rows(assembler_.phi())};
 }
 
 template <class C>

@@ -74,7 +74,6 @@ private:
     void measure_rows();
     double largest(const VectorX& values) const;
     double largest_of_kept_rows(const VectorX& values) const;
-    double largest_of_rows_left_out() const;  ///< of Φ
     /// @return how far the worst of the kept rows was off before
     double correct_positions(double t);
 

@@ -23,13 +23,6 @@ double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
     return worst;
 }
 
-template <class C>
-double DenseEquations<C>::largest_of_rows_left_out() const {
-    VectorX left_out = assembler_.phi();
-    for (const int row : saddle_point_.kept()) { left_out(row) = 0.0; }
-    return largest(left_out);
-}
-
 /// For pᵀp = 1 that is its size itself.
 template <class C>
 void DenseEquations<C>::measure_rows() {
@@ -136,7 +129,6 @@ std::pair<double, double> DenseEquations<C>::violation(double t, const double* y
 // what is called from elsewhere; dense_equations.cpp instantiates the class
 #define JW_INSTANTIATE(C)                                                          \
     template double DenseEquations<C>::largest_of_kept_rows(const VectorX&) const; \
-    template double DenseEquations<C>::largest_of_rows_left_out() const;           \
     template bool DenseEquations<C>::choose_rows(double, const double*);           \
     template bool DenseEquations<C>::follow_rule(double, const double*);           \
     template double DenseEquations<C>::most_turn() const;                          \

@@ -151,9 +151,7 @@ void ExplicitIntegrator::take_up_rows() {
     is_beginning_ = moved < far;
     if (counts_.steps > 1 && verdict_.left_out < left_out_asked_) { return; }
     left_out_asked_ = std::max(kAskedFrom, kAskedAgain * verdict_.left_out);
-    const int left_out = equations_->rows_left_out();
-    if (!equations_->choose_rows(t_, y_.data())) { return; }
-    if (equations_->rows_left_out() >= left_out) { return equations_->take_back_rows(); }
+    if (!raise_rank(*equations_, t_, y_.data())) { return; }
     is_beginning_ = false;
     began_singular_ = true;
     ++counts_.row_choices;

@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/joint_freedoms.hpp"
+
 namespace jw {
 
 namespace {
@@ -36,6 +38,14 @@ void move(Measure& measure, const Vec3& centre_i, const Vec3& centre_j) {
 }
 
 }  // namespace
+
+bool acts_about(const RotationalSpring& spring, const Joint& joint) {
+    if (!has_angle(*joint.type)) { return false; }
+    const AngleMeasure angle = angle_of(joint);
+    return joint.body_i == spring.body_i && joint.body_j == spring.body_j &&
+           angle.s_i_local == spring.angle.s_i_local && angle.u_i_local == spring.angle.u_i_local &&
+           angle.u_j_local == spring.angle.u_j_local;
+}
 
 Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
     Centroidal out{mechanism, loads, std::vector<Vec3>(mechanism.bodies.size(), Vec3::Zero())};

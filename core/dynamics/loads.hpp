@@ -59,6 +59,9 @@ struct RotationalSpring {
     double twist_before = 0.0;
 };
 
+/// Whether it acts about the axis of a joint, between its bodies, from the same angle.
+bool acts_about(const RotationalSpring& spring, const Joint& joint);
+
 struct Loads {
     std::vector<std::optional<MassProperties>> masses;  ///< one per body of the mechanism
     Vec3 gravity = Vec3::Zero();                        ///< [m/s²]

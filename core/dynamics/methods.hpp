@@ -27,9 +27,8 @@ enum class Treatment {
 
 /// The numbers that are integrated.
 enum class Formulation {
-    /// joint coordinates for adaptive methods with projection, where they pay; for implicit ones only where
-    /// no
-    /// loop is left
+    /// joint coordinates for adaptive methods that keep the constraints, where they pay; for implicit ones
+    /// only where no loop is left
     automatic,
     bodies,  ///< r, p, ṙ, ω' of every body, block-sparse: all that the slides speak of is there to be seen
     joints,  ///< coordinates of a tree of joints
@@ -84,19 +83,22 @@ constexpr const TreatmentName& entry_of(Treatment treatment) {
     return *std::ranges::find(kTreatments, treatment, &TreatmentName::treatment);
 }
 
+/// Whether the state may leave the constraints, a little more with every step.
+constexpr bool drifts(Treatment treatment) {
+    return treatment == Treatment::none || treatment == Treatment::baumgarte;
+}
+
 /// Why a method cannot keep the constraints in this way; empty if it can.
 constexpr std::string_view why_not(Method method, Treatment treatment) {
-    const bool drifts = treatment == Treatment::none || treatment == Treatment::baumgarte;
     if (entry_of(method).kind == MethodKind::radau) {
-        return drifts
+        return drifts(treatment)
                    ? "implicit methods keep the constraints by themselves; expected treatment projection or "
                      "tangent"
                    : "";
     }
-    return treatment == Treatment::tangent ? "treatment tangent needs an implicit method; expected "
-                                             "implicit-5 or implicit-9, or treatment "
-                                             "projection"
-                                           : "";
+    if (treatment != Treatment::tangent) { return ""; }
+    return "treatment tangent needs an implicit method; expected implicit-5 or implicit-9, or treatment "
+           "projection";
 }
 
 }  // namespace jw

@@ -86,6 +86,9 @@ public:
     virtual int rows_left_out() const = 0;
 };
 
+/// Chooses rows at y and keeps the choice only if there are more of them. @return whether there are
+bool raise_rank(MotionEquations& equations, double t, const double* y);
+
 /// What independent coordinates and driven mechanisms need besides.
 class DrivableEquations : public MotionEquations {
 public:

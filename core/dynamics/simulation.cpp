@@ -39,7 +39,7 @@ void require(const SimulationSettings& settings) {
         throw std::invalid_argument(
             "the semi-implicit method moves bodies; expected another method, or bodies");
     }
-    if (settings.treatment == Treatment::none || settings.treatment == Treatment::baumgarte) {
+    if (drifts(settings.treatment)) {
         throw std::invalid_argument(
             "in joint coordinates only the loops can drift; expected treatment projection");
     }
@@ -66,8 +66,7 @@ bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     if (settings.formulation != Formulation::automatic) {
         return settings.formulation == Formulation::joints;
     }
-    const bool kept = settings.treatment == Treatment::projection || settings.treatment == Treatment::tangent;
-    return entry_of(settings.method).adaptive && kept && !masses_are_apart;
+    return entry_of(settings.method).adaptive && !drifts(settings.treatment) && !masses_are_apart;
 }
 
 /// Rows of loops are chosen by comparing each with all others: beyond this many it is felt, and takes room.
@@ -159,15 +158,15 @@ SimulationFailure Simulation::worst_equation(
     return {cause, t, name_of(system, worst), size(worst)};
 }
 
+std::vector<double> Simulation::flat_of(const std::vector<double>& y) const {
+    std::vector<double> flat(start_.size());
+    integrated().to_flat(y.data(), flat.data());
+    return flat;
+}
+
 SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
     using Cause = SimulationFailure::Cause;
-    const auto flat_of = [&](const std::vector<double>& y) {
-        std::vector<double> flat(start_.size());
-        integrated().to_flat(y.data(), flat.data());
-        return flat;
-    };
-    const bool drifts = settings_.treatment == Treatment::none || settings_.treatment == Treatment::baumgarte;
-    if (block_->rows() > 0 && !drifts) {
+    if (block_->rows() > 0 && !drifts(settings_.treatment)) {
         const std::vector<double> here = flat_of(stepper.y());
         if (block_->violation(stepper.t(), here.data()).first > kContradicts) {
             return worst_equation(Cause::contradiction, Off::value, stepper.t(), here);
@@ -193,8 +192,7 @@ std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
     options.longest_step = half_of_fastest_swing(scene_);
     options.tolerance = settings_.tolerance;
     options.length_scale = extent(scene_.mechanism);
-    options.project =
-        settings_.treatment == Treatment::projection || settings_.treatment == Treatment::tangent;
+    options.project = !drifts(settings_.treatment);
     if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
     // samples are taken up to two steps behind: bodies that turn against each other stay within half a turn
     constexpr double counted = 0.75;
@@ -268,11 +266,7 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
         return SimulationFailure{Cause::not_finite, integration.t(), {}, 0.0};
     }
     if (!went_on) { return failure_of(integration); }
-    if (counts_turns()) {
-        std::vector<double> reached(start_.size());
-        integrated().to_flat(integration.y().data(), reached.data());
-        count_turns_at(reached);
-    }
+    if (counts_turns()) { count_turns_at(flat_of(integration.y())); }
     if (integration.t() < end && integration.counts().steps >= settings_.most_steps) {
         return SimulationFailure{Cause::too_many_steps, integration.t(), {}, 0.0};
     }
@@ -326,9 +320,7 @@ Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Ve
 
 /// What began at a singular position left out rows that are needed later: of states that others found.
 void Simulation::take_up_rows(double t, const std::vector<double>& y) const {
-    const int left_out = block_->rows_left_out();
-    if (!other_ || left_out == 0 || !block_->choose_rows(t, y.data())) { return; }
-    if (block_->rows_left_out() >= left_out) { block_->take_back_rows(); }
+    if (other_ && block_->rows_left_out() > 0) { raise_rank(*block_, t, y.data()); }
 }
 
 Motion Simulation::acceleration(double t, const std::vector<double>& y) const {
@@ -340,17 +332,12 @@ Motion Simulation::acceleration(double t, const std::vector<double>& y) const {
         out.r_dot[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 7);
         out.omega_local[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 10);
     }
-    // θ̈ = s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i)
+    if (out.theta_dot.empty()) { return out; }
     const auto [state, motion] = unpacked(y);
     std::size_t theta = 0;
     for (const Joint& joint : scene_.mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        const Mat3 A_i = homogeneous_rotation_matrix(state.p[at(joint.body_i)]);
-        const Vec3 omega_i = A_i * motion.omega_local[at(joint.body_i)];
-        const Vec3 omega_j =
-            homogeneous_rotation_matrix(state.p[at(joint.body_j)]) * motion.omega_local[at(joint.body_j)];
-        const Vec3 s_i = A_i * joint.geometry.s_i_local.normalized();
-        out.theta_dot[theta++] = angle_rate(joint, state, out) + omega_i.cross(s_i).dot(omega_j - omega_i);
+        out.theta_dot[theta++] = angle_acceleration(joint, state, motion, out);
     }
     return out;
 }

@@ -95,6 +95,8 @@ private:
     void count_turns_at(const std::vector<double>& y);
     void look_for_contradiction(const std::vector<double>& as_given);
     void look_for_contradicting_rates();
+    /// Of numbers that are integrated.
+    std::vector<double> flat_of(const std::vector<double>& y) const;
     /// One step towards `event`, and what keeps the run from going on after it.
     std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
     /// Why no step can be taken from where the stepper is.
