@@ -13,6 +13,8 @@
 /// | omega local               | r, ω'(6) | G Lᵀ | -A s̃'                 | ω x (ω x A s') | | omega global |
 /// r, ω (6) | G Lᵀ | -(A s')~              | the same vector                   |
 ///
+/// What they compute are templates: whoever only names a choice has nothing of it to compile.
+///
 /// @source tables of pp. 201, 203 and 299 (slides 20-22) in the right forms of docs/notation.md
 namespace jw {
 
@@ -39,22 +41,21 @@ struct EulerParameterColumns {
     static constexpr bool kNormalised = true;
 
     /// Columns of e_k for one body.
-    static Eigen::Matrix<double, 1, 4> parameter_block(const Vec4& /*p*/, int k) {
+    static Eigen::Matrix<double, 1, 4> parameter_block(const auto& /*p*/, int k) {
         return Eigen::Matrix<double, 1, 4>::Unit(k);
     }
     /// 2 Ġ L̇ᵀ
-    static Mat3 two_G_dot_L_dot(const Vec4& p_dot) { return 2.0 * G_of(p_dot) * L_of(p_dot).transpose(); }
+    static Mat3 two_G_dot_L_dot(const auto& p_dot) { return 2.0 * G_of(p_dot) * L_of(p_dot).transpose(); }
 };
 
 struct TrueEulerParameters : EulerParameterColumns {
     static constexpr CoordinateChoice kChoice = CoordinateChoice::true_euler_parameters;
 
     static Mat3 rotation(const Vec4& p) { return rotation_matrix(p); }
-    static Mat34 arm_block(
-        const BodyKinematics<TrueEulerParameters>& b, const Vec3& s_local, const Vec3& /*s*/) {
+    static Mat34 arm_block(const auto& b, const Vec3& s_local, const Vec3& /*s*/) {
         return 2.0 * (b.G * bar(s_local) + s_local * b.p.transpose());
     }
-    static void set_motion(BodyKinematics<TrueEulerParameters>& b, const Vec3& omega_local) {
+    static void set_motion(auto& b, const Vec3& omega_local) {
         b.p_dot = p_dot_of_omega_local(b.p, omega_local);
         b.A_dot = 2.0 * (b.G * L_of(b.p_dot).transpose() + b.p.dot(b.p_dot) * Mat3::Identity());
         b.A_bias = two_G_dot_L_dot(b.p_dot) + 2.0 * b.p_dot.squaredNorm() * Mat3::Identity();
@@ -65,11 +66,10 @@ struct ModifiedEulerParameters : EulerParameterColumns {
     static constexpr CoordinateChoice kChoice = CoordinateChoice::modified_euler_parameters;
 
     static Mat3 rotation(const Vec4& p) { return homogeneous_rotation_matrix(p); }
-    static Mat34 arm_block(
-        const BodyKinematics<ModifiedEulerParameters>& b, const Vec3& s_local, const Vec3& /*s*/) {
+    static Mat34 arm_block(const auto& b, const Vec3& s_local, const Vec3& /*s*/) {
         return 2.0 * b.G * bar(s_local);
     }
-    static void set_motion(BodyKinematics<ModifiedEulerParameters>& b, const Vec3& omega_local) {
+    static void set_motion(auto& b, const Vec3& omega_local) {
         b.p_dot = p_dot_of_omega_local(b.p, omega_local);
         b.A_dot = 2.0 * b.G * L_of(b.p_dot).transpose();
         b.A_bias = two_G_dot_L_dot(b.p_dot);
@@ -83,8 +83,7 @@ struct OmegaColumns {
 
     static Mat3 rotation(const Vec4& p) { return homogeneous_rotation_matrix(p); }
 
-    template <class C>
-    static void set_motion(BodyKinematics<C>& b, const Vec3& omega_local) {
+    static void set_motion(auto& b, const Vec3& omega_local) {
         const Mat3 omega_local_tilde = tilde(omega_local);
         b.p_dot = p_dot_of_omega_local(b.p, omega_local);
         b.A_dot = b.A * omega_local_tilde;
@@ -96,10 +95,10 @@ struct OmegaColumns {
 struct OmegaLocal : OmegaColumns {
     static constexpr CoordinateChoice kChoice = CoordinateChoice::omega_local;
 
-    static Mat3 arm_block(const BodyKinematics<OmegaLocal>& b, const Vec3& s_local, const Vec3& /*s*/) {
+    static Mat3 arm_block(const auto& b, const Vec3& s_local, const Vec3& /*s*/) {
         return -b.A * tilde(s_local);
     }
-    static Eigen::Matrix<double, 1, 3> parameter_block(const Vec4& p, int k) {
+    static Eigen::Matrix<double, 1, 3> parameter_block(const auto& p, int k) {
         return 0.5 * L_of(p).transpose().row(k);
     }
 };
@@ -107,10 +106,8 @@ struct OmegaLocal : OmegaColumns {
 struct OmegaGlobal : OmegaColumns {
     static constexpr CoordinateChoice kChoice = CoordinateChoice::omega_global;
 
-    static Mat3 arm_block(const BodyKinematics<OmegaGlobal>& /*b*/, const Vec3& /*s_local*/, const Vec3& s) {
-        return -tilde(s);
-    }
-    static Eigen::Matrix<double, 1, 3> parameter_block(const Vec4& p, int k) {
+    static Mat3 arm_block(const auto& /*b*/, const Vec3& /*s_local*/, const Vec3& s) { return -tilde(s); }
+    static Eigen::Matrix<double, 1, 3> parameter_block(const auto& p, int k) {
         return 0.5 * G_of(p).transpose().row(k);
     }
 };
