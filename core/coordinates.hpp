@@ -7,11 +7,11 @@
 /// The four coordinate choices of slides 13-22. A choice supplies the matrix A, the derivative of an
 /// arm A s' and the columns of p; nothing else in the program knows which choice is in use.
 ///
-/// | choice                    | columns  | A    | d(A s')               | second derivative, quadratic part
-/// | | true Euler parameters     | r, p (7) | A_N  | 2 (G bar(s') + s' pᵀ) | 2 Ġ L̇ᵀ s' + 2 (ṗ·ṗ) s' | |
-/// modified Euler parameters | r, p (7) | G Lᵀ | 2 G bar(s')           | 2 Ġ L̇ᵀ s'                         |
-/// | omega local               | r, ω'(6) | G Lᵀ | -A s̃'                 | ω x (ω x A s') | | omega global |
-/// r, ω (6) | G Lᵀ | -(A s')~              | the same vector                   |
+/// | choice                    | columns   | A    | d(A s')               | d²(A s'), quadratic part   |
+/// | true Euler parameters     | r, p (7)  | A_N  | 2 (G bar(s') + s' pᵀ) | 2 Ġ L̇ᵀ s' + 2 (ṗ·ṗ) s'     |
+/// | modified Euler parameters | r, p (7)  | G Lᵀ | 2 G bar(s')           | 2 Ġ L̇ᵀ s'                  |
+/// | omega local               | r, ω' (6) | G Lᵀ | -A s̃'                 | ω x (ω x A s')             |
+/// | omega global              | r, ω (6)  | G Lᵀ | -(A s')~              | ω x (ω x A s')             |
 ///
 /// What they compute are templates: whoever only names a choice has nothing of it to compile.
 ///

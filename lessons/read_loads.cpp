@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostLoads = 1000;
 // two points closer than this give a spring no direction [m]
-constexpr double kSmallestLength = 1e-9;
+constexpr double kShortestSpring = 1e-9;
 
 /// Direction times magnitude of a force or torque: the key `what`, a vector, constant or times a function of
 /// time; or the key `direction`, made unit, and a function.
@@ -107,7 +107,7 @@ void read_spring(Fields& fields, Reading& reading) {
     fields.finish();
     if (bodies.i == bodies.j) { return; }
     const double length = pair.d(spring.P_i_local, spring.P_j_local).norm();
-    if (ends_known && bodies.sound && length < kSmallestLength) {
+    if (ends_known && bodies.sound && length < kShortestSpring) {
         fields.problems().add(
             fields.span(),
             "the two points of the spring coincide at the start pose; expected a distance above 0",

@@ -22,7 +22,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct BenchOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> methods;
     std::string treatment = "projection";
@@ -48,7 +48,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scen
     return scenes.empty() ? shipped : named_lessons(scenes, shipped);
 }
 
-BenchPlan plan_of(const Options& options) {
+BenchPlan plan_of(const BenchOptions& options) {
     BenchPlan plan;
     for (const std::string& name : options.methods) {
         plan.methods.push_back(std::ranges::find(kMethods, name, &MethodName::name)->method);
@@ -165,7 +165,7 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
     return result;
 }
 
-Exit bench_command(const Options& options, const Streams& streams) {
+Exit bench_command(const BenchOptions& options, const Streams& streams) {
     if (options.hard) { return bench_hard(options.scenes, options.output, streams); }
     if (options.output == "markdown") {
         throw CommandError(
@@ -212,7 +212,7 @@ Exit bench_command(const Options& options, const Streams& streams) {
 
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("bench", "what a digit costs, method by method; the hard cases");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchOptions>();
     command
         ->add_option(
             "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped")

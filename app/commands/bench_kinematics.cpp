@@ -14,7 +14,7 @@ namespace jw {
 namespace {
 
 /// Files as given, or by their name in the catalogue; by default all of it but what fails on purpose.
-std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
+std::vector<std::filesystem::path> driven_files_of(const std::vector<std::string>& scenes) {
     std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder());
     if (!scenes.empty()) { return named_lessons(scenes, shipped); }
     std::erase_if(shipped, [](const auto& file) { return file.parent_path().filename() == "hard"; });
@@ -79,7 +79,7 @@ Exit bench_kinematics(
             << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,acceleration,"
                "missed\n";
     }
-    for (const std::filesystem::path& file : files_of(scenes)) {
+    for (const std::filesystem::path& file : driven_files_of(scenes)) {
         const auto scene = bench_kinematics(lesson_of(file, streams), file.stem().string());
         if (!scene) {
             if (scenes.empty()) { continue; }

@@ -13,7 +13,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct CheckOptions {
     std::vector<std::string> files;
     std::vector<std::string> tries;
     bool quiet = false;
@@ -38,7 +38,7 @@ void print(const ClaimResult& result, const Lesson& lesson, const Streams& strea
 }
 
 /// The lesson after `tries`, with the claims that can still be judged; says what was done.
-Lesson changed_lesson(const Lesson& written, const Options& options, const Streams& streams) {
+Lesson changed_lesson(const Lesson& written, const CheckOptions& options, const Streams& streams) {
     Session session(written);
     streams.out << tried_text(try_all(session, options.tries));
     Lesson changed = session.lesson();
@@ -50,7 +50,7 @@ Lesson changed_lesson(const Lesson& written, const Options& options, const Strea
     return changed;
 }
 
-Tally check_one(const std::string& file, const Options& options, const Streams& streams) {
+Tally check_one(const std::string& file, const CheckOptions& options, const Streams& streams) {
     Lesson lesson = lesson_of(file, streams);
     const bool claims_nothing = lesson.claims.empty();
     if (!options.tries.empty()) { lesson = changed_lesson(lesson, options, streams); }
@@ -68,7 +68,7 @@ Tally check_one(const std::string& file, const Options& options, const Streams& 
     return tally;
 }
 
-Exit check(const Options& options, const Streams& streams) {
+Exit check(const CheckOptions& options, const Streams& streams) {
     Exit exit = Exit::done;
     for (const std::string& file : options.files) {
         // the other files are checked all the same
@@ -87,7 +87,7 @@ Exit check(const Options& options, const Streams& streams) {
 
 void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckOptions>();
     command->add_option("FILE", options->files, "lesson files")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_flag("--quiet", options->quiet, "show only claims that fail");

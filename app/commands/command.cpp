@@ -6,6 +6,11 @@
 
 namespace jw {
 
+CommandError bad_option(const std::string& command, const std::string& message) {
+    return CommandError(
+        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise " + command + " --help");
+}
+
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
     ReadResult read = read_lesson_file(path);
     if (!read.lesson) { throw CommandError(Exit::bad_input, read.report()); }

@@ -29,6 +29,9 @@ private:
     Exit exit_;
 };
 
+/// What is wrong with an option of a command, with a hint at its help.
+CommandError bad_option(const std::string& command, const std::string& message);
+
 /// Where a command writes; tests give their own.
 struct Streams {
     std::ostream& out;

@@ -19,19 +19,16 @@ std::vector<std::string> coordinate_names() {
     return names;
 }
 
-CommandError bad_option(const std::string& message) {
-    return CommandError(
-        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise simulate --help");
-}
-
 /// What a method does not read is no use to whoever typed it.
 void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& method) {
     if (method.adaptive && options.step) {
         throw bad_option(
+            "simulate",
             "--step goes with methods of fixed steps; " + std::string(method.name) + " expects --tolerance");
     }
     if (!method.adaptive && options.tolerance) {
         throw bad_option(
+            "simulate",
             "--tolerance goes with adaptive methods; " + std::string(method.name) + " expects --step");
     }
 }
@@ -80,13 +77,13 @@ void apply(const DynamicsOptions& options, SimulationSettings& settings) {
     refuse_what_is_not_read(options, entry_of(settings.method));
     if (options.tolerance) {
         if (!is_tolerance(*options.tolerance)) {
-            throw bad_option("--tolerance is out of range; " + std::string(kToleranceRange));
+            throw bad_option("simulate", "--tolerance is out of range; " + std::string(kToleranceRange));
         }
         settings.tolerance = *options.tolerance;
     }
     if (options.step) {
         if (!std::isfinite(*options.step) || *options.step <= 0.0) {
-            throw bad_option("--step is not positive; expected a time in s");
+            throw bad_option("simulate", "--step is not positive; expected a time in s");
         }
         settings.step = *options.step;
     }

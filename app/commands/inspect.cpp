@@ -13,7 +13,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct InspectOptions {
     std::string file;
     std::vector<std::string> tries;
     std::optional<int> step;
@@ -32,7 +32,7 @@ CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
     return lesson.coordinates;
 }
 
-Inspection inspected(const Options& options, const Lesson& lesson) {
+Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     const CoordinateChoice choice = choice_of(options.coordinates, lesson);
     if (options.as_given) { return inspect_as_given(lesson, choice); }
     if (options.time) {
@@ -55,7 +55,7 @@ Inspection inspected(const Options& options, const Lesson& lesson) {
     return inspect_step(story, options.step.value_or(last), choice);
 }
 
-Exit inspect(const Options& options, const Streams& streams) {
+Exit inspect(const InspectOptions& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     const Inspection inspection = inspected(options, lesson);
@@ -74,7 +74,7 @@ Exit inspect(const Options& options, const Streams& streams) {
 void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
         "inspect", "every number of the equations at one moment; default: all put together");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     auto* step =

@@ -12,7 +12,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct NewtonChoices {
     std::string file;
     std::vector<std::string> tries;
     std::string at;
@@ -28,7 +28,7 @@ std::size_t place_in(const Names& names, const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(names, name) - std::begin(names));
 }
 
-NewtonPlan plan_of(const Options& options, const Lesson& lesson) {
+NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     NewtonPlan plan;
     plan.by_method = options.compare == "methods";
     plan.choice = options.coordinates.empty()
@@ -64,7 +64,7 @@ int start_of(const Story& story, const std::string& at) {
     return start;
 }
 
-Exit newton(const Options& options, const Streams& streams) {
+Exit newton(const NewtonChoices& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Story story(tried.lesson, poses_only());
     const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, tried.lesson));
@@ -86,7 +86,7 @@ Exit newton(const Options& options, const Streams& streams) {
 void add_newton(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("newton", "Newton's method in several ways from the same start, side by side");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NewtonChoices>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--at", options->at, "the joint or driver that is closed; default: the last one")

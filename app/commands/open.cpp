@@ -14,7 +14,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct OpenOptions {
     std::string file;
     std::string at;
     std::vector<std::string> tries;
@@ -48,7 +48,7 @@ host::Tab tab_of(const std::string& name) {
     return name == "newton" ? host::Tab::newton : host::Tab::step;
 }
 
-Exit open(const Options& options, const Streams& streams) {
+Exit open(const OpenOptions& options, const Streams& streams) {
     static const std::regex form("([0-9]{3,5})x([0-9]{3,5})");
     std::smatch match;
     if (!std::regex_match(options.size, match, form)) {
@@ -90,7 +90,7 @@ Exit open(const Options& options, const Streams& streams) {
 
 void add_open(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("open", "open the window, with a lesson or the list of lessons");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<OpenOptions>();
     command->add_option("FILE", options->file, "lesson file; without it the lessons are shown")
         ->type_name("");
     command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")

@@ -15,7 +15,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct PlotOptions {
     std::string file;
     std::vector<std::string> tries;
     std::string of = "quantities";
@@ -25,32 +25,32 @@ struct Options {
     std::string size = "1280x720";
 };
 
-constexpr int kSmallest = 320;
-constexpr int kLargest = 3840;
+constexpr int kSmallestPlot = 320;
+constexpr int kLargestPlot = 3840;
 
 CommandError bad(const std::string& message, const std::string& hint = {}) {
     return CommandError(
         Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
 }
 
-struct Size {
+struct PlotSize {
     int width = 0;
     int height = 0;
 };
 
-Size size_of(const std::string& text) {
+PlotSize plot_size_of(const std::string& text) {
     static const std::regex form("([0-9]{3,4})x([0-9]{3,4})");
     std::smatch match;
-    const auto fits = [](int n) { return n >= kSmallest && n <= kLargest; };
+    const auto fits = [](int n) { return n >= kSmallestPlot && n <= kLargestPlot; };
     if (std::regex_match(text, match, form)) {
-        const Size size{std::stoi(match[1]), std::stoi(match[2])};
+        const PlotSize size{std::stoi(match[1]), std::stoi(match[2])};
         if (fits(size.width) && fits(size.height)) { return size; }
     }
     throw bad("--size " + in_quotes(text) + "; expected WIDTHxHEIGHT in pixels, each from 320 to 3840");
 }
 
 /// The joint whose pairs are plotted: the one named, else the one that the story is about.
-int joint_of(const Options& options, const Story& story) {
+int joint_of(const PlotOptions& options, const Story& story) {
     std::vector<std::string> names;
     for (const Joint& joint : story.lesson().mechanism.joints) { names.push_back(joint.name); }
     if (options.joint.empty()) { return std::max(0, story.featured_joint()); }
@@ -63,7 +63,7 @@ int joint_of(const Options& options, const Story& story) {
     return static_cast<int>(found - names.begin());
 }
 
-SeriesSet set_of(const Options& options, const Story& story) {
+SeriesSet set_of(const PlotOptions& options, const Story& story) {
     if (options.of == "quantities") { return motion_series(story); }
     if (options.of == "residuals") { return newton_series(story); }
     if (options.of == "singular-values") { return singular_value_series(story); }
@@ -103,8 +103,8 @@ const char* title_of(const std::string& of) {
     return of == "conditions" ? "condition of the pairs over time" : "singular values over time";
 }
 
-Exit plot(const Options& options, const Streams& streams) {
-    const Size size = size_of(options.size);
+Exit plot(const PlotOptions& options, const Streams& streams) {
+    const PlotSize size = plot_size_of(options.size);
     const bool is_csv = options.out.ends_with(".csv");
     if (!is_csv && !options.out.ends_with(".png")) {
         throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
@@ -139,7 +139,7 @@ Exit plot(const Options& options, const Streams& streams) {
 
 void add_plot(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("plot", "curves over time or iterations, as a picture or a table");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlotOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--of", options->of, "quantities, residuals, singular-values or conditions")

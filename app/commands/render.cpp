@@ -15,7 +15,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
     std::string file;
     std::vector<std::string> tries;
     std::string out;
@@ -66,7 +66,7 @@ int intervals_of(const Lesson& lesson, double fps) {
     return std::max(1, static_cast<int>(std::lround(motion->duration * fps)));
 }
 
-Exit render_command(const Options& options, const Streams& streams) {
+Exit render_command(const RenderOptions& options, const Streams& streams) {
     const Size size = size_of(options.size);
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
@@ -112,7 +112,7 @@ Exit render_command(const Options& options, const Streams& streams) {
 void add_render(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--out", options->out, "folder for the pictures and manifest.json; made if needed")

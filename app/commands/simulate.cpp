@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct SimulateOptions {
     std::string file;
     std::vector<std::string> tries;
     std::optional<double> duration;
@@ -26,12 +26,7 @@ struct Options {
     std::string output = "csv";
 };
 
-CommandError bad_option(const std::string& message) {
-    return CommandError(
-        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise simulate --help");
-}
-
-DynamicsRequest request_for(const Options& options, const Lesson& lesson) {
+DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson) {
     DynamicsRequest request = request_of(lesson);
     apply(options.dynamics, request.settings);
     request.reactions = options.reactions;
@@ -39,14 +34,16 @@ DynamicsRequest request_for(const Options& options, const Lesson& lesson) {
     request.samples = options.samples.value_or(request.samples);
     if (!std::isfinite(request.duration) || request.duration <= 0.0) {
         throw bad_option(
+            "simulate",
             "--duration is " + short_number(request.duration) + "; expected a time above 0, in s");
     }
     if (!entry_of(request.settings.method).adaptive &&
         request.duration / request.settings.step > kMostFixedSteps) {
-        throw bad_option("--step asks for more than ten million steps; expected a longer one");
+        throw bad_option("simulate", "--step asks for more than ten million steps; expected a longer one");
     }
     if (request.samples < 1 || request.samples > 1'000'000) {
-        throw bad_option("--samples is " + std::to_string(request.samples) + "; expected 1 to 1000000");
+        throw bad_option(
+            "simulate", "--samples is " + std::to_string(request.samples) + "; expected 1 to 1000000");
     }
     return request;
 }
@@ -72,7 +69,7 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
         {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
 }
 
-Exit simulate_command(const Options& options, const Streams& streams) {
+Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     streams.err << tried_text(tried.done);
@@ -112,7 +109,7 @@ Exit simulate_command(const Options& options, const Streams& streams) {
 
 void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("simulate", "motion under masses and forces, as a table");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SimulateOptions>();
     command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--duration", options->duration, "time to simulate [s]; default: the lesson's")

@@ -13,7 +13,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct SolveOptions {
     std::string file;
     std::vector<std::string> tries;
     std::string analysis = "position";
@@ -26,11 +26,7 @@ struct Options {
 // a table of more rows than this is a slip of a decimal point
 constexpr double kMostRows = 1e6;
 
-CommandError bad_option(const std::string& message) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise solve --help");
-}
-
-SweepPlan plan_of(const Options& options, const Lesson& lesson) {
+SweepPlan plan_of(const SolveOptions& options, const Lesson& lesson) {
     const MotionPlan lesson_plan = lesson.motion.value_or(MotionPlan{});
     SweepPlan plan;
     plan.analysis = options.analysis == "position"
@@ -40,12 +36,14 @@ SweepPlan plan_of(const Options& options, const Lesson& lesson) {
     plan.to = options.to.value_or(std::max(lesson_plan.to, plan.from));
     plan.step = options.step.value_or((lesson_plan.to - lesson_plan.from) / lesson_plan.steps);
     if (!std::isfinite(plan.from) || !std::isfinite(plan.to) || !std::isfinite(plan.step)) {
-        throw bad_option("--from, --to and --step must be finite numbers");
+        throw bad_option("solve", "--from, --to and --step must be finite numbers");
     }
-    if (plan.to < plan.from) { throw bad_option("--to is before --from; expected a time at or after it"); }
-    if (plan.step <= 0.0) { throw bad_option("--step is not positive; expected a time in s"); }
+    if (plan.to < plan.from) {
+        throw bad_option("solve", "--to is before --from; expected a time at or after it");
+    }
+    if (plan.step <= 0.0) { throw bad_option("solve", "--step is not positive; expected a time in s"); }
     if ((plan.to - plan.from) / plan.step > kMostRows) {
-        throw bad_option("--step is so small that there would be more than a million rows");
+        throw bad_option("solve", "--step is so small that there would be more than a million rows");
     }
     return plan;
 }
@@ -59,7 +57,8 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
     }
 }
 
-void write_json(const Sweep& sweep, const LessonTried& tried, const Options& options, std::ostream& out) {
+void write_json(
+    const Sweep& sweep, const LessonTried& tried, const SolveOptions& options, std::ostream& out) {
     const Lesson& lesson = tried.lesson;
     Json rows = Json::array();
     for (const SweepRow& row : sweep.rows) {
@@ -95,7 +94,7 @@ void warn(const Sweep& sweep, Analysis analysis, const Streams& streams) {
     }
 }
 
-Exit solve_command(const Options& options, const Streams& streams) {
+Exit solve_command(const SolveOptions& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     streams.err << tried_text(tried.done);
@@ -121,7 +120,7 @@ Exit solve_command(const Options& options, const Streams& streams) {
 void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SolveOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--analysis", options->analysis, "position, velocity or acceleration")

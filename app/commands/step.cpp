@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct StepOptions {
     std::string file;
     std::vector<std::string> tries;
     int until = -1;
@@ -35,7 +35,7 @@ std::vector<int> told_steps(const Story& story, int until) {
     return all;
 }
 
-Exit step(const Options& options, const Streams& streams) {
+Exit step(const StepOptions& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     ProgressBar bar(streams, "following the motion");
@@ -69,7 +69,7 @@ Exit step(const Options& options, const Streams& streams) {
 
 void add_step(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("step", "tell a lesson joint by joint");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StepOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--until", options->until, "last step to show")

@@ -9,13 +9,13 @@ namespace jw {
 
 namespace {
 
-struct Options {
+struct TryOptions {
     std::string file;
     std::vector<std::string> tries;
     std::string format = "text";
 };
 
-Exit try_command(const Options& options, const Streams& streams) {
+Exit try_command(const TryOptions& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
     Session session(lesson);
     session.apply(GoTo{session.story().last_assembled()});
@@ -36,7 +36,7 @@ Exit try_command(const Options& options, const Streams& streams) {
 void add_try(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
         "try", "what can be tried in a lesson, and what it would do to rank and condition");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TryOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
     command->add_option("--format", options->format, "text or json")

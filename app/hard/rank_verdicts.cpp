@@ -12,7 +12,7 @@ namespace jw::hard {
 
 namespace {
 
-constexpr int kTurns = 50;
+constexpr int kRotations = 50;
 
 /// What a rank on paper often is taken of: Φq in (r, p) without the rows pᵀp = 1.
 int rank_without_normalisation(const Mechanism& mechanism) {
@@ -48,7 +48,7 @@ Result loops_turned_at_random() {
         const Mechanism mechanism = assembled_mechanism(loop.lesson);
         const VectorX before = pair_singular_values(mechanism);
         least_counted = std::min(least_counted, mobility_by_counting(mechanism));
-        for (int k = 0; k < kTurns; ++k) {
+        for (int k = 0; k < kRotations; ++k) {
             const Mechanism now = moved_rigidly(mechanism, dice.turn());
             verdicts.add(loop, verdict_on(now));
             verdicts.add_naive(loop, rank_without_normalisation(now));
@@ -60,7 +60,7 @@ Result loops_turned_at_random() {
         "counting says that all four are frames, and (r, p) without the rows pᵀp = 1 shows too many "
         "independent equations: a change of |p| passes for a freedom.";
     result.ours = "the same verdict in every position, with the redundant equations named.";
-    const double all = double(kKnownLoops.size()) * kTurns;
+    const double all = double(kKnownLoops.size()) * kRotations;
     // (r, p) happens to be right where all axes are parallel and global: not where the scene is turned
     result.measurements.push_back(of_both(
         "right ranks, of 200", double(verdicts.naive_right), at_most(50.0), double(verdicts.right),
@@ -84,7 +84,7 @@ Result long_and_short_vectors() {
     for (const KnownLoop& loop : kKnownLoops) {
         const Mechanism mechanism = assembled_mechanism(loop.lesson);
         const VectorX before = verdict_on(mechanism).singular_values;
-        for (int k = 0; k < kTurns; ++k) {
+        for (int k = 0; k < kRotations; ++k) {
             const Mechanism now = with_vectors_of_any_length(mechanism, dice);
             const RankReport report = verdict_on(now);
             verdicts.add(loop, report);
@@ -100,7 +100,7 @@ Result long_and_short_vectors() {
         "an equation of two short vectors is small all over and passes for zero; one of two long vectors is "
         "so large that its rounding passes for an equation.";
     result.ours = "the numbers are those of unit vectors.";
-    const double all = double(kKnownLoops.size()) * kTurns;
+    const double all = double(kKnownLoops.size()) * kRotations;
     // elimination with full pivoting survives where the lengths happen to be alike
     result.measurements.push_back(of_both(
         "right ranks, of 200", double(verdicts.naive_right), at_most(0.8 * all), double(verdicts.right),

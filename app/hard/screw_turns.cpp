@@ -12,7 +12,7 @@ namespace jw::hard {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTurns = 1000.0;
+constexpr double kTurnsOfScrew = 1000.0;
 constexpr double kTurnsPerSecond = 0.5;  // of the lesson's driver
 
 Lesson screw_lesson(ScrewAngleForm form) {
@@ -103,7 +103,7 @@ Result a_thousand_turns() {
     double naive = 0.0;
     double ours = 0.0;
     int lost = 0;
-    for (int k = 1; k <= 4 * int(kTurns); ++k) {
+    for (int k = 1; k <= 4 * int(kTurnsOfScrew); ++k) {
         const double t = 0.25 * k / kTurnsPerSecond;
         if (!tracker.advance_to(t)) {
             ++lost;

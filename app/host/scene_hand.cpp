@@ -11,7 +11,7 @@ namespace jw::host {
 namespace {
 
 constexpr double kTurnPerPixel = 0.006;
-constexpr double kZoomPerNotch = 1.15;
+constexpr double kCloserPerNotch = 1.15;
 constexpr double kTurnSeconds = 0.3;
 constexpr float kClick = 3.0F;  // pixels: less is a click, not a drag
 
@@ -82,7 +82,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double 
             ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
         if (over && right) { press(ui, viewport, true); }
         if (over && io.MouseWheel != 0.0F) {
-            const double factor = std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel));
+            const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
             camera_ = render::zoomed(
                 camera_, viewport, factor, static_cast<double>(io.MousePos.x),
                 static_cast<double>(io.MousePos.y), size);

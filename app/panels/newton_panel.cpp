@@ -13,7 +13,7 @@ namespace jw::panels {
 namespace {
 
 /// Right edges of numbers and left edges of words, in parts of the width.
-struct Columns {
+struct Places {
     float k = 0.045F;
     float phi = 0.175F;
     float label = 0.205F;
@@ -23,7 +23,7 @@ struct Columns {
     float fraction = 0.92F;
     float rank = 1.0F;
 };
-constexpr Columns kColumns;
+constexpr Places kPlaces;
 constexpr float kNoteGap = 0.03F;
 
 // the part taken says it already
@@ -45,21 +45,21 @@ struct Line {
     }
 };
 
-void draw_names(const Canvas& canvas, const Box& box) {
+void draw_head(const Canvas& canvas, const Box& box) {
     const Line line{canvas, box, box.y, theme::kSoft};
-    line.number(kColumns.k, "k");
-    line.number(kColumns.phi, "‖Φ‖");
-    line.words(kColumns.label, kColumns.value, "largest equation");
-    line.number(kColumns.delta, "‖Δq‖");
-    line.number(kColumns.turn, "turn");
-    line.number(kColumns.fraction, "part");
-    line.number(kColumns.rank, "rank");
+    line.number(kPlaces.k, "k");
+    line.number(kPlaces.phi, "‖Φ‖");
+    line.words(kPlaces.label, kPlaces.value, "largest equation");
+    line.number(kPlaces.delta, "‖Δq‖");
+    line.number(kPlaces.turn, "turn");
+    line.number(kPlaces.fraction, "part");
+    line.number(kPlaces.rank, "rank");
 }
 
 bool is_worth_a_line(const Canvas& canvas, const Box& box, const NewtonRow& row) {
     if (row.note.empty()) { return false; }
     if (row.stepped) { return row.note != kStepLimited; }
-    const float room = (kColumns.rank - kColumns.value - kNoteGap) * box.width;
+    const float room = (kPlaces.rank - kPlaces.value - kNoteGap) * box.width;
     return canvas.text_width(canvas.fonts().small, row.note) > room;
 }
 
@@ -70,10 +70,10 @@ void draw_current_mark(const Canvas& canvas, const Box& row) {
 }
 
 void draw_step(const Line& line, const NewtonRow& row) {
-    line.number(kColumns.delta, small_text(row.delta_norm));
-    line.number(kColumns.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
-    line.number(kColumns.fraction, number_text(row.fraction, 2));
-    line.number(kColumns.rank, std::to_string(row.rank));
+    line.number(kPlaces.delta, small_text(row.delta_norm));
+    line.number(kPlaces.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
+    line.number(kPlaces.fraction, number_text(row.fraction, 2));
+    line.number(kPlaces.rank, std::to_string(row.rank));
 }
 
 /// @return height taken
@@ -87,16 +87,16 @@ float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool 
     const Line line{canvas, box, box.y, theme::kInk};
     const std::string value = small_text(row.largest_value);
     const float value_room = canvas.text_width(small, value) + canvas.px(8.0F);
-    line.number(kColumns.k, std::to_string(row.iteration));
-    line.number(kColumns.phi, small_text(row.phi_norm));
-    line.words(kColumns.label, kColumns.value - value_room / box.width, row.largest_row);
-    line.number(kColumns.value, value);
+    line.number(kPlaces.k, std::to_string(row.iteration));
+    line.number(kPlaces.phi, small_text(row.phi_norm));
+    line.words(kPlaces.label, kPlaces.value - value_room / box.width, row.largest_row);
+    line.number(kPlaces.value, value);
     if (row.stepped) { draw_step(line, row); }
     if (second_line) {
         const Line below{canvas, box, box.y + height - canvas.px(2.0F), theme::kWarning};
-        below.words(kColumns.label, kColumns.rank, row.note);
+        below.words(kPlaces.label, kPlaces.rank, row.note);
     } else if (!row.stepped) {
-        line.words(kColumns.value + kNoteGap, kColumns.rank, row.note);
+        line.words(kPlaces.value + kNoteGap, kPlaces.rank, row.note);
     }
     return total;
 }
@@ -113,7 +113,7 @@ float newton_panel(
     const std::size_t first = rows.size() > most ? rows.size() - most : 0;
     const std::string note = first > 0 ? std::to_string(first) + " earlier not shown" : "Φq Δq = −Φ";
     float height = heading(canvas, box, "Newton–Raphson", note);
-    draw_names(canvas, {box.x, box.y + height, box.width, 0.0F});
+    draw_head(canvas, {box.x, box.y + height, box.width, 0.0F});
     height += canvas.line_height(canvas.fonts().small) + canvas.px(3.0F);
     for (std::size_t k = first; k < rows.size(); ++k) {
         const Box rest{box.x, box.y + height, box.width, 0.0F};

@@ -10,9 +10,9 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kHighBox = 18.0F;  // in lines: has room for a second row
-constexpr float kCrowded = 0.6F;   // of the width, taken by names
-constexpr float kGap = 8.0F;       // between names
+constexpr float kHighBox = 18.0F;    // in lines: has room for a second row
+constexpr float kCrowded = 0.6F;     // of the width, taken by names
+constexpr float kGapOfNames = 8.0F;  // between names
 
 /// The lowest row in which `mark` has room between those that are placed.
 bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Box>& placed, PlotMark& mark) {
@@ -23,7 +23,7 @@ bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Bo
     const float left = std::clamp(mark.x - 0.5F * width, strip.x, strip.right() - width);
     for (int row = rows - 1; row >= 0; --row) {
         mark.box = {std::round(left), strip.y + static_cast<float>(row) * line, width, line};
-        const Box roomy = shrunk(mark.box, -0.5F * canvas.px(kGap), 0.0F);
+        const Box roomy = shrunk(mark.box, -0.5F * canvas.px(kGapOfNames), 0.0F);
         if (std::ranges::any_of(placed, [&](const Box& b) { return overlap(b, roomy); })) { continue; }
         placed.push_back(roomy);
         return true;

@@ -20,7 +20,7 @@ float column(std::size_t k) {
     return first + width * static_cast<float>(k);
 }
 
-void draw_names(const Canvas& canvas, const Box& row) {
+void draw_price_names(const Canvas& canvas, const Box& row) {
     const ImFont* const small = canvas.fonts().small;
     canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, "ms to come within");
     const auto name = [&](std::size_t k, const std::string& text) {
@@ -54,7 +54,7 @@ ComparisonLayout price_panel(
     cut_top(rest, heading(canvas, rest, "Speed against error", note));
     ComparisonParts parts;
     parts.rows = prices.rows.size();
-    parts.draw_names = [&](const Box& line) { draw_names(canvas, line); };
+    parts.draw_names = [&](const Box& line) { draw_price_names(canvas, line); };
     parts.draw_row = [&](const Box& line, std::size_t row, const CurveStyle& style) {
         draw_row(canvas, line, prices.rows[row], style);
     };

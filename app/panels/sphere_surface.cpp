@@ -13,8 +13,8 @@ namespace jw::panels {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kRings = 30;   // triangles of about 4 px on a sphere of 120 px radius
-constexpr int kSpokes = 96;  // as long along the rim
+constexpr int kRingsOfSphere = 30;  // triangles of about 4 px on a sphere of 120 px radius
+constexpr int kSpokes = 96;         // as long along the rim
 constexpr int kLineParts = 120;
 
 constexpr std::array kContours{0.2, 0.4, 0.577, 0.8};
@@ -104,7 +104,7 @@ void draw_shading(const Canvas& canvas, const SphereView& view, PairInUse pair) 
         Colour colour;
     };
     const auto corner = [&](int ring, int spoke) {
-        const double tilt = 0.5 * kPi * ring / kRings;
+        const double tilt = 0.5 * kPi * ring / kRingsOfSphere;
         const double angle = 2.0 * kPi * spoke / kSpokes;
         const Vec3 d = std::sin(tilt) * (std::cos(angle) * view.right + std::sin(angle) * view.up) +
                        std::cos(tilt) * view.towards;
@@ -116,7 +116,7 @@ void draw_shading(const Canvas& canvas, const SphereView& view, PairInUse pair) 
     std::array<Corner, kSpokes + 1> inner;
     std::array<Corner, kSpokes + 1> outer;
     inner.fill(corner(0, 0));
-    for (int ring = 1; ring <= kRings; ++ring) {
+    for (int ring = 1; ring <= kRingsOfSphere; ++ring) {
         for (int spoke = 0; spoke <= kSpokes; ++spoke) {
             outer[static_cast<std::size_t>(spoke)] = corner(ring, spoke);
         }

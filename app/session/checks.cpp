@@ -16,7 +16,6 @@ namespace jw {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 // poses "around" a singular one: far enough for its singular value to be plain, near enough to be its
 // neighbours
 constexpr double kNearby = 1e-2;
@@ -209,7 +208,7 @@ void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
     const double found = measured(claim.quantity, pose, claim.derivative);
     double difference = found - claim.value;
     if (is_plain_angle(claim)) { difference = std::remainder(difference, 2.0 * std::numbers::pi); }
-    const double factor = claim.in_degrees ? kDegree : 1.0;
+    const double factor = claim.in_degrees ? kDegreesPerRadian : 1.0;
     const std::string unit = unit_text(claim);
     result.subject =
         claim.text + (claim.derivative == 0 ? "" : (claim.derivative == 1 ? " rate" : " acceleration"));

@@ -13,7 +13,7 @@ namespace jw {
 
 namespace {
 
-constexpr int kMoments = 200;
+constexpr int kFramesOfBench = 200;
 constexpr int kRepeats = 5;
 
 struct Instant {
@@ -47,8 +47,8 @@ std::vector<Instant> moments_of(System system, const State& start, const MotionP
     MotionTracker tracker(system, start, plan.from);
     Kinematics<OmegaLocal> kinematics(system);
     std::vector<Instant> moments;
-    for (int k = 0; k <= kMoments; ++k) {
-        const double t = plan.from + (plan.to - plan.from) * k / kMoments;
+    for (int k = 0; k <= kFramesOfBench; ++k) {
+        const double t = plan.from + (plan.to - plan.from) * k / kFramesOfBench;
         if (!tracker.advance_to(t)) { return {}; }
         moments.push_back(corrected(kinematics, tracker.frame()));
     }
@@ -104,7 +104,7 @@ KinematicsRun dense(System system, const std::vector<Instant>& moments) {
     NewtonStepper<C> newton(system);
     Kinematics<C> kinematics(system);
     const Errors errors(system, moments);
-    const double count = kMoments;
+    const double count = kFramesOfBench;
     KinematicsRun run;
     run.coordinates = kChoices[static_cast<std::size_t>(C::kChoice)];
     run.microseconds = std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ KinematicsRun by_graph(System system, const std::vector<Instant>& moments) {
             const MotionFrame& frame = tracker.frame();
             errors.take(run, {frame.t, frame.state, frame.velocity, frame.acceleration}, moments[k]);
         }
-        run.microseconds = std::min(run.microseconds, 1e6 * seconds / kMoments);
+        run.microseconds = std::min(run.microseconds, 1e6 * seconds / kFramesOfBench);
     }
     return run;
 }
@@ -180,7 +180,11 @@ std::optional<KinematicsScene> bench_kinematics(const Lesson& lesson, const std:
     if (moments.empty()) { return std::nullopt; }
 
     KinematicsScene scene{
-        name, static_cast<int>(start.system->moving_bodies().size()), start.system->rows(), kMoments, {}};
+        name,
+        static_cast<int>(start.system->moving_bodies().size()),
+        start.system->rows(),
+        kFramesOfBench,
+        {}};
     add_dense_runs(*start.system, moments, "selected", scene.runs);
     Mechanism paired = lesson.mechanism;
     for (Joint& joint : paired.joints) {

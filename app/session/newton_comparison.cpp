@@ -49,14 +49,6 @@ SeriesSet residuals_of(const std::vector<NewtonRun>& runs) {
 }
 
 /// "a", "a and b", "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        text += (k == 0 ? "" : (k + 1 == names.size() ? " and " : ", ")) + names[k];
-    }
-    return text;
-}
-
 std::string summary_of(const std::vector<NewtonRun>& runs) {
     std::vector<std::string> first;
     std::vector<std::string> wrong;

@@ -1,7 +1,6 @@
 #include "app/session/newton_runs.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "app/session/describe.hpp"
 #include "app/session/explanations.hpp"
@@ -12,7 +11,6 @@ namespace jw {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr int kNameWidth = 22;
 constexpr int kColumn = 22;
 
@@ -24,7 +22,7 @@ NewtonRun run_of(const NewtonTrace& trace, const std::string& name) {
     run.wrong_branch = trace.wrong_branch.has_value();
     for (const NewtonIterate& iterate : trace.iterates) {
         run.phi_norms.push_back(iterate.phi_norm);
-        run.turns_deg.push_back(iterate.turn * kDegree);
+        run.turns_deg.push_back(iterate.turn * kDegreesPerRadian);
     }
     return run;
 }

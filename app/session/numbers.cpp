@@ -46,4 +46,13 @@ std::string count_text(int count, const std::string& singular, const std::string
     return std::to_string(count) + " " + (count == 1 ? singular : (plural.empty() ? singular + "s" : plural));
 }
 
+std::string listed(const std::vector<std::string>& items) {
+    std::string text;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        text += k == 0 ? "" : (k + 1 == items.size() ? " and " : ", ");
+        text += items[k];
+    }
+    return text;
+}
+
 }  // namespace jw

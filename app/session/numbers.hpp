@@ -1,11 +1,15 @@
 #pragma once
 
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/linear.hpp"
 
 /// Numbers as people read them.
 namespace jw {
+
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// Up to `digits` significant digits, "0" for anything below 1e-15; no exponent between 1e-3 and 1e5.
 std::string number_text(double value, int digits = 4);
@@ -17,5 +21,7 @@ std::string small_text(double value);
 std::string vector_text(const Vec3& v, int digits = 4);
 /// "1 equation", "3 equations"
 std::string count_text(int count, const std::string& singular, const std::string& plural = {});
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& items);
 
 }  // namespace jw

@@ -8,7 +8,7 @@ namespace jw::picture {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr render::Colour kWire = render::from_hex(0x5B6672);
 constexpr double kWireWidth = 2.4;
 /// Sizes in the unit of the picture, shares of the length.
@@ -36,7 +36,7 @@ void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, rend
     const int count = kCoils * kPointsOfCoil;
     std::vector<Vec3> points{from};
     for (int k = 0; k <= count; ++k) {
-        const double angle = kTurn * k / kPointsOfCoil;
+        const double angle = kWholeTurn * k / kPointsOfCoil;
         const double along = kStraightEnd + (1.0 - 2.0 * kStraightEnd) * k / count;
         // the wire leaves the axis and comes back to it within a coil
         const double out = radius * std::min(1.0, std::min(k, count - k) / (0.5 * kPointsOfCoil));
@@ -63,7 +63,7 @@ void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& 
     std::vector<Vec3> points;
     for (int k = 0; k <= count; ++k) {
         const double share = static_cast<double>(k) / count;
-        const double angle = (1.0 - share) * theta + share * kTurn * kSpiralTurns;
+        const double angle = (1.0 - share) * theta + share * kWholeTurn * kSpiralTurns;
         const double radius = style.unit * (kInnermost + share * (kOutermost - kInnermost));
         points.push_back(centre + radius * (std::cos(angle) * j.u_i + std::sin(angle) * v));
     }

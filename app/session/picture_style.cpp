@@ -11,7 +11,7 @@ namespace {
 using namespace picture;
 
 // bounds of the motion from so many moments: between them nothing goes far
-constexpr std::size_t kMoments = 250;
+constexpr std::size_t kMomentsSeen = 250;
 // a Newton iteration that throws bodies away farther than this would make everything else small
 constexpr double kWildIteration = 1.6;
 // the ground's axes are shown if they do not make the mechanism small either
@@ -28,7 +28,7 @@ std::vector<int> moments_of(const Story& story) {
         const bool moves = story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::motion;
         (moves ? motion : chosen).push_back(k);
     }
-    const std::size_t stride = 1 + motion.size() / kMoments;
+    const std::size_t stride = 1 + motion.size() / kMomentsSeen;
     for (std::size_t k = 0; k < motion.size(); k += stride) { chosen.push_back(motion[k]); }
     if (!motion.empty()) { chosen.push_back(motion.back()); }
     return chosen;

@@ -1,13 +1,11 @@
 #include "app/session/quantities.hpp"
+#include "app/session/numbers.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace jw {
 
 namespace {
-
-constexpr double kDegree = 180.0 / std::numbers::pi;
 
 struct Source {
     std::string name;
@@ -29,9 +27,9 @@ QuantityMotion measured_of(const Source& source, const Step& step) {
     QuantityMotion quantity{source.name, "m", source.driven, m.value, m.rate, m.acceleration};
     if (is_angle(source.measure)) {
         quantity.unit = "deg";
-        quantity.value *= kDegree;
-        quantity.rate *= kDegree;
-        quantity.acceleration *= kDegree;
+        quantity.value *= kDegreesPerRadian;
+        quantity.rate *= kDegreesPerRadian;
+        quantity.acceleration *= kDegreesPerRadian;
     } else if (std::holds_alternative<SquaredDistanceMeasure>(source.measure)) {
         const Measured distance = distance_of(m);
         quantity.value = distance.value;
@@ -92,7 +90,7 @@ std::vector<QuantityMotion> quantities_of(const Step& step) {
             step);
         if (std::holds_alternative<AngleMeasure>(driver.measure)) {
             // a driven angle goes on beyond half a turn as its function does
-            const double target = kDegree * driver.function.at(step.t).f;
+            const double target = kDegreesPerRadian * driver.function.at(step.t).f;
             quantity.value = target + std::remainder(quantity.value - target, 360.0);
         }
         quantities.push_back(std::move(quantity));

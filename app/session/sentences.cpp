@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
@@ -14,9 +13,8 @@ namespace jw {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 // rounding of a pose whose joints were given by one global point and axis
-constexpr double kHolds = 1e-12;
+constexpr double kMet = 1e-12;
 constexpr const char* kAllBefore = "the equations before";
 
 const Joint& joint_at(const Mechanism& mechanism, int index) {
@@ -35,15 +33,6 @@ std::string subject_name(const Lesson& lesson, const Addition& subject) {
 }
 
 /// "a, b and c"
-std::string listed(const std::vector<std::string>& items) {
-    std::string text;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        text += k == 0 ? "" : (k + 1 == items.size() ? " and " : ", ");
-        text += items[k];
-    }
-    return text;
-}
-
 std::string number_word(int n) {
     constexpr std::array words{"no", "one", "two", "three", "four", "five", "six"};
     return n >= 0 && n < 7 ? words[static_cast<std::size_t>(n)] : std::to_string(n);
@@ -115,7 +104,7 @@ std::string equations_sentence(const Lesson& lesson, const Step& step, const Add
     assembler.assemble_phi_and_jacobian(step.state, step.t);
     const auto size = [&](int row) { return std::abs(assembler.phi()(row)); };
     const int largest = *std::ranges::max_element(rows, {}, size);
-    if (size(largest) < kHolds) { return text + "they hold already."; }
+    if (size(largest) < kMet) { return text + "they hold already."; }
     return text + "the largest is " + row_label(system, largest) + " = " +
            number_text(assembler.phi()(largest), 3) + ".";
 }
@@ -127,8 +116,8 @@ std::string newton_sentence(const System& system, const NewtonStep& newton) {
                        ". Its step Φq Δq = −Φ, already taken in the picture, has length " +
                        small_text(newton.delta_norm);
     if (newton.turn > 0.0) {
-        text += " and turns no body by more than " + number_text(newton.fraction * newton.turn * kDegree, 3) +
-                "°";
+        text += " and turns no body by more than " +
+                number_text(newton.fraction * newton.turn * kDegreesPerRadian, 3) + "°";
     }
     if (newton.fraction < 1.0) {
         text += " (limited: " + number_text(100.0 * newton.fraction, 2) + " % of the full step)";

@@ -9,7 +9,8 @@ namespace jw {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a step: a last interval shorter than this is the rounding of the sum
+constexpr double kRoundingOfSum =
+    1e-9;  // of a step: a last interval shorter than this is the rounding of the sum
 
 void add_vector(std::vector<std::string>& columns, const std::string& prefix) {
     for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
@@ -88,10 +89,10 @@ SweepRow row_of(const System& system, const MotionFrame& frame, Analysis analysi
 
 std::vector<double> times_of(const SweepPlan& plan) {
     std::vector<double> times;
-    const auto whole = static_cast<long>(std::floor((plan.to - plan.from) / plan.step + kRounding));
+    const auto whole = static_cast<long>(std::floor((plan.to - plan.from) / plan.step + kRoundingOfSum));
     // products, not sums: the rounding of the last time is that of one multiplication
     for (long k = 0; k <= whole; ++k) { times.push_back(plan.from + static_cast<double>(k) * plan.step); }
-    if (plan.to - times.back() > kRounding * plan.step) { times.push_back(plan.to); }
+    if (plan.to - times.back() > kRoundingOfSum * plan.step) { times.push_back(plan.to); }
     return times;
 }
 

@@ -1,9 +1,8 @@
 #include "app/session/view.hpp"
 
-#include <numbers>
-
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
 #include "app/session/quantities.hpp"
 #include "app/session/sentences.hpp"
 #include "app/session/view_equations.hpp"
@@ -12,8 +11,6 @@
 namespace jw {
 
 namespace {
-
-constexpr double kDegree = 180.0 / std::numbers::pi;
 
 MatrixView matrix_of(
     const Step& step, CoordinateChoice choice, const RankReport& report, int joint, int driver) {
@@ -85,7 +82,7 @@ std::vector<NewtonRow> newton_rows_of(const Step& step) {
         row.largest_value = newton.largest_value;
         row.stepped = newton.rank > 0;  // neither when closed nor when given up
         row.delta_norm = newton.delta_norm;
-        row.turn_deg = newton.turn * kDegree;
+        row.turn_deg = newton.turn * kDegreesPerRadian;
         row.fraction = newton.fraction;
         row.rank = newton.rank;
         if (newton.converged) {

@@ -22,16 +22,16 @@ V3 vector_in(const json& list) {
     return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
-struct Body {
+struct PrintedBody {
     V3 r;
     V4 p;
     M3 A;
 };
 
 /// Equations of one entry of "constraints", the dropped one included.
-std::vector<Real> equations_of(const json& c, const Body& i, const Body& j, Real theta) {
+std::vector<Real> equations_of(const json& c, const PrintedBody& i, const PrintedBody& j, Real theta) {
     const json& data = c["data"];
-    const auto arm = [&](const Body& b, const char* key) { return V3(b.A * vector_in(data[key])); };
+    const auto arm = [&](const PrintedBody& b, const char* key) { return V3(b.A * vector_in(data[key])); };
     const auto between = [&](const char* from, const char* to) {
         return V3(j.r + arm(j, to) - i.r - arm(i, from));
     };
@@ -75,9 +75,9 @@ std::vector<Real> equations_of(const json& c, const Body& i, const Body& j, Real
 /// 0..2 of r, 3..6 of p.
 std::vector<Real> phi_of(
     const json& inspection, bool homogeneous, const std::string& moved, int k, Real shift) {
-    std::map<std::string, Body> bodies;
+    std::map<std::string, PrintedBody> bodies;
     for (const json& b : inspection["bodies"]) {
-        Body body;
+        PrintedBody body;
         body.r = vector_in(b["r"]);
         for (int e = 0; e < 4; ++e) { body.p(e) = b["p"][static_cast<std::size_t>(e)].get<double>(); }
         if (b["name"] == moved) { (k < 3 ? body.r(k) : body.p(k - 3)) += shift; }

@@ -3,20 +3,13 @@
 #include "app/session/story.hpp"
 #include "app/session/view.hpp"
 #include "core/assembler.hpp"
-#include "lessons/reader.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/session/catalogue_lessons.hpp"
 
 namespace jw::test {
 namespace {
 
-Lesson lesson_named(const std::string& name) {
-    ReadResult read = read_lesson_file(lesson_path(name));
-    INFO(read.report());
-    REQUIRE(read.lesson.has_value());
-    return std::move(*read.lesson);
-}
-
-StoryOptions without_motion() {
+StoryOptions no_motion() {
     StoryOptions options;
     options.with_motion = false;
     return options;
@@ -41,7 +34,7 @@ std::vector<View> assembled_views(const Story& story) {
 }  // namespace
 
 TEST_CASE("a story goes from the bodies joint by joint over the drivers to the motion", "[app][story]") {
-    const Lesson lesson = lesson_named("loops/four-bar.toml");
+    const Lesson lesson = lesson_named("loops/four-bar");
     const Story story(lesson);
     int additions = 0;
     Step::Kind last = Step::Kind::bodies;
@@ -73,8 +66,8 @@ TEST_CASE("a story goes from the bodies joint by joint over the drivers to the m
 
 TEST_CASE(
     "the last joint of a four-bar adds five equations of which three repeat the others", "[app][story]") {
-    const Lesson lesson = lesson_named("loops/four-bar.toml");
-    const Story story(lesson, without_motion());
+    const Lesson lesson = lesson_named("loops/four-bar");
+    const Story story(lesson, no_motion());
     const std::vector<View> views = assembled_views(story);
     REQUIRE(views.size() == 5);
     CHECK(views[0].rank.rank == 5);
@@ -91,8 +84,8 @@ TEST_CASE(
 }
 
 TEST_CASE("iterations of a step end below the tolerance and shrink quadratically", "[app][story]") {
-    const Lesson lesson = lesson_named("loops/four-bar.toml");
-    const Story story(lesson, without_motion());
+    const Lesson lesson = lesson_named("loops/four-bar");
+    const Story story(lesson, no_motion());
     for (const View& view : assembled_views(story)) {
         REQUIRE_FALSE(view.newton.empty());
         CHECK(view.newton.back().note == "closed");
@@ -105,7 +98,7 @@ TEST_CASE("iterations of a step end below the tolerance and shrink quadratically
 TEST_CASE(
     "every equation holds at every moment, left-out ones included, however large the intervals",
     "[app][story]") {
-    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     for (const int intervals : {2, 3, 5, 8, 100}) {
         const Story story(lesson, motion_in(intervals));
         REQUIRE(story.failure() == nullptr);
@@ -121,7 +114,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a view says so exactly where the choice of rows has changed", "[app][story]") {
-    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story story(lesson);
     int switches = 0;
     for (int k = 1; k < static_cast<int>(story.steps().size()); ++k) {
@@ -148,7 +141,7 @@ TEST_CASE("a lesson without motion ends when everything is put together", "[app]
 }
 
 TEST_CASE("views of one story are equal however often they are made", "[app][story]") {
-    const Lesson lesson = lesson_named("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story one(lesson);
     const Story two(lesson);
     REQUIRE(one.steps().size() == two.steps().size());

@@ -16,7 +16,7 @@ namespace {
 // 1e-14 for first and 1e-11 for second derivatives of functions of size 1 to 10.
 constexpr Real kFirstStep = 1e-4L;
 constexpr Real kSecondStep = 5e-4L;
-constexpr double kTolerance = 1e-9;
+constexpr double kDifferenceTolerance = 1e-9;
 
 Positions positions_of(const State& state) {
     Positions q;
@@ -117,7 +117,7 @@ void check_against_differences(
     const auto close = [](const VectorX& ours, const VX& theirs) {
         const VectorX reference = theirs.cast<double>();
         return (ours - reference).cwiseAbs().maxCoeff() <=
-               kTolerance * std::max(1.0, reference.cwiseAbs().maxCoeff());
+               kDifferenceTolerance * std::max(1.0, reference.cwiseAbs().maxCoeff());
     };
 
     CHECK(close(assembler.phi(), phi(none, none, 0, t0)));

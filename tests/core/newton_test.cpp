@@ -10,14 +10,14 @@ using test::radians;
 
 namespace {
 
-struct Scene {
+struct NamedScene {
     const char* name;
     Mechanism mechanism;
 };
 
 /// Driven so that the solution is one point; the loops have up to three redundant rows.
-std::vector<Scene> driven_scenes() {
-    std::vector<Scene> scenes{
+std::vector<NamedScene> named_scenes() {
+    std::vector<NamedScene> scenes{
         {"four-bar", test::four_bar_at(0.7)},
         {"four-bar R-S-C-R",
          test::four_bar_at(0.7, {}, {"revolute", "spherical", "cylindrical", "revolute"})},
@@ -26,7 +26,7 @@ std::vector<Scene> driven_scenes() {
         {"Bennett", test::bennett(0.7)},
         {"double Cardan", test::double_cardan(0.4, 0.3)},
         {"screw", test::screw(0.7, 0.25, ScrewAngleForm::rotation)}};
-    for (Scene& scene : scenes) {
+    for (NamedScene& scene : scenes) {
         const double angle = relative_angle(scene.mechanism.joints[0], start_state(scene.mechanism));
         test::drive_angle(scene.mechanism, 0, test::polynomial({angle}));
     }
@@ -47,7 +47,7 @@ std::vector<NewtonStep> steps_from(const System& system, const State& state) {
 TEMPLATE_TEST_CASE(
     "Near the solution every residual is bounded by the square of the one before", "[core][newton]",
     TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
-    for (const Scene& scene : driven_scenes()) {
+    for (const NamedScene& scene : named_scenes()) {
         const System system(scene.mechanism, everything(scene.mechanism));
         double worst = 0.0;
         for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -74,7 +74,7 @@ TEMPLATE_TEST_CASE(
 TEMPLATE_TEST_CASE(
     "An assembled scene needs no iteration and is not changed", "[core][newton]", TrueEulerParameters,
     ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
-    for (const Scene& scene : driven_scenes()) {
+    for (const NamedScene& scene : named_scenes()) {
         CAPTURE(scene.name);
         const System system(scene.mechanism, everything(scene.mechanism));
         NewtonStepper<TestType> stepper(system);
@@ -204,7 +204,7 @@ TEST_CASE("A start with NaN ends at once, not converged", "[core][newton]") {
 TEMPLATE_TEST_CASE(
     "Machines of a millimetre and of a kilometre, near and far from the origin, close in as many iterations",
     "[core][newton]", TrueEulerParameters, ModifiedEulerParameters, OmegaLocal, OmegaGlobal) {
-    for (const Scene& scene : driven_scenes()) {
+    for (const NamedScene& scene : named_scenes()) {
         test::Random random(6);
         const State off = test::disturbed(scene.mechanism, start_state(scene.mechanism), random, 0.1, 0.1);
         Mechanism start = scene.mechanism;

@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "tests/core/rows.hpp"
 #include "tests/support/singular_scenes.hpp"
 
 using namespace jw;
+using test::without_row;
 
 namespace {
-
-MatrixX without_row(const MatrixX& matrix, int row) {
-    MatrixX rest(matrix.rows() - 1, matrix.cols());
-    rest << matrix.topRows(row), matrix.bottomRows(matrix.rows() - row - 1);
-    return rest;
-}
 
 /// Every row in turn, by the singular values of what is left; 1e-7 is far from both 1e-16 and 1e-2.
 std::vector<int> removable_by_trial(const MatrixX& jacobian, int rank) {

@@ -10,7 +10,7 @@ using namespace jw;
 namespace {
 
 // some thirty products of numbers up to 10 and their sums
-constexpr double kTolerance = 1e-12;
+constexpr double kTableTolerance = 1e-12;
 
 struct Rows {
     MatrixX r_i, angular_i, r_j, angular_j;
@@ -177,13 +177,13 @@ TEMPLATE_TEST_CASE(
             constexpr Eigen::Index angular = TestType::kAngular;
             const MatrixX& J = assembler.jacobian();
             REQUIRE(table.gamma.size() == rows);
-            CHECK((J.block(0, 0, rows, 3) - table.r_i).cwiseAbs().maxCoeff() < kTolerance);
-            CHECK((J.block(0, 3, rows, angular) - table.angular_i).cwiseAbs().maxCoeff() < kTolerance);
-            CHECK((J.block(0, 3 + angular, rows, 3) - table.r_j).cwiseAbs().maxCoeff() < kTolerance);
+            CHECK((J.block(0, 0, rows, 3) - table.r_i).cwiseAbs().maxCoeff() < kTableTolerance);
+            CHECK((J.block(0, 3, rows, angular) - table.angular_i).cwiseAbs().maxCoeff() < kTableTolerance);
+            CHECK((J.block(0, 3 + angular, rows, 3) - table.r_j).cwiseAbs().maxCoeff() < kTableTolerance);
             CHECK(
                 (J.block(0, 6 + angular, rows, angular) - table.angular_j).cwiseAbs().maxCoeff() <
-                kTolerance);
-            CHECK((assembler.gamma().head(rows) - table.gamma).cwiseAbs().maxCoeff() < kTolerance);
+                kTableTolerance);
+            CHECK((assembler.gamma().head(rows) - table.gamma).cwiseAbs().maxCoeff() < kTableTolerance);
         }
     }
 }
@@ -218,18 +218,18 @@ TEST_CASE(
             const MatrixX true_p = J_true.middleCols<4>(7 * b + 3);
             const MatrixX modified_p = J_modified.middleCols<4>(7 * b + 3);
             const MatrixX local = J_local.middleCols<3>(6 * b + 3);
-            CHECK((0.5 * true_p * L_of(p).transpose() - local).cwiseAbs().maxCoeff() < kTolerance);
-            CHECK((0.5 * modified_p * L_of(p).transpose() - local).cwiseAbs().maxCoeff() < kTolerance);
+            CHECK((0.5 * true_p * L_of(p).transpose() - local).cwiseAbs().maxCoeff() < kTableTolerance);
+            CHECK((0.5 * modified_p * L_of(p).transpose() - local).cwiseAbs().maxCoeff() < kTableTolerance);
             const MatrixX global = J_global.middleCols<3>(6 * b + 3);
-            CHECK((local * rotation_matrix(p).transpose() - global).cwiseAbs().maxCoeff() < kTolerance);
+            CHECK((local * rotation_matrix(p).transpose() - global).cwiseAbs().maxCoeff() < kTableTolerance);
             // Φ_p^(m) = 2 Φ_ω′ L + (Φ_p^(m) p) pᵀ
             const MatrixX back = 2.0 * local * L_of(p) + (modified_p * p) * p.transpose();
-            CHECK((modified_p - back).cwiseAbs().maxCoeff() < kTolerance);
+            CHECK((modified_p - back).cwiseAbs().maxCoeff() < kTableTolerance);
             from_true += 0.25 * w.squaredNorm() * true_p * p;
             from_modified += 0.25 * w.squaredNorm() * modified_p * p;
         }
-        CHECK((from_true - gamma_local).cwiseAbs().maxCoeff() < kTolerance);
-        CHECK((from_modified - gamma_local).cwiseAbs().maxCoeff() < kTolerance);
-        CHECK((gamma_global - gamma_local).cwiseAbs().maxCoeff() < kTolerance);
+        CHECK((from_true - gamma_local).cwiseAbs().maxCoeff() < kTableTolerance);
+        CHECK((from_modified - gamma_local).cwiseAbs().maxCoeff() < kTableTolerance);
+        CHECK((gamma_global - gamma_local).cwiseAbs().maxCoeff() < kTableTolerance);
     }
 }

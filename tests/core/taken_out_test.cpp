@@ -3,11 +3,13 @@
 #include <limits>
 
 #include "core/position.hpp"
+#include "tests/core/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 /// Single equations taken out by hand (Joint::without).
 using namespace jw;
 using test::kPi;
+using test::without_row;
 
 namespace {
 
@@ -50,12 +52,6 @@ int row_of(const System& system, int joint, EquationOut equation) {
 int rank_by_values(const MatrixX& matrix) {
     const VectorX sigma = singular_values_of(matrix);
     return static_cast<int>((sigma.array() > 1e-6).count());
-}
-
-MatrixX without_row(const MatrixX& matrix, int row) {
-    MatrixX rest(matrix.rows() - 1, matrix.cols());
-    rest << matrix.topRows(row), matrix.bottomRows(matrix.rows() - row - 1);
-    return rest;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using namespace jw;
 namespace {
 
 // closed forms of a dozen operations on numbers up to 10
-constexpr double kRounding = 1e-14;
+constexpr double kRoundingOfTime = 1e-14;
 
 }  // namespace
 
@@ -28,9 +28,9 @@ TEST_CASE("A polynomial has the value and the derivatives of school", "[core][ti
     const double t = GENERATE(-1.5, 0.0, 0.3, 2.0);
     CAPTURE(t);
     const TimeFunction::Value value = f.at(t);
-    CHECK(std::abs(value.f - (1.0 - 2.0 * t + 3.0 * t * t + 0.5 * t * t * t)) < kRounding);
-    CHECK(std::abs(value.f_dot - (-2.0 + 6.0 * t + 1.5 * t * t)) < kRounding);
-    CHECK(std::abs(value.f_ddot - (6.0 + 3.0 * t)) < kRounding);
+    CHECK(std::abs(value.f - (1.0 - 2.0 * t + 3.0 * t * t + 0.5 * t * t * t)) < kRoundingOfTime);
+    CHECK(std::abs(value.f_dot - (-2.0 + 6.0 * t + 1.5 * t * t)) < kRoundingOfTime);
+    CHECK(std::abs(value.f_ddot - (6.0 + 3.0 * t)) < kRoundingOfTime);
 }
 
 TEST_CASE("Harmonics add up, each with its amplitude, frequency and phase", "[core][time_function]") {
@@ -40,11 +40,12 @@ TEST_CASE("Harmonics add up, each with its amplitude, frequency and phase", "[co
     CAPTURE(t);
     const TimeFunction::Value value = f.at(t);
     // sin(x + π/2) = cos x
-    CHECK(std::abs(value.f - (2.0 * std::sin(3.0 * t + 0.5) - 0.7 * std::cos(0.4 * t))) < kRounding);
-    CHECK(std::abs(value.f_dot - (6.0 * std::cos(3.0 * t + 0.5) + 0.28 * std::sin(0.4 * t))) < kRounding);
+    CHECK(std::abs(value.f - (2.0 * std::sin(3.0 * t + 0.5) - 0.7 * std::cos(0.4 * t))) < kRoundingOfTime);
+    CHECK(
+        std::abs(value.f_dot - (6.0 * std::cos(3.0 * t + 0.5) + 0.28 * std::sin(0.4 * t))) < kRoundingOfTime);
     CHECK(
         std::abs(value.f_ddot - (-18.0 * std::sin(3.0 * t + 0.5) + 0.112 * std::cos(0.4 * t))) <
-        2.0 * kRounding);
+        2.0 * kRoundingOfTime);
 }
 
 TEST_CASE(
@@ -62,12 +63,12 @@ TEST_CASE(
         CHECK(f.at(t).f_dot == 0.0);
         CHECK(f.at(t).f_ddot == 0.0);
     }
-    CHECK(std::abs(f.at(1.5).f - 2.5) < kRounding);
-    CHECK(std::abs(f.at(1.5).f_dot - 15.0 / 8.0 * 3.0 / 2.0) < kRounding);  // 30/16 rise / duration
-    CHECK(std::abs(f.at(1.5).f_ddot) < kRounding);
+    CHECK(std::abs(f.at(1.5).f - 2.5) < kRoundingOfTime);
+    CHECK(std::abs(f.at(1.5).f_dot - 15.0 / 8.0 * 3.0 / 2.0) < kRoundingOfTime);  // 30/16 rise / duration
+    CHECK(std::abs(f.at(1.5).f_ddot) < kRoundingOfTime);
     for (const double s : {0.1, 0.45, 0.9}) {
         CAPTURE(s);
-        CHECK(std::abs(f.at(1.5 + s).f + f.at(1.5 - s).f - 5.0) < kRounding);
+        CHECK(std::abs(f.at(1.5 + s).f + f.at(1.5 - s).f - 5.0) < kRoundingOfTime);
     }
 }
 

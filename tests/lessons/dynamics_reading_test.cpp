@@ -6,14 +6,11 @@
 #include "tests/lessons/support.hpp"
 
 using namespace jw;
+using test::is_near;
+using test::kRounding;
 using test::lesson_of;
 
 namespace {
-
-// a few roundings of numbers of size 1 to 10
-constexpr double kRounding = 1e-14;
-
-bool is_near(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
 
 /// A body turned by a quarter about z, its origin at (1, 2, 3), on a hinge at the ground's origin.
 Lesson arm_with(const std::string& loads, const std::string& mass = "mass = 1\ninertia = [1, 2, 3]\n") {

@@ -8,15 +8,12 @@
 #include "tests/lessons/support.hpp"
 
 using namespace jw;
+using test::is_near;
+using test::kRounding;
 using test::lesson_of;
 using test::with_two_bodies;
 
 namespace {
-
-// a few roundings of numbers of size 1 to 10
-constexpr double kRounding = 1e-14;
-
-bool is_near(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
 
 /// A joint between `base` (global frame) and `arm` (at (1, 2, 3), its x axis along global y).
 Joint joint_with(const std::string& keys) {

@@ -8,17 +8,14 @@
 #include "tests/lessons/support.hpp"
 
 using namespace jw;
+using test::is_near;
+using test::kRounding;
 using test::lesson_of;
 using test::with_two_bodies;
 
 namespace {
 
-// a few roundings of numbers of size 1 to 10
-constexpr double kRounding = 1e-14;
 const double kHalf = std::sqrt(0.5);
-
-bool is_near(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
-bool is_near(const Vec4& a, const Vec4& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
 
 Body body_with(const std::string& keys) {
     const Lesson lesson = lesson_of("format = 1\ntitle = \"t\"\n[[body]]\nname = \"b\"\n" + keys + "\n");

@@ -36,6 +36,12 @@ inline std::vector<std::string> documented_toml() {
 
 inline std::string documented_lesson() { return documented_toml()[0]; }
 
+/// A few roundings of numbers of size 1 to 10.
+inline constexpr double kRounding = 1e-14;
+
+inline bool is_near(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
+inline bool is_near(const Vec4& a, const Vec4& b) { return (a - b).cwiseAbs().maxCoeff() < kRounding; }
+
 /// Head and two bodies, `base` at the origin and `arm` turned and moved, then `rest`.
 inline std::string with_two_bodies(const std::string& rest) {
     return R"(format = 1

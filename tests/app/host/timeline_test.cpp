@@ -11,7 +11,7 @@ namespace {
 using host::Command;
 using host::Key;
 
-constexpr const char* kFourBar = "loops/four-bar.toml";
+constexpr const char* kMovingFourBar = "loops/four-bar.toml";
 
 int last_of(const Person& person) { return static_cast<int>(person.session().story().steps().size()) - 1; }
 
@@ -25,7 +25,7 @@ int first_step_of(const Person& person, const std::string& name) {
 }  // namespace
 
 TEST_CASE("Keys go to the next step and back, to the joints, and to both ends") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     CHECK(person.session().index() == 0);
     person.press(Key::left);
     CHECK(person.session().index() == 0);
@@ -53,7 +53,7 @@ TEST_CASE("Keys go to the next step and back, to the joints, and to both ends") 
 }
 
 TEST_CASE("Every step of the four-bar is the same forth and back") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     const int motion = person.session().story().last_assembled() + 5;
     std::vector<std::string> forth;
     for (int k = 0; k <= motion; ++k) {
@@ -96,7 +96,7 @@ TEST_CASE("It plays to the end, pauses where it is, and begins anew from the end
 }
 
 TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     const float y = static_cast<float>(person.host().height()) - 20.0F;
     std::vector<int> seen;
     for (float x = 240.0F; x <= 1080.0F; x += 70.0F) {
@@ -116,7 +116,7 @@ TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
 }
 
 TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     const float y = static_cast<float>(person.host().height()) - 20.0F;
     person.host().push(host::InputEvent::pointer(300.0F, y));
     person.host().push(host::InputEvent::button(0, true));
@@ -128,14 +128,14 @@ TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
 }
 
 TEST_CASE("Every step lies on the line where a click finds it") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     const std::vector<host::Stretch> stretches = host::stretches_of(person.session().story());
     const host::TimelineScale scale(stretches, 230.0F, 860.0F);
     for (int k = 0; k <= last_of(person); ++k) { REQUIRE(scale.step_at(scale.x_of(k)) == k); }
 }
 
 TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
-    Person person(kFourBar);
+    Person person(kMovingFourBar);
     const Story& story = person.session().story();
     const int last = last_of(person);
     CHECK(host::step_at(story, "12") == 11);

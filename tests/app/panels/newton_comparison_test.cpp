@@ -10,7 +10,7 @@ namespace jw::panels::test {
 
 namespace {
 
-std::vector<NewtonRun> four_runs() {
+std::vector<NewtonRun> four_newton_runs() {
     return {
         {"plain", {0.9, 1.4, 0.5, 0.03, 2e-4, 7e-9, 0.0}, 2.02, true, false, {30.0, 28.6, 5.0}},
         {"damped", {0.9, 0.7, 0.2, 5e-3, 3e-5, 1e-9, 2e-16}, 1.98, true, false, {10.0, 8.0}},
@@ -26,7 +26,7 @@ std::vector<NewtonRun> four_runs() {
 }  // namespace
 
 TEST_CASE("methods are compared by what they took and where they ended", "[panels][newton]") {
-    const NewtonComparison comparison = compare(four_runs());
+    const NewtonComparison comparison = compare(four_newton_runs());
     REQUIRE(comparison.rows.size() == 4);
     CHECK(comparison.rows[0].iterations == 6);
     CHECK(comparison.rows[0].phi_norm == 0.0);
@@ -41,14 +41,15 @@ TEST_CASE("methods are compared by what they took and where they ended", "[panel
     CHECK(comparison.residuals.at.size() == 61);
     CHECK(std::isnan(comparison.residuals.series[0].values[7]));
     CHECK(compare({}).summary.empty());
-    CHECK(compare({four_runs()[3]}).summary.starts_with("No method closed it"));
+    CHECK(compare({four_newton_runs()[3]}).summary.starts_with("No method closed it"));
 }
 
 TEST_CASE("the comparison stays in its box, whatever is compared", "[panels][newton]") {
     Surface surface;
     for (const std::vector<NewtonRun>& runs :
-         {four_runs(), std::vector<NewtonRun>{}, std::vector<NewtonRun>{{"none", {}, {}, false, false, {}}},
-          std::vector<NewtonRun>(30, four_runs()[0])}) {
+         {four_newton_runs(), std::vector<NewtonRun>{},
+          std::vector<NewtonRun>{{"none", {}, {}, false, false, {}}},
+          std::vector<NewtonRun>(30, four_newton_runs()[0])}) {
         for (const Box& box : kPlaces) {
             CAPTURE(runs.size(), box.width, box.height);
             surface.clear();
@@ -65,8 +66,8 @@ TEST_CASE("the comparison stays in its box, whatever is compared", "[panels][new
 
 TEST_CASE("where there is room for it the plot shows every method", "[panels][newton]") {
     const Surface surface;
-    const auto layout =
-        newton_comparison_panel(surface.canvas(), {0.0F, 0.0F, 480.0F, 520.0F}, compare(four_runs()), {});
+    const auto layout = newton_comparison_panel(
+        surface.canvas(), {0.0F, 0.0F, 480.0F, 520.0F}, compare(four_newton_runs()), {});
     REQUIRE(layout.plot.panes.size() == 1);
     CHECK(layout.plot.panes[0].series.size() == 4);
     CHECK(layout.plot.panes[0].plot.height > 150.0F);

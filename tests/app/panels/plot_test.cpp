@@ -12,7 +12,7 @@ namespace jw::panels::test {
 
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Points on [0, 3] s, each the story's step 10 + k.
 SeriesSet points(int count) {
@@ -59,10 +59,10 @@ SeriesSet logarithmic() {
     SeriesSet set = points(20);
     set.axis = "iteration";
     set.logarithmic = true;
-    add(set, "A", "-", [](double t) { return t < 1.0 ? std::pow(10.0, -12.0 * t) : kGap; });
+    add(set, "A", "-", [](double t) { return t < 1.0 ? std::pow(10.0, -12.0 * t) : kNothing; });
     add(set, "B", "-",
-        [](double t) { return t < 1.0 || t > 2.0 ? kGap : std::pow(10.0, -20.0 * (t - 1.0)); });
-    add(set, "motor", "-", [](double t) { return t < 2.0 ? kGap : (t < 2.9 ? 0.1 : 0.0); });
+        [](double t) { return t < 1.0 || t > 2.0 ? kNothing : std::pow(10.0, -20.0 * (t - 1.0)); });
+    add(set, "motor", "-", [](double t) { return t < 2.0 ? kNothing : (t < 2.9 ? 0.1 : 0.0); });
     return set;
 }
 
@@ -72,7 +72,7 @@ SeriesSet extremes() {
     add(set, "huge", "N", [](double t) { return 3e300 * (t - 1.5); });
     add(set, "tiny", "m", [](double t) { return 1e-300 * t; });
     add(set, "offset", "s", [](double t) { return 1e9 + t; });
-    add(set, "wild", "m", [](double t) { return t < 1.0 ? HUGE_VAL : (t < 2.0 ? kGap : -HUGE_VAL); });
+    add(set, "wild", "m", [](double t) { return t < 1.0 ? HUGE_VAL : (t < 2.0 ? kNothing : -HUGE_VAL); });
     return set;
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("of a hundred thousand points the peaks are seen and few are drawn", "
 TEST_CASE("a curve is broken where it has no values", "[panels][plot]") {
     const Surface surface;
     SeriesSet set = points(90);
-    add(set, "torn", "m", [](double t) { return t > 1.0 && t < 2.0 ? kGap : 1.0; });
+    add(set, "torn", "m", [](double t) { return t > 1.0 && t < 2.0 ? kNothing : 1.0; });
     const PlotLayout layout = layout_plot(surface.canvas(), kBoxes[1], set, {});
     const auto runs = curve_of(layout, layout.panes[0], set, 0);
     REQUIRE(runs.size() == 2);

@@ -7,20 +7,13 @@
 #include <sstream>
 
 #include "app/session/view.hpp"
-#include "lessons/reader.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/app/session/picture_lessons.hpp"
 
 namespace jw::test {
 
 namespace {
-
-Lesson shipped(const std::string& name) {
-    ReadResult read = read_lesson_file(lesson_path(name));
-    INFO(read.report());
-    REQUIRE(read.lesson.has_value());
-    return *read.lesson;
-}
 
 const Series& series_named(const SeriesSet& set, const std::string& name) {
     CAPTURE(name);
@@ -50,7 +43,7 @@ double misfit(const SeriesSet& set, const Series& value, const Series& rate) {
 }  // namespace
 
 TEST_CASE("rates and accelerations are the slopes of what is plotted with them", "[app][series]") {
-    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     StoryOptions options = poses_only(true);
     options.intervals = 600;
     const Story story(lesson, options);
@@ -101,7 +94,7 @@ TEST_CASE("the speed of the traced point is the length of its path over time", "
 }
 
 TEST_CASE("angles that nobody drives go on beyond half a turn", "[app][series]") {
-    const Lesson lesson = shipped("loops/cardan.toml");
+    const Lesson lesson = lesson_named("loops/cardan");
     const Story story(lesson, poses_only(true));
     const SeriesSet set = motion_series(story);
     for (const Series& s : set.series) {
@@ -114,7 +107,7 @@ TEST_CASE("angles that nobody drives go on beyond half a turn", "[app][series]")
 }
 
 TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
-    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story story(lesson, poses_only(true));
     const SeriesSet set = motion_series(story);
     REQUIRE(set.marks.size() == 3);
@@ -132,9 +125,9 @@ TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
 }
 
 TEST_CASE("residuals of all iterations stand in one row, each under its joint", "[app][series]") {
-    for (const char* name : {"loops/four-bar.toml", "hard/anti-parallel.toml", "hard/cannot-close.toml"}) {
+    for (const char* name : {"loops/four-bar", "hard/anti-parallel", "hard/cannot-close"}) {
         CAPTURE(name);
-        const Lesson lesson = shipped(name);
+        const Lesson lesson = lesson_named(name);
         const Story story(lesson, poses_only());
         const SeriesSet set = newton_series(story);
         REQUIRE(is_complete(set));
@@ -159,7 +152,7 @@ TEST_CASE("residuals of all iterations stand in one row, each under its joint", 
 }
 
 TEST_CASE("a wrong branch that was left is marked", "[app][series]") {
-    const Lesson lesson = shipped("hard/anti-parallel.toml");
+    const Lesson lesson = lesson_named("hard/anti-parallel");
     const Story story(lesson, poses_only());
     const SeriesSet set = newton_series(story);
     REQUIRE(set.marks.size() == 1);
@@ -167,7 +160,7 @@ TEST_CASE("a wrong branch that was left is marked", "[app][series]") {
 }
 
 TEST_CASE("singular values over time are those of the ranks, with their threshold", "[app][series]") {
-    const Lesson lesson = shipped("loops/parallelogram.toml");
+    const Lesson lesson = lesson_named("loops/parallelogram");
     const Story story(lesson, poses_only(true));
     const SeriesSet set = singular_value_series(story);
     REQUIRE(is_complete(set));
@@ -185,7 +178,7 @@ TEST_CASE("singular values over time are those of the ranks, with their threshol
 }
 
 TEST_CASE("the condition of a pair of rows is one over the component that is dropped", "[app][series]") {
-    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story story(lesson, poses_only(true));
     const SeriesSet set = condition_series(story, 1);
     REQUIRE(is_complete(set));
@@ -206,7 +199,7 @@ TEST_CASE("the condition of a pair of rows is one over the component that is dro
 }
 
 TEST_CASE("directions of an axis begin with its joint and end where the step is", "[app][series]") {
-    const Lesson lesson = shipped("parallel/which-two-of-three.toml");
+    const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story story(lesson, poses_only(true));
     CHECK(axis_directions(story, 1, 0).empty());
     const int last = static_cast<int>(story.steps().size()) - 1;
@@ -230,7 +223,7 @@ TEST_CASE("where nothing moves there are no points, and a sentence says so", "[a
         CHECK(set.at.empty());
         CHECK(set.why_empty.starts_with("Nothing moves here"));
     }
-    const Lesson moving = shipped("loops/cardan.toml");
+    const Lesson moving = lesson_named("loops/cardan");
     const Story with_motion(moving, poses_only(true));
     int without = -1;
     for (std::size_t j = 0; j < moving.mechanism.joints.size(); ++j) {
@@ -241,7 +234,7 @@ TEST_CASE("where nothing moves there are no points, and a sentence says so", "[a
 }
 
 TEST_CASE("Energies of a falling mechanism change into each other, and their sum stays", "[app][series]") {
-    const Lesson lesson = shipped("dynamics/bricard-falling.toml");
+    const Lesson lesson = lesson_named("dynamics/bricard-falling");
     const SeriesSet set = motion_series(Story(lesson));
     const std::vector<double>& kinetic = series_named(set, "energy.kinetic").values;
     const std::vector<double>& potential = series_named(set, "energy.potential").values;
