@@ -106,15 +106,28 @@ void ExplicitIntegrator::take_step(double h) {
 /// ẏ at the end of a step, which is moved back onto the constraints if it has drifted. Fixed steps have no
 /// tolerance that a drift could be small against: they are moved always.
 RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
-    const bool always = options_.project && is_fixed();
-    if (always && !on_manifold_) { project(t, y_new_); }
-    const RowsVerdict verdict = evaluate(t, y_new_, y_dot_new_);
-    const bool moved = always || on_manifold_;
-    if (!options_.project || moved || verdict.violation <= kDriftShare * options_.tolerance) {
+    const bool always = options_.project && (is_fixed() || on_manifold_);
+    if (always) { project_end(t); }
+    const auto evaluated = [&] {
+        ++counts_.evaluations;
+        return equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    };
+    const RowsVerdict verdict = evaluated();
+    if (!options_.project || always || verdict.violation <= kDriftShare * options_.tolerance) {
         return verdict;
     }
+    project_end(t);
+    return evaluated();
+}
+
+void ExplicitIntegrator::project_end(double t) {
+    std::vector<double>& before = y_dot_new_;  // of no use until the end is evaluated
+    before = y_new_;
     project(t, y_new_);
-    return evaluate(t, y_new_, y_dot_new_);
+    correction_ = 0.0;
+    for (std::size_t k = 0; k < y_new_.size(); ++k) {
+        correction_ = std::max(correction_, std::abs(y_new_[k] - before[k]) / scales_.of(k));
+    }
 }
 
 /// The end of the step becomes the start of the next.
@@ -241,8 +254,9 @@ bool ExplicitIntegrator::step(double t_end) {
         }
         const double error = is_fixed() ? 0.0 : error_of(h);
         // the estimate of a step through a singular position sees rounding, not the motion
-        const bool small_enough =
-            singular && h <= kSmallestShare * regular_step_ && error * options_.tolerance < kMostErrorThrough;
+        const bool small_enough = singular && h <= kSmallestShare * regular_step_ &&
+                                  error * options_.tolerance < kMostErrorThrough &&
+                                  correction_ <= most_correction_through(lowest_pivot_, options_.tolerance);
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             accept(ahead.end);
             longest_taken_ = std::max(longest_taken_, h);

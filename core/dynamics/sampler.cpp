@@ -5,6 +5,8 @@
 
 namespace jw {
 
+using Meets = HermitePolynomial::Meets;
+
 void Sampler::take(const TimeStepper& stepper) {
     if (known_ == kNodes) {
         std::rotate(nodes_.begin(), nodes_.begin() + 1, nodes_.end());
@@ -64,45 +66,54 @@ void Sampler::give_until(double t_end) {
     }
 }
 
-void Sampler::fit() {
+HermitePolynomial& Sampler::polynomial_at(double t) {
+    constexpr double uneven = 20.0;
     const std::span<const Node> nodes = std::span(nodes_).first(known_);
-    const auto size = static_cast<Eigen::Index>(3 * nodes.size());
-    coefficients_.resize(nodes.front().known.rows(), size);
-    differences_.resize(coefficients_.rows(), size);
-    for (Eigen::Index k = 0; k < size; ++k) {
-        const Node& node = nodes[static_cast<std::size_t>(k / 3)];
-        x_[static_cast<std::size_t>(k)] = node.t;
-        differences_.col(k) = node.known.col(0);
-    }
-    coefficients_.col(0) = differences_.col(0);
-    for (Eigen::Index order = 1; order < size; ++order) {
-        for (Eigen::Index k = size - 1; k >= order; --k) {
-            const double width = x_[static_cast<std::size_t>(k)] - x_[static_cast<std::size_t>(k - order)];
-            if (width == 0.0) {
-                differences_.col(k) = nodes[static_cast<std::size_t>(k / 3)].known.col(order);
-            } else {
-                differences_.col(k) = (differences_.col(k) - differences_.col(k - 1)) * (1.0 / width);
-            }
+    if (!fitted_) {
+        wide_.fit(nodes, Meets::second_derivatives_too);
+        double shortest = nodes[1].t - nodes[0].t;
+        double longest = shortest;
+        for (std::size_t k = 2; k < nodes.size(); ++k) {
+            shortest = std::min(shortest, nodes[k].t - nodes[k - 1].t);
+            longest = std::max(longest, nodes[k].t - nodes[k - 1].t);
         }
-        coefficients_.col(order) = differences_.col(order);
+        even_ = longest <= uneven * shortest;
+        between_ = nullptr;
+        fitted_ = true;
     }
-    value_and_rate_.resize(coefficients_.rows(), 2);
-    fitted_ = true;
+    if (even_) { return wide_; }
+    const auto after = std::ranges::find_if(nodes, [&](const Node& node) { return node.t > t; });
+    const Node* before = &*(after - 1);
+    if (between_ != before) {
+        between_ = before;
+        chosen_ = &polynomial_between(before);
+    }
+    return *chosen_;
+}
+
+/// Of `ends` and the node after it: the one of highest degree that what is nearer bears out, halfway.
+HermitePolynomial& Sampler::polynomial_between(const Node* ends) {
+    constexpr double agrees = 0.01;  // by the way from one end to the other; smooth steps: far below
+    const std::span<const Node> two(ends, 2);
+    const double h = two[1].t - two[0].t;
+    const double halfway = two[0].t + 0.5 * h;
+    const double way = h * (two[0].known.col(1).matrix().norm() + two[1].known.col(1).matrix().norm());
+    near_.fit(two, Meets::values_and_rates);
+    near_.evaluate(halfway);
+    const Eigen::ArrayXd cubic = near_.value();
+    near_.fit(two, Meets::second_derivatives_too);
+    near_.evaluate(halfway);
+    wide_.evaluate(halfway);
+    const auto agree = [&](const auto& a, const auto& b) { return (a - b).matrix().norm() <= agrees * way; };
+    if (agree(wide_.value(), near_.value())) { return wide_; }
+    if (!agree(near_.value(), cubic)) { near_.fit(two, Meets::values_and_rates); }
+    return near_;
 }
 
 void Sampler::interpolate(double t) {
-    if (!fitted_) { fit(); }
-    auto value = value_and_rate_.col(0);
-    auto rate = value_and_rate_.col(1);
-    Eigen::Index k = coefficients_.cols() - 1;
-    value = coefficients_.col(k);
-    rate.setZero();
-    while (k-- > 0) {
-        const double way = t - x_[static_cast<std::size_t>(k)];
-        rate = rate * way + value;
-        value = value * way + coefficients_.col(k);
-    }
-    equations_->flat_of(value.data(), rate.data(), flat_.data());
+    HermitePolynomial& polynomial = polynomial_at(t);
+    polynomial.evaluate(t);
+    equations_->flat_of(polynomial.value().data(), polynomial.rate().data(), flat_.data());
 }
 
 }  // namespace jw

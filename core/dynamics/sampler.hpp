@@ -6,15 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/dynamics/hermite.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
 /// The state at asked times, between the steps of an integrator.
 namespace jw {
 
 /// Polynomials of degree 11 through four ends of steps: positions and their two derivatives are known there,
-/// so that no evaluation is needed. The error, (step)¹², is below that of the methods. Methods with a
-/// polynomial of their own (stiff ones, whose accelerations are less exact than their positions) give it
-/// instead.
+/// so that no evaluation is needed. The error, (step)¹², is below that of the methods. Where steps had to
+/// become short at once, and what is far off bends the polynomial, it goes through the two ends beside only.
+/// Methods with a polynomial of their own (stiff ones, whose accelerations are less exact than their
+/// positions) give it instead.
 class Sampler {
 public:
     using Receive = std::function<void(double t, const std::vector<double>& y)>;
@@ -32,29 +34,26 @@ public:
     void finish();
 
 private:
-    static constexpr std::size_t kNodes = 4;
-    /// Values, rates and half the second derivatives side by side.
-    struct Node {
-        double t = 0.0;
-        Eigen::ArrayX3d known;
-    };
+    using Node = HermitePolynomial::Node;
+    static constexpr std::size_t kNodes = HermitePolynomial::kMostNodes;
 
     void give_until(double t_end);
-    void fit();
     void interpolate(double t);
+    HermitePolynomial& polynomial_at(double t);
+    HermitePolynomial& polynomial_between(const Node* ends);
 
     const MotionEquations* equations_;
     std::vector<double> times_;
     Receive receive_;
     std::size_t next_ = 0;
     std::array<Node, kNodes> nodes_;
-    std::size_t known_ = 0;  ///< nodes that are set, the latest last
-    // Newton's form of Hermite's polynomial: every node three times
-    std::array<double, 3 * kNodes> x_{};
-    Eigen::ArrayXXd coefficients_;
-    Eigen::ArrayXXd differences_;
-    Eigen::ArrayX2d value_and_rate_;
-    bool fitted_ = false;    ///< to the nodes of now
+    std::size_t known_ = 0;          ///< nodes that are set, the latest last
+    HermitePolynomial wide_;         ///< through all nodes
+    HermitePolynomial near_;         ///< through two
+    bool fitted_ = false;            ///< `wide_`, to the nodes of now
+    bool even_ = true;               ///< no step of theirs is much longer than another
+    const Node* between_ = nullptr;  ///< this one and the next the polynomial has been chosen for
+    HermitePolynomial* chosen_ = nullptr;
     std::vector<double> y_;  ///< between steps, by a method's own polynomial
     std::vector<double> flat_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 /// How integrators get past singular positions.
 namespace jw {
 
@@ -15,5 +17,15 @@ inline constexpr double kSmallestShare = 0.4;
 /// Error of a step, by the scales of the motion, up to which one through a singular position is taken
 /// whatever its tolerance: it is rounding there. Beyond, it is the motion.
 inline constexpr double kMostErrorThrough = 1e-2;
+
+/// Correction of the end of such a step by the constraints, likewise, that rounding explains: 1e-16 times a
+/// condition of 1e3, divided by the smallest pivot. Where the links of a loop fit to a few digits only, no
+/// branch crosses another: a step across the gap ends beside the constraints, and moving it back takes or
+/// adds energy. Then what is there is followed through the gap.
+inline double most_correction_through(double pivot, double tolerance) {
+    constexpr double least = 1e-6;
+    constexpr double rounding = 1e-13;
+    return std::min(kMostErrorThrough, std::max({tolerance, least, rounding / pivot}));
+}
 
 }  // namespace jw
