@@ -80,7 +80,11 @@ void write_json(
     out << json.dump(1) << '\n';
 }
 
-void warn(const Sweep& sweep, Analysis analysis, const Streams& streams) {
+void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Streams& streams) {
+    if (lesson.dynamics && !lesson.motion) {
+        streams.err << "jointwise: note: masses and forces play no part here; 'jointwise simulate "
+                    << lesson.file_name << "' moves it by them\n";
+    }
     if (analysis == Analysis::position) { return; }
     const bool unique = std::ranges::all_of(sweep.rows, &SweepRow::unique);
     const bool consistent = std::ranges::all_of(sweep.rows, &SweepRow::consistent);
@@ -109,7 +113,7 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
     } else {
         write_csv(sweep, streams.out);
     }
-    warn(sweep, plan.analysis, streams);
+    warn(sweep, plan.analysis, lesson, streams);
     if (sweep.failure.empty()) { return Exit::done; }
     streams.err << sweep.failure << '\n';
     return Exit::numerics;

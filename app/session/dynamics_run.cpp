@@ -89,6 +89,12 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
            number_text(position, 2);
 }
 
+/// Shortly before, as long as that is after the start: at the end itself there may be no pose.
+std::string look_at(double t) {
+    if (t <= 0.0) { return "look at that pose with 'jointwise inspect'"; }
+    return "look at it shortly before, with 'jointwise inspect --time " + number_text(0.99 * t, 3) + "'";
+}
+
 }  // namespace
 
 DynamicsRequest request_of(const Lesson& lesson) {
@@ -157,14 +163,14 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
                    " repeat those of other joints, yet ask for something else (off by " +
                    number_text(failure.violation, 2) +
                    " of their size); joints of a loop whose axes or points do not fit, or drivers that lead "
-                   "apart, cannot be kept "
-                   "together (look at that pose with 'jointwise inspect')";
+                   "apart, cannot be kept together; " +
+                   look_at(failure.t);
         case SimulationFailure::Cause::out_of_reach:
             return where + "equations of " + in_quotes(failure.equation_of) +
                    " cannot be met there (off by " + number_text(failure.violation, 2) +
                    " of their size): a reach ends, a driver leads where the mechanism cannot follow, or it "
-                   "is "
-                   "locked (look at the pose before with 'jointwise inspect')";
+                   "is locked; " +
+                   look_at(failure.t);
         case SimulationFailure::Cause::not_finite:
             return where +
                    "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "
@@ -184,8 +190,8 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
     }
     return where +
            "no step is small enough for the tolerance; accelerations grow beyond all bounds there (forces "
-           "that "
-           "are very large beside masses, a singular position; look at that pose with 'jointwise inspect')";
+           "that are very large beside masses, a singular position); " +
+           look_at(failure.t);
 }
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {

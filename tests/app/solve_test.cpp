@@ -89,6 +89,14 @@ TEST_CASE("an under-driven scene says that its velocities are not unique", "[app
     CHECK(std::abs(values[13].get<double>() - 2.0) < 1e-12);
 }
 
+TEST_CASE("a lesson that only forces move says that they play no part here", "[app][solve]") {
+    const Ran ran = run({"solve", lesson_path("dynamics/simple-pendulum.toml"), "--to", "0"});
+    CHECK(ran.status == 0);
+    CHECK(ran.err.find("jointwise simulate") != std::string::npos);
+    const Ran driven = run({"solve", lesson_path("loops/four-bar.toml"), "--to", "0"});
+    CHECK(driven.err.find("jointwise simulate") == std::string::npos);
+}
+
 TEST_CASE("rows that contradict each other are reported, never hidden", "[app][solve]") {
     const Folder folder;
     // a second driver of the same angle with another speed: at t = 0 both agree on the pose, not on its rate
