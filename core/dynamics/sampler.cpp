@@ -17,7 +17,7 @@ void Sampler::take(const TimeStepper& stepper) {
     node.t = stepper.t();
     if (known_ == 1) {
         // the start itself
-        flat_.resize(static_cast<std::size_t>(kNumbersPerBody * equations_->bodies()));
+        flat_.resize(at(kNumbersPerBody * equations_->bodies()));
         equations_->to_flat(stepper.y().data(), flat_.data());
         while (next_ < times_.size() && times_[next_] <= node.t) { receive_(times_[next_++], flat_); }
     }
