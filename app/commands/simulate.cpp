@@ -66,6 +66,7 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
           {"singular_passages", c.singular_passages}}},
         {"not_unique", table.not_unique},
         {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
+        {"fit_note", table.fit_note.empty() ? Json() : Json(table.fit_note)},
         {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
 }
 
@@ -95,7 +96,9 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
         streams.out << csv_of(table.columns, table.rows);
     }
     streams.err << "jointwise: " << table.summary << '\n';
-    if (!table.start_note.empty()) { streams.err << "jointwise: note: " << table.start_note << '\n'; }
+    for (const std::string& note : {table.start_note, table.fit_note}) {
+        if (!note.empty()) { streams.err << "jointwise: note: " << note << '\n'; }
+    }
     for (const std::string& name : table.not_unique) {
         streams.err << "jointwise: note: the reaction in '" << name
                     << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";

@@ -89,6 +89,17 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
            number_text(position, 2);
 }
 
+/// Where branches of a loop cross, they do so only as far as its numbers fit.
+std::string fit_note(const DynamicsTable& table, std::size_t kinetic) {
+    constexpr double twelve_digits = 3e-12;
+    if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
+    const double left_open = table.rows.front()[kinetic + 2];
+    if (left_open < twelve_digits) { return {}; }
+    return "equations that repeat others are off by " + small_text(left_open) +
+           " at the start, so that branches that should cross near a singular position part there: it may go "
+           "on folded; numbers with 12 digits and more keep it on its branch";
+}
+
 /// Shortly before, as long as that is after the start: at the end itself there may be no pose.
 std::string look_at(double t) {
     if (t <= 0.0) { return "look at that pose with 'jointwise inspect'"; }
@@ -212,6 +223,7 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
             table.rows.push_back(std::move(row));
         });
     table.summary = summary_of(table, kinetic);
+    table.fit_note = fit_note(table, kinetic);
     if (table.outcome.failure) { table.failure = failure_text(*table.outcome.failure, request.settings); }
     return table;
 }

@@ -28,6 +28,7 @@ struct DynamicsTable {
     std::string summary;     ///< steps, evaluations, drift in words
     std::string failure;     ///< what went wrong, where and why; empty if nothing did
     std::string start_note;  ///< see start_note
+    std::string fit_note;    ///< that a loop does not quite fit, where that decides about its branch
     /// Joints whose reactions are one of many answers; only if reactions were asked for.
     std::vector<std::string> not_unique;
 };

@@ -36,6 +36,24 @@ TEST_CASE("simulate gives a table whose end is the reference", "[app][dynamics]"
     CHECK(json["failure"].is_null());
 }
 
+TEST_CASE(
+    "simulate says where the branches of a loop part because it does not quite fit", "[app][dynamics]") {
+    const std::string exact = bytes_of(lesson_path("dynamics/four-bar-1.toml"));
+    const std::string point = "point_j = [0, -0.5, 0]";
+    const std::size_t where = exact.find(point);
+    REQUIRE(where != std::string::npos);
+    std::string off = exact;
+    off.replace(where, point.size(), "point_j = [0, -0.5, 1e-8]");
+    const Folder folder;
+    const auto ran = [&](const std::string& lesson, const std::string& duration) {
+        return run({"simulate", folder.file("loop.toml", lesson), "--duration", duration, "--samples", "4"});
+    };
+    // in line for the first time after 0.6 s
+    CHECK(ran(off, "1").err.find("branches that should cross") != std::string::npos);
+    CHECK(ran(off, "0.3").err.find("branches that should cross") == std::string::npos);
+    CHECK(ran(exact, "1").err.find("branches that should cross") == std::string::npos);
+}
+
 TEST_CASE("simulate --reactions adds forces and names what is not unique", "[app][dynamics]") {
     const Ran ran = run(
         {"simulate", lesson_path("dynamics/four-bar-1.toml"), "--reactions", "--samples", "2", "--duration",
