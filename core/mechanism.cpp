@@ -50,12 +50,11 @@ Motion start_motion(const Mechanism& mechanism) {
         motion.r_dot[b] = mechanism.bodies[b].r_dot;
         motion.omega_local[b] = mechanism.bodies[b].omega_local;
     }
-    const State start = start_state(mechanism);
     std::size_t theta = 0;
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
         const auto& given = joint.geometry.theta_dot_start;
-        motion.theta_dot[theta++] = given ? *given : angle_rate(joint, start, motion);
+        motion.theta_dot[theta++] = given ? *given : angle_rate(joint, start_state(mechanism), motion);
     }
     return motion;
 }

@@ -48,7 +48,6 @@ SeriesSet residuals_of(const std::vector<NewtonRun>& runs) {
     return set;
 }
 
-/// "a", "a and b", "a, b and c"
 std::string summary_of(const std::vector<NewtonRun>& runs) {
     std::vector<std::string> first;
     std::vector<std::string> wrong;

@@ -107,7 +107,11 @@ void ExplicitIntegrator::take_step(double h) {
 /// tolerance that a drift could be small against: they are moved always.
 RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     const bool always = options_.project && (is_fixed() || on_manifold_);
-    if (always) { project_end(t); }
+    if (on_manifold_) {
+        correct_end(t);
+    } else if (always) {
+        project(t, y_new_);
+    }
     const auto evaluated = [&] {
         ++counts_.evaluations;
         return equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
@@ -116,11 +120,12 @@ RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     if (!options_.project || always || verdict.violation <= kDriftShare * options_.tolerance) {
         return verdict;
     }
-    project_end(t);
+    project(t, y_new_);
     return evaluated();
 }
 
-void ExplicitIntegrator::project_end(double t) {
+/// Onto the constraints, of a step near a singular position: how far tells whether it stayed on its branch.
+void ExplicitIntegrator::correct_end(double t) {
     std::vector<double>& before = y_dot_new_;  // of no use until the end is evaluated
     before = y_new_;
     project(t, y_new_);

@@ -40,7 +40,7 @@ private:
     void project(double t, std::vector<double>& y);
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
     RowsVerdict evaluate_end(double t);
-    void project_end(double t);
+    void correct_end(double t);
 
     MotionEquations* equations_;
     const RungeKuttaTable* table_;
@@ -67,7 +67,7 @@ private:
     double tried_ = 0.0;          ///< end of the last attempt [s]
     double longest_taken_ = 0.0;  ///< longest step so far [s]
     double lowest_pivot_ = 1.0;   ///< over the stages of the last step
-    double correction_ = 0.0;     ///< of its end by the constraints, by the scales of the motion
+    double correction_ = 0.0;     ///< of the end of a step on the manifold, by the scales of the motion
     bool on_manifold_ = false;    ///< stages are projected before they are evaluated
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 
 #include "tests/lessons/dynamics_paths.hpp"
 #include "tests/lessons/support.hpp"
