@@ -1,242 +1,197 @@
 #include "core/dynamics/articulated_tree.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include <Eigen/LU>
+#include "core/dynamics/tree_passes.hpp"
+
+/// What a pass is made of is compiled into it, for the registers that it runs in.
+#define JW_PASS __attribute__((always_inline))
 
 namespace jw {
 
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
-    : scene_(&scene),
-      joints_(scene.mechanism, start),
+    : joints_(scene.mechanism, start),
       nodes_(joints_.nodes().size() + 1),
-      half_turns_(joints_.nodes().size()),
+      half_turns_(nodes_.size()),
       e_(at(joints_.velocities()), 0.0),
       u_dot_(e_.size(), 0.0) {
-    for (std::size_t n = 1; n < nodes_.size(); ++n) { nodes_[n].parent = joints_.nodes()[n - 1].parent + 1; }
-}
-
-void ArticulatedTree::place(const double* y) {
-    // all of them first: in the chain of nodes each would be waited for
-    for (std::size_t n = 0; n < half_turns_.size(); ++n) {
-        const TreeNode& joint = joints_.nodes()[n];
-        if (joint.turns) {
-            const double half = 0.5 * y[joint.position];
-            half_turns_[n] = {std::cos(half), std::sin(half)};
-        }
-    }
+    nodes_[0].A = Mat3::Identity();
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         const TreeNode& joint = joints_.nodes()[n - 1];
         Node& node = nodes_[n];
-        const Node& parent = nodes_[at(node.parent)];
-        const double* position = y + joint.position;
-        if (joint.hanging == Hanging::free) {
-            node.r = vec3(position);
-            node.p = vec4(position + 3).normalized();
-            node.A = homogeneous_rotation_matrix(node.p);
-            continue;
+        node.parent = joint.parent + 1;
+        node.body = joint.body;
+        node.hanging = joint.hanging;
+        node.turns = joint.turns;
+        node.shifts = joint.shifts;
+        node.q = joint.position;
+        node.q_dot = joint.velocity;
+        node.u = joint.velocity - joints_.positions();
+        if (node.body >= 0) {
+            const MassProperties& own = *scene.loads.masses[at(node.body)];
+            node.mass = own.mass;
+            node.J_local = own.J_local;
+            node.is_principal = own.J_local.isDiagonal(0.0);
         }
-        node.arm = parent.A * joint.point_parent;
-        if (joint.hanging == Hanging::ball) {
-            node.p = vec4(position).normalized();
-            node.A = homogeneous_rotation_matrix(node.p);
-            node.own_arm = -(node.A * joint.point_local);
-            node.r = parent.r + node.arm + node.own_arm;
-            continue;
-        }
+        node.own_arm_local = -joint.point_local;
+        const Vec3 root_of_parent =
+            joint.parent < 0 ? Vec3(Vec3::Zero()) : joints_.nodes()[at(joint.parent)].point_local;
+        node.step = joint.point_parent - root_of_parent;
+        const Mat3 A = homogeneous_rotation_matrix(joint.p_parent);
+        node.A_in_parent = A;
         if (joint.turns) {
-            const auto [cosine, sine] = half_turns_[n - 1];
-            node.p = product(parent.p, cosine * joint.p_parent + sine * joint.p_turned);
-        } else {
-            node.p = product(parent.p, joint.p_parent);
+            const Vec3& turn = joint.turn_local;
+            const Mat3 along = turn * turn.transpose();
+            node.still = A * along;
+            node.across = A - A * along;
+            node.quarter = A * tilde(turn);
         }
-        node.A = homogeneous_rotation_matrix(node.p);
-        if (joint.hanging == Hanging::axis) {
-            node.axis.linear = node.A * joint.way_local;
-            node.axis.angular = node.A * joint.turn_local;
+        node.turn_in_parent = A * joint.turn_local;
+        node.shift_in_parent = A * joint.shift_local;
+    }
+}
+
+void ArticulatedTree::place(const double* y) {
+    // all turns first: in the chain of nodes each would be waited for
+    for (std::size_t n = 1; n < nodes_.size(); ++n) {
+        Node& node = nodes_[n];
+        const double* position = y + node.q;
+        if (node.turns) {
+            const double cosine = std::cos(0.5 * *position);
+            const double sine = std::sin(0.5 * *position);
+            half_turns_[n] = {cosine, sine};
+            using Matrix = Columns<Narrow>;
+            node.A_in_parent = Matrix(node.still) + (cosine * cosine - sine * sine) * Matrix(node.across) +
+                               (2.0 * sine * cosine) * Matrix(node.quarter);
+        } else if (node.hanging == Hanging::ball || node.hanging == Hanging::free) {
+            const double* p = node.hanging == Hanging::free ? position + 3 : position;
+            node.A = homogeneous_rotation_matrix(vec4(p).normalized());
         }
-        if (joint.shifts) { node.arm += *position * (node.A * joint.shift_local); }
-        node.arm -= node.A * joint.point_local;
-        node.r = parent.r + node.arm;
+    }
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = 1; n < nodes_.size(); ++n) {
+            tree_passes::place<V>(nodes_[n], nodes_[at(nodes_[n].parent)], y);
+        }
+    });
+}
+
+void ArticulatedTree::find_p(const double* y) {
+    for (std::size_t n = 1; n < nodes_.size(); ++n) {
+        const TreeNode& joint = joints_.nodes()[n - 1];
+        Node& node = nodes_[n];
+        const Vec4& of_parent = nodes_[at(node.parent)].p;
+        const double* position = y + node.q;
+        switch (node.hanging) {
+            case Hanging::free: node.p = vec4(position + 3).normalized(); break;
+            case Hanging::ball: node.p = vec4(position).normalized(); break;
+            case Hanging::axis:
+                if (joint.turns) {
+                    const auto [cosine, sine] = half_turns_[n];
+                    node.p = product(of_parent, cosine * joint.p_parent + sine * joint.p_turned);
+                    break;
+                }
+                [[fallthrough]];
+            case Hanging::welded: node.p = product(of_parent, joint.p_parent); break;
+        }
     }
 }
 
 void ArticulatedTree::move(const double* y) {
-    for (std::size_t n = 1; n < nodes_.size(); ++n) {
-        const TreeNode& joint = joints_.nodes()[n - 1];
-        Node& node = nodes_[n];
-        const Node& parent = nodes_[at(node.parent)];
-        const double* velocity = y + joint.velocity;
-        const Vec3& omega_parent = parent.velocity.angular;
-        switch (joint.hanging) {
-            case Hanging::free: node.velocity = {vec3(velocity), node.A * vec3(velocity + 3)}; break;
-            case Hanging::ball: {
-                const Vec3 omega = node.A * vec3(velocity);
-                const Vec3 way = omega_parent.cross(node.arm);
-                const Vec3 own_way = omega.cross(node.own_arm);
-                node.velocity = {parent.velocity.linear + way + own_way, omega};
-                node.bias.linear = parent.bias.linear + parent.bias.angular.cross(node.arm) +
-                                   omega_parent.cross(way) + omega.cross(own_way);
-                break;
-            }
-            case Hanging::axis: {
-                const Six joint_velocity = *velocity * node.axis;
-                const Vec3 way = omega_parent.cross(node.arm) + joint_velocity.linear;
-                node.velocity.linear = parent.velocity.linear + way;
-                node.velocity.angular = omega_parent + joint_velocity.angular;
-                node.bias.linear = parent.bias.linear + parent.bias.angular.cross(node.arm) +
-                                   omega_parent.cross(way) +
-                                   node.velocity.angular.cross(joint_velocity.linear);
-                node.bias.angular = parent.bias.angular + omega_parent.cross(joint_velocity.angular);
-                break;
-            }
-            case Hanging::welded:
-                node.velocity = at_end_of(parent.velocity, node.arm);
-                node.bias = at_end_of(parent.bias, node.arm);
-                node.bias.linear += omega_parent.cross(omega_parent.cross(node.arm));
-                break;
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = 1; n < nodes_.size(); ++n) {
+            tree_passes::move<V>(nodes_[n], nodes_[at(nodes_[n].parent)], y);
         }
-    }
+    });
 }
 
 void ArticulatedTree::set_inertias(Metric metric, double length) {
-    for (std::size_t n = 1; n < nodes_.size(); ++n) {
-        Node& node = nodes_[n];
-        const int body = joints_.nodes()[n - 1].body;
-        node.inertia.H.setZero();
-        node.wrench = {};
-        if (body < 0) {
-            node.inertia = {};
-            continue;
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (Node& node : nodes_) {
+            node.wrench = Six{};
+            const bool by_mass = metric == Metric::mass || node.body < 0;
+            const Columns<V> J = by_mass ? tree_passes::J_of<V>(node) : diagonal<V>(length * length);
+            node.inertia = inertia_at_root<V>(by_mass ? node.mass : 1.0, J, node.own_arm);
         }
-        if (metric == Metric::geometry) {
-            node.inertia.M = Mat3::Identity();
-            node.inertia.J = length * length * Mat3::Identity();
-            continue;
-        }
-        const MassProperties& own = *scene_->loads.masses[at(body)];
-        node.inertia.M = own.mass * Mat3::Identity();
-        node.inertia.J.noalias() = (node.A * own.J_local) * node.A.transpose();
-    }
+    });
 }
 
-/// Takes from a node's inertia what its joint lets go.
-void ArticulatedTree::reduce(const TreeNode& joint, Node& node) const {
-    if (joint.hanging == Hanging::welded) { return; }
-    if (joint.hanging == Hanging::axis) {
-        const Six column = times(node.inertia, node.axis);
-        node.inverse_D = 1.0 / dot(node.axis, column);
-        node.column_by_D = node.inverse_D * column;
-        subtract_square(node.inertia, column, node.column_by_D);
-        return;
-    }
-    const Inertia6 held = at_root_of(node.inertia, node.own_arm);
-    node.inverse_J = held.J.inverse();
-    node.H_inverse_J = held.H * node.inverse_J;
-    node.inertia = {};
-    node.inertia.M = held.M - node.H_inverse_J * held.H.transpose();
-    if (joint.hanging == Hanging::free) { node.inverse_M = node.inertia.M.inverse(); }
+void ArticulatedTree::set_inertias_and_wrenches(std::span<const BodyForce> forces) {
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = 1; n < nodes_.size(); ++n) {
+            const BodyForce* force = nodes_[n].body < 0 ? nullptr : &forces[at(nodes_[n].body)];
+            tree_passes::set_inertia_and_wrench<V>(nodes_[n], force);
+        }
+    });
 }
 
-Six ArticulatedTree::pass_on(const TreeNode& joint, const Node& node, const Six& wrench, double* e) const {
-    switch (joint.hanging) {
-        case Hanging::welded: return at_root_of(wrench, node.arm);
-        case Hanging::axis: {
-            *e = dot(node.axis, wrench);
-            Six held = wrench;
-            add_scaled(held, -*e, node.column_by_D);
-            return at_root_of(held, node.arm);
-        }
-        case Hanging::ball: {
-            const Vec3 torque = at_root_of(wrench, node.own_arm).angular;
-            vec3(e) = torque;
-            const Vec3 force = wrench.linear - node.H_inverse_J * torque;
-            return {force, node.arm.cross(force)};
-        }
-        case Hanging::free: break;
-    }
-    vec3(e) = wrench.linear - node.H_inverse_J * wrench.angular;
-    vec3(e + 3) = wrench.angular;
-    return {};
+Six ArticulatedTree::at_root(int n, const Vec3& force, const Vec3& torque) const {
+    Six wrench;
+    wrench.linear = force;
+    wrench.angular = torque + vec3(node(n).own_arm).cross(force);
+    return wrench;
+}
+
+double ArticulatedTree::drift_along(int n, const Six& on) const {
+    const auto omega = vec3(node(n).velocity.angular);
+    const Vec3 inwards = omega.cross(omega.cross(vec3(node(n).own_arm)));
+    return vec3(on.linear).dot(vec3(node(n).bias.linear) + inwards) +
+           vec3(on.angular).dot(vec3(node(n).bias.angular));
 }
 
 void ArticulatedTree::fold() {
-    for (std::size_t n = nodes_.size(); n-- > 1;) {
-        const TreeNode& joint = joints_.nodes()[n - 1];
-        Node& node = nodes_[n];
-        reduce(joint, node);
-        const Six held =
-            pass_on(joint, node, node.wrench, std::next(e_.data(), first_u(static_cast<int>(n))));
-        if (node.parent == 0) { continue; }
-        Node& parent = nodes_[at(node.parent)];
-        add(parent.inertia, at_root_of(node.inertia, node.arm));
-        add_scaled(parent.wrench, 1.0, held);
-    }
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = nodes_.size(); n-- > 1;) {
+            Node& node = nodes_[n];
+            tree_passes::fold<V>(node, nodes_[at(node.parent)], std::next(e_.data(), node.u));
+        }
+    });
 }
 
 void ArticulatedTree::unfold() {
-    for (std::size_t n = 1; n < nodes_.size(); ++n) {
-        const TreeNode& joint = joints_.nodes()[n - 1];
-        Node& node = nodes_[n];
-        // a welded node has none: its place may be the end
-        const int u = first_u(static_cast<int>(n));
-        const double* e = std::next(e_.data(), u);
-        double* u_dot = std::next(u_dot_.data(), u);
-        node.acceleration = at_end_of(nodes_[at(node.parent)].acceleration, node.arm);
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis:
-                *u_dot = node.inverse_D * *e - dot(node.column_by_D, node.acceleration);
-                add_scaled(node.acceleration, *u_dot, node.axis);
-                break;
-            case Hanging::free:
-                node.acceleration.linear = node.inverse_M * vec3(e);
-                vec3(u_dot) = node.acceleration.linear;
-                e += 3;
-                u_dot += 3;
-                [[fallthrough]];
-            case Hanging::ball:
-                node.acceleration.angular =
-                    node.inverse_J * vec3(e) - node.H_inverse_J.transpose() * node.acceleration.linear;
-                vec3(u_dot) = node.A.transpose() * node.acceleration.angular;
-                node.acceleration = at_end_of(node.acceleration, node.own_arm);
-                break;
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = 1; n < nodes_.size(); ++n) {
+            Node& node = nodes_[n];
+            tree_passes::unfold<V>(
+                node, nodes_[at(node.parent)], std::next(e_.data(), node.u),
+                std::next(u_dot_.data(), node.u));
         }
-    }
+    });
 }
 
 std::vector<int> ArticulatedTree::path(int i, int j) const {
     std::vector<int> path;
     while (i != j) {
         int& n = i > j ? i : j;
-        for (int k = 0; k < joint_of(n).velocities(); ++k) { path.push_back(first_u(n) + k); }
+        for (int k = 0; k < joint_of(n).velocities(); ++k) { path.push_back(node(n).u + k); }
         n = node(n).parent;
     }
     return path;
 }
 
-void ArticulatedTree::respond(int i, int j, Six on_i, Six on_j, double* e, double* e_by_D) const {
-    while (i != j) {
-        int& n = i > j ? i : j;
-        Six& wrench = i > j ? on_i : on_j;
-        const TreeNode& joint = joint_of(n);
-        const Node& here = node(n);
-        wrench = pass_on(joint, here, wrench, e);
-        switch (joint.hanging) {
-            case Hanging::welded: break;
-            case Hanging::axis: *e_by_D = here.inverse_D * *e; break;
-            case Hanging::ball: vec3(e_by_D) = here.inverse_J * vec3(e); break;
-            case Hanging::free:
-                vec3(e_by_D) = here.inverse_M * vec3(e);
-                vec3(e_by_D + 3) = here.inverse_J * vec3(e + 3);
-                break;
+void ArticulatedTree::respond(
+    int i, int j, const Six& on_i, const Six& on_j, double* e, double* e_by_D) const {
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        SixOf<V> wrench_i = on_i;
+        SixOf<V> wrench_j = on_j;
+        int n_i = i;
+        int n_j = j;
+        const auto pass_on = [&](int& n, SixOf<V>& wrench) JW_PASS {
+            const Node& here = nodes_[at(n)];
+            wrench = tree_passes::respond(here, wrench, e, e_by_D);
+            const int numbers = here.hanging == Hanging::axis ? 1 : joint_of(n).velocities();
+            e += numbers;
+            e_by_D += numbers;
+            n = here.parent;
+        };
+        while (n_i != n_j) {
+            if (n_i > n_j) {
+                pass_on(n_i, wrench_i);
+            } else {
+                pass_on(n_j, wrench_j);
+            }
         }
-        e += joint.velocities();
-        e_by_D += joint.velocities();
-        n = here.parent;
-    }
+    });
 }
 
 }  // namespace jw

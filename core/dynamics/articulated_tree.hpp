@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "core/dynamics/forces.hpp"
 #include "core/dynamics/joint_tree.hpp"
-#include "core/dynamics/loads.hpp"
 #include "core/dynamics/spatial_vectors.hpp"
 
 /// Bᵀ M B u̇ = Bᵀ (wrenches) for a tree of bodies, without ever forming B or Bᵀ M B.
@@ -13,31 +14,62 @@
 /// of that lets go (its articulated inertia); from the ground to the tips the answers follow. Cost linear in
 /// the bodies. The way down is a factorisation Bᵀ M B = F D Fᵀ with D block diagonal, one block per joint: it
 /// leaves e = F⁻¹ Bᵀ (wrenches), the way up finds u̇ = F⁻ᵀ D⁻¹ e.
-/// @source Featherstone, Rigid Body Dynamics Algorithms, ch. 7; here along the global axes at the centres of
-/// mass
+/// @source Featherstone, Rigid Body Dynamics Algorithms, ch. 7; here along the global axes
 namespace jw {
 
 class ArticulatedTree {
 public:
-    /// A node as it lies and moves, and what the passes leave at it. Vectors are global.
+    /// A node as it lies and moves, and what the passes leave at it. Vectors are global. Velocities, wrenches
+    /// and inertias are those at its root: where it hangs, or its own centre of mass if it is free.
     struct Node {
+        // what stays
         int parent = 0;
-        Mat3 A = Mat3::Identity();
-        Vec3 r = Vec3::Zero();
-        Vec4 p = Vec4::Unit(0);
-        Vec3 arm = Vec3::Zero();      ///< from the parent's centre to its own; ball: to where it hangs
-        Vec3 own_arm = Vec3::Zero();  ///< ball: from where it hangs to its own centre
-        Six axis;                     ///< velocity of its centre, and ω, per q̇
+        int body = -1;
+        Hanging hanging = Hanging::free;
+        bool turns = false;
+        bool shifts = false;
+        int q = 0;                  ///< where its numbers begin in y
+        int q_dot = 0;              ///< and their rates
+        int u = 0;                  ///< and these in u
+        bool is_principal = false;  ///< J' has nothing beside its diagonal
+        double mass = 0.0;
+        Triples J_local;
+        Triple own_arm_local;
+        Triple step;             ///< from the parent's root to its own at q = 0, in the parent's frame
+        Triple turn_in_parent;   ///< axis: what a unit q̇ does, in the parent's frame
+        Triple shift_in_parent;  ///< the same
+        Triples still;  ///< axis, welded: its A in the parent's frame is still + cos q across + sin q quarter
+        Triples across;
+        Triples quarter;
+
+        // where it is
+        Triples A_in_parent;
+        Triples A;
+        Triple r;        ///< of its root
+        Triple arm;      ///< from the parent's root to its own
+        Triple own_arm;  ///< from its root to its centre of mass
+
+        // how it moves
+        Six axis;  ///< velocity per q̇
         Six velocity;
-        Six bias;          ///< acceleration that the velocities alone cause, Ḃ u
+        Six bias;  ///< acceleration that the velocities alone cause, Ḃ u
+
+        // what the passes leave
         Inertia6 inertia;  ///< its own and of all that hangs on it
         Six wrench;        ///< on it and on all that hangs on it
         Six acceleration;  ///< B u̇
-        Six column_by_D;   ///< axis: inertia times axis, by D = axisᵀ inertia axis
+        Six column_by_D;   ///< axis: inertia times axis, by D = axisᵀ inertia axis, at the parent's root
         double inverse_D = 0.0;
-        Mat3 inverse_J = Mat3::Zero();    ///< ball, free: where it hangs
-        Mat3 inverse_M = Mat3::Zero();    ///< free: of what turning has left of M
-        Mat3 H_inverse_J = Mat3::Zero();  ///< ball, free
+        Triples inverse_J;    ///< ball, free
+        Triples H_inverse_J;  ///< ball, free
+        Triples inverse_M;    ///< free: of what turning has left of M
+        Vec4 p = Vec4::Unit(0);
+
+        Vec3 centre() const { return vec3(r) + vec3(own_arm); }
+        Vec3 velocity_of_centre() const {
+            return vec3(velocity.linear) + vec3(velocity.angular).cross(vec3(own_arm));
+        }
+        Vec3 omega_local() const { return mat3(A).transpose() * vec3(velocity.angular); }
     };
     /// Of which inertias: those of the masses, or 1 and length² for every body, which know no masses.
     enum class Metric { mass, geometry };
@@ -49,18 +81,24 @@ public:
     const JointTree& joints() const { return joints_; }
     /// Node of a body; 0 is what does not move.
     int node_of(int body) const { return joints_.node_of(body) + 1; }
-    Node& node(int n) { return nodes_[static_cast<std::size_t>(n)]; }
     const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
     const TreeNode& joint_of(int n) const { return joints_.nodes()[static_cast<std::size_t>(n - 1)]; }
-    /// Where the numbers of a node's joint begin in u.
-    int first_u(int n) const { return joint_of(n).velocity - joints_.positions(); }
 
-    /// Poses and arms. @param y of JointTree
+    /// Poses and arms, without p. @param y of JointTree
     void place(const double* y);
+    /// p of all nodes, which have been placed.
+    void find_p(const double* y);
     /// Velocities, and what they alone do to accelerations.
     void move(const double* y);
     /// Every node's own, and no wrenches. @param length of a body in the metric of geometry [m]
     void set_inertias(Metric metric, double length = 1.0);
+    /// Every node's own, of the masses, and as wrenches Q - M Ḃ u.
+    /// @param forces Q, one per body of the mechanism
+    void set_inertias_and_wrenches(std::span<const BodyForce> forces);
+    /// A wrench at the centre of mass as one at the root.
+    Six at_root(int n, const Vec3& force, const Vec3& torque) const;
+    /// Acceleration of node n that the velocities alone cause, along such a wrench.
+    double drift_along(int n, const Six& on) const;
     /// Down: e from the wrenches of the nodes.
     void fold();
     /// Up: u̇ from e.
@@ -72,14 +110,10 @@ public:
     /// the ground meet.
     std::vector<int> path(int i, int j) const;
     /// e of such a pair and D⁻¹ e, in the order of the path. The last inertias must have been folded.
-    void respond(int i, int j, Six on_i, Six on_j, double* e, double* e_by_D) const;
+    /// @param on_i at the root of node i; on_j likewise
+    void respond(int i, int j, const Six& on_i, const Six& on_j, double* e, double* e_by_D) const;
 
 private:
-    void reduce(const TreeNode& joint, Node& node) const;
-    /// What the joint gives way to goes to `e`; @return the part that it holds, at the parent's centre
-    Six pass_on(const TreeNode& joint, const Node& node, const Six& wrench, double* e) const;
-
-    const Centroidal* scene_;
     JointTree joints_;
     std::vector<Node> nodes_;
     std::vector<std::array<double, 2>> half_turns_;  ///< cos q/2, sin q/2 of the joints that turn

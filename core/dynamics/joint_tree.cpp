@@ -157,7 +157,6 @@ void JointTree::add(TreeNode node) {
     Vec4 half_turn;
     half_turn << 0.0, node.turn_local;
     node.p_turned = product(node.p_parent, half_turn);
-    node.way_local = node.shift_local - node.turn_local.cross(node.point_local);
     node.position = positions_;
     node.velocity = velocities_;
     positions_ += node.positions();

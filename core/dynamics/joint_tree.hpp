@@ -34,10 +34,9 @@ struct TreeNode {
     // what follows from these
     bool turns = false;
     bool shifts = false;
-    Vec4 p_turned = Vec4::Zero();   ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
-    Vec3 way_local = Vec3::Zero();  ///< velocity of its origin per q̇, as far as its own joint has a say
-    int position = 0;               ///< where its q; p; or r and p begin in y
-    int velocity = 0;               ///< where its q̇; ω'; or ṙ and ω' begin in y
+    Vec4 p_turned = Vec4::Zero();  ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
+    int position = 0;              ///< where its q; p; or r and p begin in y
+    int velocity = 0;              ///< where its q̇; ω'; or ṙ and ω' begin in y
     /// How far the bodies that hang on it can reach from where it hangs [m].
     double reach = 0.0;
 

@@ -1,84 +1,119 @@
 #pragma once
 
-#include "core/linear.hpp"
+#include "core/dynamics/triples.hpp"
 
 /// Forces with torques, velocities with ω, and inertias that join them: six numbers at a point, along the
 /// global axes.
 namespace jw {
 
-/// [f; n] = [M H; Hᵀ J] [v̇; ω̇], at a point, global axes.
-struct Inertia6 {
-    Mat3 M = Mat3::Zero();
-    Mat3 H = Mat3::Zero();
-    Mat3 J = Mat3::Zero();
+/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes. In registers
+/// V.
+template <Lanes V>
+struct SixOf {
+    V linear;
+    V angular;
 };
 
-/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes. Each begins
-/// where a pair of numbers does: pairs that are read otherwise than they were written are waited for.
-struct Six {
-    EIGEN_ALIGN16 Vec3 linear = Vec3::Zero();
-    EIGEN_ALIGN16 Vec3 angular = Vec3::Zero();
+/// [f; n] = [M H; Hᵀ J] [v̇; ω̇], at a point, global axes. In registers V.
+template <Lanes V>
+struct InertiaOf {
+    Columns<V> M;
+    Columns<V> H;
+    Columns<V> J;
 };
+
+/// In memory.
+struct Six {
+    Triple linear;
+    Triple angular;
+
+    template <Lanes V>
+    JW_INLINE Six& operator=(const SixOf<V>& six) {
+        linear = six.linear;
+        angular = six.angular;
+        return *this;
+    }
+    template <Lanes V>
+    JW_INLINE operator SixOf<V>() const {
+        return {V(linear), V(angular)};
+    }
+};
+
+/// In memory.
+struct Inertia6 {
+    Triples M;
+    Triples H;
+    Triples J;
+
+    template <Lanes V>
+    JW_INLINE Inertia6& operator=(const InertiaOf<V>& inertia) {
+        M = inertia.M;
+        H = inertia.H;
+        J = inertia.J;
+        return *this;
+    }
+    template <Lanes V>
+    JW_INLINE operator InertiaOf<V>() const {
+        return {M, H, J};
+    }
+};
+
+template <Lanes V>
+JW_INLINE SixOf<V> operator+(const SixOf<V>& a, const SixOf<V>& b) {
+    return {a.linear + b.linear, a.angular + b.angular};
+}
+template <Lanes V>
+JW_INLINE SixOf<V> operator-(const SixOf<V>& a, const SixOf<V>& b) {
+    return {a.linear - b.linear, a.angular - b.angular};
+}
+template <Lanes V>
+JW_INLINE SixOf<V> operator*(double factor, const SixOf<V>& a) {
+    return {factor * a.linear, factor * a.angular};
+}
+template <Lanes V>
+JW_INLINE double dot(const SixOf<V>& a, const SixOf<V>& b) {
+    return dot(a.linear, b.linear) + dot(a.angular, b.angular);
+}
+template <Lanes V>
+JW_INLINE InertiaOf<V> operator+(const InertiaOf<V>& a, const InertiaOf<V>& b) {
+    return {a.M + b.M, a.H + b.H, a.J + b.J};
+}
+
+/// A body's, J about its centre of mass, at a point that lies `arm` before that.
+template <Lanes V>
+JW_INLINE InertiaOf<V> inertia_at_root(double mass, const Columns<V>& J, const V& arm) {
+    const V moment = -mass * arm;
+    return {diagonal<V>(mass), tilde(moment), J - diagonal<V>(dot(arm, moment)) + dyad(arm, moment)};
+}
 
 /// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those
-/// there. H - M ã and J + ã (H - M ã) + (ã H)ᵀ, where rows of M times ã are vectors' products: vᵀ ã = (v x
-/// a)ᵀ.
-inline Inertia6 at_root_of(const Inertia6& inertia, const Vec3& arm) {
-    Inertia6 out;
-    out.M = inertia.M;
-    for (int k = 0; k < 3; ++k) { out.H.row(k) = inertia.H.row(k) - inertia.M.col(k).cross(arm).transpose(); }
-    for (int i = 0; i < 3; ++i) {
-        const int next = (i + 1) % 3;
-        const int last = (i + 2) % 3;
-        for (int j = i; j < 3; ++j) {
-            const int next_j = (j + 1) % 3;
-            const int last_j = (j + 2) % 3;
-            // of a x the column j of the new H, and of a x the column i of the old one
-            const double turned = arm(next) * out.H(last, j) - arm(last) * out.H(next, j);
-            const double back = arm(next_j) * inertia.H(last_j, i) - arm(last_j) * inertia.H(next_j, i);
-            out.J(i, j) = out.J(j, i) = inertia.J(i, j) + turned + back;
-        }
-    }
-    return out;
+/// there. J + ã H + (ã H)ᵀ - ã M ã is J + ã K + (ã K)ᵀ with K in the middle between the two H.
+template <Lanes V>
+JW_INLINE InertiaOf<V> at_root_of(const InertiaOf<V>& inertia, const V& arm) {
+    const Columns<V> H = inertia.H - times_tilde(inertia.M, arm);
+    const Columns<V> turned = tilde_times(arm, 0.5 * (inertia.H + H));
+    return {inertia.M, H, inertia.J + turned + transposed(turned)};
 }
 
 /// The same for a wrench.
-inline Six at_root_of(const Six& wrench, const Vec3& arm) {
-    return {wrench.linear, wrench.angular + arm.cross(wrench.linear)};
+template <Lanes V>
+JW_INLINE SixOf<V> at_root_of(const SixOf<V>& wrench, const V& arm) {
+    return {wrench.linear, wrench.angular + cross(arm, wrench.linear)};
 }
 
 /// Velocity or acceleration at the end of an arm; what turning adds to accelerations is not in it.
-inline Six at_end_of(const Six& motion, const Vec3& arm) {
-    return {motion.linear + motion.angular.cross(arm), motion.angular};
-}
-
-inline double dot(const Six& a, const Six& b) { return a.linear.dot(b.linear) + a.angular.dot(b.angular); }
-
-inline Six operator*(double factor, const Six& a) { return {factor * a.linear, factor * a.angular}; }
-
-inline void add_scaled(Six& a, double factor, const Six& b) {
-    a.linear += factor * b.linear;
-    a.angular += factor * b.angular;
-}
-
-/// [M H; Hᵀ J] x
-inline Six times(const Inertia6& inertia, const Six& x) {
-    return {
-        inertia.M * x.linear + inertia.H * x.angular,
-        inertia.H.transpose() * x.linear + inertia.J * x.angular};
+template <Lanes V>
+JW_INLINE SixOf<V> at_end_of(const SixOf<V>& motion, const V& arm) {
+    return {motion.linear + cross(motion.angular, arm), motion.angular};
 }
 
 /// I - c cᵀ / d
-inline void subtract_square(Inertia6& inertia, const Six& c, const Six& c_by_d) {
-    inertia.M.noalias() -= c.linear * c_by_d.linear.transpose();
-    inertia.H.noalias() -= c.linear * c_by_d.angular.transpose();
-    inertia.J.noalias() -= c.angular * c_by_d.angular.transpose();
-}
-
-inline void add(Inertia6& a, const Inertia6& b) {
-    a.M += b.M;
-    a.H += b.H;
-    a.J += b.J;
+template <Lanes V>
+JW_INLINE InertiaOf<V> without_square(
+    const InertiaOf<V>& inertia, const SixOf<V>& c, const SixOf<V>& c_by_d) {
+    return {
+        inertia.M - dyad(c_by_d.linear, c.linear), inertia.H - dyad(c_by_d.linear, c.angular),
+        inertia.J - dyad(c_by_d.angular, c.angular)};
 }
 
 }  // namespace jw

@@ -38,13 +38,14 @@ std::vector<NumberScale> TreeEquations::scales() const {
 
 void TreeEquations::to_flat(const double* y, double* flat) const {
     tree_.place(y);
+    tree_.find_p(y);
     tree_.move(y);
     for (const int body : moving_) {
         const Node& node = tree_.node(tree_.node_of(body));
-        vec3(flat) = node.r;
+        vec3(flat) = node.centre();
         vec4(flat + 3) = node.p;
-        vec3(flat + 7) = node.velocity.linear;
-        vec3(flat + 10) = node.A.transpose() * node.velocity.angular;
+        vec3(flat + 7) = node.velocity_of_centre();
+        vec3(flat + 10) = node.omega_local();
         flat += kNumbersPerBody;
     }
 }
@@ -57,14 +58,16 @@ void TreeEquations::from_flat(const double* flat, double* y) const {
         if (joint.hanging == Hanging::free) { std::copy_n(numbers, 7, y + joint.position); }
         if (joint.hanging == Hanging::ball) { std::copy_n(numbers + 3, 4, y + joint.position); }
     }
-    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta)
-    tree_.place(y);
-    tree_.set_inertias(Metric::mass);
+    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta): what they do as forces on what is at rest
+    std::vector<BodyForce> momenta(bodies_.size());
     for (std::size_t m = 0; m < moving_.size(); ++m) {
-        Node& node = tree_.node(tree_.node_of(moving_[m]));
+        const MassProperties& own = *scene_->loads.masses[at(moving_[m])];
         const double* velocity = body_numbers(flat, m) + 7;
-        node.wrench = times(node.inertia, {vec3(velocity), node.A * vec3(velocity + 3)});
+        momenta[at(moving_[m])] = {own.mass * vec3(velocity), own.J_local * vec3(velocity + 3)};
     }
+    tree_.place(y);
+    tree_.move(y);
+    tree_.set_inertias_and_wrenches(momenta);
     tree_.fold();
     tree_.unfold();
     add_velocities(y);

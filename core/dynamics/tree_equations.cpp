@@ -25,10 +25,11 @@ std::vector<Link> links_left_by(const JointTree& tree, const Mechanism& mechanis
     return links;
 }
 
-/// All other equations say the same wherever their two bodies are together.
-bool asks_for_one_body(const LinkEquation& equation) {
+/// Of a driver that asks for a coordinate of one body; all other equations say the same wherever their two
+/// bodies are together.
+const CoordinateMeasure* coordinate_asked_by(const LinkEquation& equation) {
     const auto* driven = std::get_if<Driven>(&equation.primitive);
-    return driven != nullptr && std::holds_alternative<CoordinateMeasure>(driven->measure);
+    return driven != nullptr ? std::get_if<CoordinateMeasure>(&driven->measure) : nullptr;
 }
 
 }  // namespace
@@ -65,7 +66,9 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     for (const Link& link : links_) {
         for (const LinkEquation& equation : link.equations) {
             Row row;
-            row.node_i = asks_for_one_body(equation) ? 0 : tree_.node_of(link.body_i);
+            const CoordinateMeasure* asked = coordinate_asked_by(equation);
+            needs_p_ = needs_p_ || (asked != nullptr && asked->coordinate >= 3);
+            row.node_i = asked != nullptr ? 0 : tree_.node_of(link.body_i);
             row.node_j = tree_.node_of(link.body_j);
             row.path = tree_.path(row.node_i, row.node_j);
             groups_.push_back({&link, &equation, static_cast<int>(rows_.size())});
@@ -80,44 +83,27 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
 }
 
 /// Where the bodies are that loads and equations ask for, and how they move where that counts.
-void TreeEquations::set_bodies() {
+void TreeEquations::set_bodies(const double* y) {
+    if (needs_p_) { tree_.find_p(y); }
     for (const int b : looked_at_) {
         const Node& node = tree_.node(tree_.node_of(b));
         BodyKinematics<OmegaLocal>& body = bodies_[at(b)];
-        body.r = node.r;
+        body.r = node.centre();
         body.p = node.p;
-        body.A = node.A;
+        body.A = mat3(node.A);
         if (!needs_motion_[at(b)]) { continue; }
-        body.r_dot = node.velocity.linear;
-        OmegaLocal::set_motion(body, node.A.transpose() * node.velocity.angular);
-    }
-}
-
-/// Q - M Ḃ u to the nodes, which still have no inertia but their own.
-void TreeEquations::add_loads(double t) {
-    for (const int b : moving_) { forces_[at(b)] = {}; }
-    add_forces(scene_->loads, bodies_, t, forces_);
-    for (const int b : moving_) {
-        Node& node = tree_.node(tree_.node_of(b));
-        const BodyForce& force = forces_[at(b)];
-        const Vec3& omega = node.velocity.angular;
-        const Mat3& J = node.inertia.J;
-        node.wrench.linear = force.f - scene_->loads.masses[at(b)]->mass * node.bias.linear;
-        node.wrench.angular = -omega.cross(J * omega) - J * node.bias.angular;
-    }
-    // gravity turns nothing about a centre of mass
-    for (const int b : looked_at_) {
-        Node& node = tree_.node(tree_.node_of(b));
-        node.wrench.angular += node.A * forces_[at(b)].n_local;
+        body.r_dot = node.velocity_of_centre();
+        OmegaLocal::set_motion(body, node.omega_local());
     }
 }
 
 RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
     tree_.place(y);
     tree_.move(y);
-    set_bodies();
-    tree_.set_inertias(Metric::mass);
-    add_loads(t);
+    set_bodies(y);
+    std::ranges::fill(forces_, BodyForce{});
+    add_forces(scene_->loads, bodies_, t, forces_);
+    tree_.set_inertias_and_wrenches(forces_);
     tree_.fold();
     RowsVerdict verdict;
     if (!rows_.empty()) {
@@ -125,8 +111,8 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
         factor_rows();
         for (std::size_t k = 0; k < kept_.size(); ++k) {
             const Row& row = rows_[at(kept_[k])];
-            double right = row.gamma - dot(row.on_i, tree_.node(row.node_i).bias) -
-                           dot(row.on_j, tree_.node(row.node_j).bias);
+            double right =
+                row.gamma - tree_.drift_along(row.node_i, row.on_i) - tree_.drift_along(row.node_j, row.on_j);
             const double* e_by_D = e_by_D_.data() + row.first_e;
             for (const int u : row.path) { right -= *e_by_D++ * tree_.e()[at(u)]; }
             lambda_[k] = right;
@@ -153,8 +139,8 @@ double TreeEquations::kinetic_energy(const double* y) const {
     double energy = 0.0;
     for (const int b : moving_) {
         const Node& node = tree_.node(tree_.node_of(b));
-        energy += jw::kinetic_energy(
-            *scene_->loads.masses[at(b)], node.velocity.linear, node.A.transpose() * node.velocity.angular);
+        energy +=
+            jw::kinetic_energy(*scene_->loads.masses[at(b)], node.velocity_of_centre(), node.omega_local());
     }
     return energy;
 }
@@ -163,8 +149,8 @@ double TreeEquations::potential_energy(const double* y) const {
     tree_.place(y);
     std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
     for (const int b : moving_) {
-        bodies[at(b)].r = tree_.node(tree_.node_of(b)).r;
-        bodies[at(b)].A = tree_.node(tree_.node_of(b)).A;
+        bodies[at(b)].r = tree_.node(tree_.node_of(b)).centre();
+        bodies[at(b)].A = mat3(tree_.node(tree_.node_of(b)).A);
     }
     return jw::potential_energy(scene_->loads, bodies);
 }

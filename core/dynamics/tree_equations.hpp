@@ -60,7 +60,7 @@ private:
         int node_j = 0;
         std::vector<int> path;    ///< where in u it is felt
         std::size_t first_e = 0;  ///< where its numbers begin in e_of_rows_ and in e_by_D_
-        Six on_i;
+        Six on_i;                 ///< at the root of the node
         Six on_j;
         double phi = 0.0;
         double rate = 0.0;  ///< Φq q̇ - ν
@@ -81,9 +81,9 @@ private:
         std::size_t e_by_D;
     };
 
-    void set_bodies();
-    void add_loads(double t);
+    void set_bodies(const double* y);
     void write_rates(const double* y, double* y_dot) const;
+    Six at_root(int node, const Mat3& A, const Eigen::Matrix<double, 1, 6>& block) const;
     void evaluate_rows(double t, const std::vector<Group>& groups);
     void evaluate_rows_of(const Group& group, double t);
     void measure_rows();
@@ -117,6 +117,7 @@ private:
     std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
     std::vector<int> looked_at_;      ///< moving bodies of forces, torques, springs and cut joints
     std::vector<bool> needs_motion_;  ///< those of springs and cut joints
+    bool needs_p_ = false;            ///< a driver asks for one of e0 ... e3
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;
     std::vector<double> e_by_D_;

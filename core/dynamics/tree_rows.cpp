@@ -17,6 +17,11 @@ bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
 
 }  // namespace
 
+/// A row's block of a body, in ω', as a wrench at the root of its node.
+Six TreeEquations::at_root(int node, const Mat3& A, const Eigen::Matrix<double, 1, 6>& block) const {
+    return tree_.at_root(node, block.head<3>().transpose(), A * block.tail<3>().transpose());
+}
+
 void TreeEquations::evaluate_rows_of(const Group& group, double t) {
     const LinkEquation& equation = *group.equation;
     const BodyKinematics<OmegaLocal>& i = bodies_[at(group.link->body_i)];
@@ -28,12 +33,10 @@ void TreeEquations::evaluate_rows_of(const Group& group, double t) {
             if (has(equation.left_out, k)) { continue; }
             row->phi = jet.value(k);
             if constexpr ((Jet::kSides & kBodyI) != 0) {
-                row->on_i.linear = jet.block_i.row(k).template head<3>();
-                row->on_i.angular = i.A * jet.block_i.row(k).template tail<3>().transpose();
+                row->on_i = at_root(row->node_i, i.A, jet.block_i.row(k));
             }
             if constexpr ((Jet::kSides & kBodyJ) != 0) {
-                row->on_j.linear = jet.block_j.row(k).template head<3>();
-                row->on_j.angular = j.A * jet.block_j.row(k).template tail<3>().transpose();
+                row->on_j = at_root(row->node_j, j.A, jet.block_j.row(k));
             }
             ++row;
         }
@@ -110,7 +113,7 @@ double TreeEquations::project(double t, double* y) {
     for (int round = 0; round < kMostRounds; ++round) {
         tree_.place(y);
         tree_.move(y);
-        set_bodies();
+        set_bodies(y);
         evaluate_rows(t, kept_groups_);
         tree_.set_inertias(Metric::mass);
         tree_.fold();
@@ -126,7 +129,7 @@ double TreeEquations::project(double t, double* y) {
     take_out(&Row::rate);
     add_velocities(y);
     tree_.move(y);
-    set_bodies();
+    set_bodies(y);
     evaluate_rows(t, kept_groups_);
     take_out(&Row::rate);
     add_velocities(y);
@@ -141,10 +144,11 @@ void TreeEquations::measure_rows() {
         for (const auto& [n, on] : {std::pair{row.node_i, &row.on_i}, std::pair{row.node_j, &row.on_j}}) {
             if (n == 0) { continue; }
             const MassProperties& own = *scene_->loads.masses[at(tree_.joint_of(n).body)];
-            const Vec3 turn_local = tree_.node(n).A.transpose() * on->angular;
-            by_mass +=
-                on->linear.squaredNorm() / own.mass + turn_local.dot(own.J_local.inverse() * turn_local);
-            by_length += on->linear.squaredNorm() + on->angular.squaredNorm() / (extent_ * extent_);
+            const Vec3 way = vec3(on->linear);
+            const Vec3 turn = vec3(on->angular) - vec3(tree_.node(n).own_arm).cross(way);
+            const Vec3 turn_local = mat3(tree_.node(n).A).transpose() * turn;
+            by_mass += way.squaredNorm() / own.mass + turn_local.dot(own.J_local.inverse() * turn_local);
+            by_length += way.squaredNorm() + turn.squaredNorm() / (extent_ * extent_);
         }
         row.size = by_mass > 0.0 ? by_mass : 1.0;
         row.inverse_unit = by_length > 0.0 ? 1.0 / (extent_ * std::sqrt(by_length)) : 1.0;
@@ -215,7 +219,7 @@ bool TreeEquations::choose_rows(double t, const double* y) {
     kept_before_ = kept_;
     tree_.place(y);
     tree_.move(y);
-    set_bodies();
+    set_bodies(y);
     evaluate_rows(t, groups_);
     measure_rows();
     tree_.set_inertias(Metric::geometry, extent_);
@@ -271,7 +275,7 @@ void TreeEquations::keep(std::vector<int> rows) {
 std::pair<double, double> TreeEquations::violation(double t, const double* y) {
     tree_.place(y);
     tree_.move(y);
-    set_bodies();
+    set_bodies(y);
     evaluate_rows(t, groups_);
     std::pair<double, double> worst{0.0, 0.0};
     for (const Row& row : rows_) {

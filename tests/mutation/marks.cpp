@@ -98,8 +98,9 @@ struct Marker {
         const bool is_old = name == equals || code[name] == '.' || code[name] == '(' || code[name] == '[';
         if (equals >= code.find('\n', line) || name == begin || !is_old) { return; }
         const std::size_t value = after_spaces(code, equals + 2);
-        const bool is_zero = code.compare(value, 4, "0.0;") == 0;
-        if (code[value] == '{' || code[value] == '[' || is_zero || is_index(code, value)) { return; }
+        const auto is = [&](std::string_view word) { return code.compare(value, word.size(), word) == 0; };
+        const bool is_number = !is("0.0;") && !is("default;") && !is_index(code, value);
+        if (code[value] == '{' || code[value] == '[' || !is_number) { return; }
         marks.push_back({Kind::value, value, code.find(';', value)});
     }
 

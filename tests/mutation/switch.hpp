@@ -60,4 +60,11 @@ J operator*(double factor, J out) {
     return out;
 }
 
+/// And one before an inertia.
+template <class I>
+requires requires { I::M, I::H, I::J; }
+[[gnu::always_inline]] inline I operator*(double factor, const I& inertia) {
+    return {factor * inertia.M, factor * inertia.H, factor * inertia.J};
+}
+
 }  // namespace jw
