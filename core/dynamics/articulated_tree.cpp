@@ -1,6 +1,5 @@
 #include "core/dynamics/articulated_tree.hpp"
 
-#include <cmath>
 #include <iterator>
 
 #include "core/dynamics/tree_passes.hpp"
@@ -13,7 +12,6 @@ namespace jw {
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
     : joints_(scene.mechanism, start),
       nodes_(joints_.nodes().size() + 1),
-      half_turns_(nodes_.size()),
       e_(at(joints_.velocities()), 0.0),
       u_dot_(e_.size(), 0.0) {
     nodes_[0].A = Mat3::Identity();
@@ -46,30 +44,35 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
             node.still = A * along;
             node.across = A - A * along;
             node.quarter = A * tilde(turn);
+            turning_.push_back(static_cast<int>(n));
+        }
+        if (node.hanging == Hanging::ball || node.hanging == Hanging::free) {
+            with_p_.push_back(static_cast<int>(n));
         }
         node.turn_in_parent = A * joint.turn_local;
         node.shift_in_parent = A * joint.shift_local;
     }
+    turns_.resize((turning_.size() + 3) / 4);
+    half_turns_.resize(turns_.size());
 }
 
 void ArticulatedTree::place(const double* y) {
-    // all turns first: in the chain of nodes each would be waited for
-    for (std::size_t n = 1; n < nodes_.size(); ++n) {
-        Node& node = nodes_[n];
+    for (std::size_t k = 0; k < turning_.size(); ++k) {
+        turns_[k / 4].angle[k % 4] = y[nodes_[at(turning_[k])].q];
+    }
+    find_sines_and_cosines(turns_);
+    for (const int n : with_p_) {
+        Node& node = nodes_[at(n)];
         const double* position = y + node.q;
-        if (node.turns) {
-            const double cosine = std::cos(0.5 * *position);
-            const double sine = std::sin(0.5 * *position);
-            half_turns_[n] = {cosine, sine};
-            using Matrix = Columns<Narrow>;
-            node.A_in_parent = Matrix(node.still) + (cosine * cosine - sine * sine) * Matrix(node.across) +
-                               (2.0 * sine * cosine) * Matrix(node.quarter);
-        } else if (node.hanging == Hanging::ball || node.hanging == Hanging::free) {
-            const double* p = node.hanging == Hanging::free ? position + 3 : position;
-            node.A = homogeneous_rotation_matrix(vec4(p).normalized());
-        }
+        const double* p = node.hanging == Hanging::free ? position + 3 : position;
+        node.A = homogeneous_rotation_matrix(vec4(p).normalized());
     }
     in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        // all turns first: in the chain of nodes each would be waited for
+        for (std::size_t k = 0; k < turning_.size(); ++k) {
+            const FourTurns& four = turns_[k / 4];
+            tree_passes::turn<V>(nodes_[at(turning_[k])], four.cosine[k % 4], four.sine[k % 4]);
+        }
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             tree_passes::place<V>(nodes_[n], nodes_[at(nodes_[n].parent)], y);
         }
@@ -77,6 +80,11 @@ void ArticulatedTree::place(const double* y) {
 }
 
 void ArticulatedTree::find_p(const double* y) {
+    for (std::size_t k = 0; k < turning_.size(); ++k) {
+        half_turns_[k / 4].angle[k % 4] = 0.5 * y[nodes_[at(turning_[k])].q];
+    }
+    find_sines_and_cosines(half_turns_);
+    std::size_t k = 0;
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         const TreeNode& joint = joints_.nodes()[n - 1];
         Node& node = nodes_[n];
@@ -87,8 +95,10 @@ void ArticulatedTree::find_p(const double* y) {
             case Hanging::ball: node.p = vec4(position).normalized(); break;
             case Hanging::axis:
                 if (joint.turns) {
-                    const auto [cosine, sine] = half_turns_[n];
-                    node.p = product(of_parent, cosine * joint.p_parent + sine * joint.p_turned);
+                    const FourTurns& four = half_turns_[k / 4];
+                    node.p = product(
+                        of_parent, four.cosine[k % 4] * joint.p_parent + four.sine[k % 4] * joint.p_turned);
+                    ++k;
                     break;
                 }
                 [[fallthrough]];

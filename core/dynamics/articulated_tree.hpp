@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "core/dynamics/forces.hpp"
 #include "core/dynamics/joint_tree.hpp"
+#include "core/dynamics/sine_cosine.hpp"
 #include "core/dynamics/spatial_vectors.hpp"
 
 /// Bᵀ M B u̇ = Bᵀ (wrenches) for a tree of bodies, without ever forming B or Bᵀ M B.
@@ -116,7 +116,10 @@ public:
 private:
     JointTree joints_;
     std::vector<Node> nodes_;
-    std::vector<std::array<double, 2>> half_turns_;  ///< cos q/2, sin q/2 of the joints that turn
+    std::vector<int> turning_;      ///< nodes whose joints turn
+    std::vector<FourTurns> turns_;  ///< of them, four by four
+    std::vector<FourTurns> half_turns_;
+    std::vector<int> with_p_;  ///< nodes with p of their own
     std::vector<double> e_;
     std::vector<double> u_dot_;
 };

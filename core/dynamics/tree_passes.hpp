@@ -13,6 +13,12 @@ JW_INLINE void store(const V& v, double* numbers) {
 }
 
 template <Lanes V>
+JW_INLINE void turn(Node& node, double cosine, double sine) {
+    node.A_in_parent =
+        Columns<V>(node.still) + cosine * Columns<V>(node.across) + sine * Columns<V>(node.quarter);
+}
+
+template <Lanes V>
 JW_INLINE void place(Node& node, const Node& parent, const double* y) {
     const Columns<V> A_parent = parent.A;
     V arm = A_parent * V(node.step);

@@ -17,6 +17,7 @@ namespace jw {
 /// The whole vector in one register; computes only within run_wide.
 struct Wide {
     using Register = double __attribute__((vector_size(32), may_alias));
+    using Bits = long long __attribute__((vector_size(32), may_alias));
     Register xyz0;
 
     JW_INLINE static Wide load(const double* four) { return {*reinterpret_cast<const Register*>(four)}; }
@@ -34,6 +35,7 @@ JW_INLINE Wide next(const Wide& a) { return {__builtin_shufflevector(a.xyz0, a.x
 /// In two registers of the base set.
 struct Narrow {
     using Register = double __attribute__((vector_size(16), may_alias));
+    using Bits = long long __attribute__((vector_size(16), may_alias));
     Register xy;
     Register z0;
 

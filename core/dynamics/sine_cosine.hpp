@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+/// Sines and cosines of many angles at once, with the same numbers on every machine. Those of the standard
+/// library, one after the other, were a sixth of an evaluation in joint coordinates, and differ in their last
+/// bits from processor to processor.
+namespace jw {
+
+/// Four angles [rad].
+struct alignas(32) FourTurns {
+    double angle[4] = {0.0, 0.0, 0.0, 0.0};
+    double cosine[4] = {1.0, 1.0, 1.0, 1.0};
+    double sine[4] = {0.0, 0.0, 0.0, 0.0};
+};
+
+/// Sets `cosine` and `sine`, to 1.2e-16 of the true ones.
+void find_sines_and_cosines(std::span<FourTurns> turns);
+
+}  // namespace jw
