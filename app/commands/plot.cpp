@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <regex>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/plot_picture.hpp"
+#include "app/commands/size_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/inspection.hpp"
 #include "app/session/series.hpp"
@@ -25,28 +25,12 @@ struct PlotOptions {
     std::string size = "1280x720";
 };
 
-constexpr int kSmallestPlot = 320;
-constexpr int kLargestPlot = 3840;
+constexpr PixelSize kSmallestPlot{320, 320};
+constexpr PixelSize kLargestPlot{3840, 3840};
 
 CommandError bad(const std::string& message, const std::string& hint = {}) {
     return CommandError(
         Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
-}
-
-struct PlotSize {
-    int width = 0;
-    int height = 0;
-};
-
-PlotSize plot_size_of(const std::string& text) {
-    static const std::regex form("([0-9]{3,4})x([0-9]{3,4})");
-    std::smatch match;
-    const auto fits = [](int n) { return n >= kSmallestPlot && n <= kLargestPlot; };
-    if (std::regex_match(text, match, form)) {
-        const PlotSize size{std::stoi(match[1]), std::stoi(match[2])};
-        if (fits(size.width) && fits(size.height)) { return size; }
-    }
-    throw bad("--size " + in_quotes(text) + "; expected WIDTHxHEIGHT in pixels, each from 320 to 3840");
 }
 
 /// The joint whose pairs are plotted: the one named, else the one that the story is about.
@@ -104,7 +88,7 @@ const char* title_of(const std::string& of) {
 }
 
 Exit plot(const PlotOptions& options, const Streams& streams) {
-    const PlotSize size = plot_size_of(options.size);
+    const PixelSize size = size_option(options.size, kSmallestPlot, kLargestPlot);
     const bool is_csv = options.out.ends_with(".csv");
     if (!is_csv && !options.out.ends_with(".png")) {
         throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");

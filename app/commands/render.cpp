@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <optional>
-#include <regex>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/frame_range.hpp"
+#include "app/commands/size_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/host/frame_files.hpp"
 #include "app/host/frame_painter.hpp"
@@ -24,32 +24,11 @@ struct RenderOptions {
     std::optional<std::string> frames;
 };
 
-struct Size {
-    int width = 0;
-    int height = 0;
-};
-
 // below this the panels have no room; above it the letters do not fit into one texture
-constexpr Size kSmallest{960, 540};
-constexpr Size kLargest{3840, 2160};
+constexpr PixelSize kSmallest{960, 540};
+constexpr PixelSize kLargest{3840, 2160};
 constexpr double kMostFps = 240.0;
 constexpr double kMostFrames = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
-
-Size size_of(const std::string& text) {
-    static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
-    std::smatch match;
-    if (std::regex_match(text, match, form)) {
-        const Size size{std::stoi(match[1]), std::stoi(match[2])};
-        if (size.width >= kSmallest.width && size.height >= kSmallest.height &&
-            size.width <= kLargest.width && size.height <= kLargest.height) {
-            return size;
-        }
-    }
-    throw CommandError(
-        Exit::bad_input,
-        "jointwise: error: --size '" + text +
-            "'; expected WIDTHxHEIGHT in pixels from 960x540 to 3840x2160, for example 1920x1080");
-}
 
 int intervals_of(const Lesson& lesson, double fps) {
     if (!std::isfinite(fps)) {
@@ -67,7 +46,7 @@ int intervals_of(const Lesson& lesson, double fps) {
 }
 
 Exit render_command(const RenderOptions& options, const Streams& streams) {
-    const Size size = size_of(options.size);
+    const PixelSize size = size_option(options.size, kSmallest, kLargest);
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     streams.err << tried_text(tried.done);

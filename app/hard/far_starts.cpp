@@ -13,8 +13,6 @@ namespace jw::hard {
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
 /// The first joint of a lesson alone, its second body turned by `angle` from where the joint wants it.
 State turned_away(const Mechanism& mechanism, const State& good, const Vec3& axis, double angle) {
     State state = good;
@@ -81,11 +79,11 @@ Result anti_parallel_start() {
     State state = turned_away(mechanism, start_state(mechanism), Vec3::UnitX(), std::numbers::pi);
     const Ended naive = plain_newton(system, state);
     const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
-    State middle = turned_away(mechanism, start_state(mechanism), Vec3::UnitX(), 90.0 * kRadiansPerDegree);
+    State middle = turned_away(mechanism, start_state(mechanism), Vec3::UnitX(), 90.0 * kDegree);
     const PositionOutcome at_90 = solve_position<OmegaLocal>(system, middle, 0.0);
     Count sweep;
     for (int angle = 5; angle <= 175; angle += 10) {
-        count_from("hard/anti-parallel.toml", angle * kRadiansPerDegree, 1, sweep);
+        count_from("hard/anti-parallel.toml", angle * kDegree, 1, sweep);
     }
     Result result;
     result.naive =
@@ -112,7 +110,7 @@ Result start_170_degrees_off() {
     constexpr std::array kLessons{
         "joints/revolute.toml", "joints/cylindrical.toml", "joints/prismatic.toml", "joints/screw.toml"};
     Count count;
-    for (const char* lesson : kLessons) { count_from(lesson, 170.0 * kRadiansPerDegree, 50, count); }
+    for (const char* lesson : kLessons) { count_from(lesson, 170.0 * kDegree, 50, count); }
     Result result;
     result.naive =
         "the solution that is nearest is the one upside down, and that is where whole steps go, or nowhere.";

@@ -63,7 +63,7 @@ double error_after_two_turns(ScrewAngleForm form) {
         const double angle = relative_angle(lesson.mechanism.joints[0], state);
         worst = std::max(worst, std::abs(std::remainder(angle - asked, 2.0 * kPi)));
     }
-    return worst * 180.0 / kPi;
+    return worst / kDegree;
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
+#include "app/hard/variants.hpp"
 
 namespace jw::hard {
 
 /// The last axis of the four-bar, tilted by 5 degrees in one of its bodies.
 Result loop_with_a_tilted_axis() {
     Lesson lesson = shipped_lesson("dynamics/four-bar-1.toml");
-    const double tilt = 5.0 * std::numbers::pi / 180.0;
+    const double tilt = 5.0 * kDegree;
     lesson.mechanism.joints.back().geometry.s_j_local = Vec3(0.0, std::sin(tilt), std::cos(tilt));
 
     const Centroidal scene = centroidal_of(lesson);

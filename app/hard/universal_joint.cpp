@@ -13,8 +13,6 @@ namespace jw::hard {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 /// The lesson's bob, its arm turned from perpendicular to `angle` [rad] against the other; the point stays.
 Mechanism arms_at(Mechanism mechanism, double angle) {
     const JointGeometry& g = mechanism.joints[0].geometry;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string_view>
 
@@ -9,6 +10,9 @@
 
 /// The mechanisms of lessons altered, so that one can see whether verdicts stay.
 namespace jw::hard {
+
+/// [rad]
+inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The joints of a shipped lesson, nothing driven; it starts at the pose that the lesson closes to.
 /// @param name below lessons/catalogue

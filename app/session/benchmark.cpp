@@ -15,7 +15,6 @@ namespace jw {
 
 namespace {
 
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 /// A run that takes longer ends its method's sweep [s].
 constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 4'000'000;  // the finest fixed step of a sweep takes 3.3 million

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -11,6 +12,9 @@
 
 /// Speed against error: what a digit costs, method by method.
 namespace jw {
+
+/// Of errors and times.
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// Positions of a lesson's point at equal times from 0 to its duration, known beforehand.
 struct Reference {

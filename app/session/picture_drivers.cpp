@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/session/picture_parts.hpp"
 #include "app/session/picture_shapes.hpp"
@@ -11,7 +10,6 @@ namespace {
 
 namespace palette = render::palette;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kArcPoints = 72;  // a full turn looks round with so many
 constexpr double kHead = 0.03;  // length of the arrow at the end of an arc, of the unit
 
@@ -46,7 +44,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
         circle.centre = j.P_i + along * to_front;
         int hidden = 0;
         for (int n = 0; n < samples; ++n) {
-            hidden += solid.contains(circle.at(kTurn * n / samples)) ? 1 : 0;
+            hidden += solid.contains(circle.at(kWholeTurn * n / samples)) ? 1 : 0;
             // the outer half of u_i and u_j, as far as they are drawn
             const Vec3 along_u =
                 (n % 2 == 0 ? j.u_i : j.u_j) * circle.radius * (0.5 + (kArm - 0.5) * n / samples);
@@ -65,8 +63,8 @@ void add_angle(
     const PictureStyle& style, const PlacedJoint& j, const State& state, double angle, Picture& picture) {
     const Circle circle = circle_in_sight(style, j, state);
     // whole turns lie on each other
-    const double shown = std::remainder(angle, 2.0 * kTurn);
-    const int count = std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / kTurn)));
+    const double shown = std::remainder(angle, 2.0 * kWholeTurn);
+    const int count = std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / kWholeTurn)));
     render::Polyline arc{{}, 3.0, palette::kVectorD};
     for (int k = 0; k <= count; ++k) { arc.points.push_back(circle.at(shown * k / count)); }
     picture.scene.polylines.push_back(std::move(arc));

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <numbers>
+
 #include "app/session/picture.hpp"
 
 /// Parts that picture.cpp puts together.
 namespace jw::picture {
+
+inline constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
 /// A body's frame at a state.
 struct BodyFrame {

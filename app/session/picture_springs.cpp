@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/session/picture_parts.hpp"
 
@@ -8,7 +7,6 @@ namespace jw::picture {
 
 namespace {
 
-constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr render::Colour kWire = render::from_hex(0x5B6672);
 constexpr double kWireWidth = 2.4;
 /// Sizes in the unit of the picture, shares of the length.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/session/numbers.hpp"
 
@@ -10,10 +9,8 @@ namespace jw {
 
 namespace {
 
-constexpr double kNoTime = std::numeric_limits<double>::quiet_NaN();
-
 double finest_of(const BenchRun& run) {
-    double finest = kNoTime;
+    double finest = kNotKnown;
     for (const BenchPoint& point : run.points) {
         // NaN loses every comparison
         if (!(finest <= point.position)) { finest = point.position; }
@@ -80,7 +77,7 @@ SeriesSet work_precision(const std::vector<BenchRun>& runs) {
         series.unit = "ms";
         for (const double digits : set.at) {
             const auto time = run.time_to(std::pow(10.0, -digits));
-            series.values.push_back(time ? 1e3 * *time : kNoTime);
+            series.values.push_back(time ? 1e3 * *time : kNotKnown);
         }
         set.telling.push_back(static_cast<int>(set.series.size()));
         set.series.push_back(std::move(series));

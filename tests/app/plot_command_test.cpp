@@ -71,7 +71,7 @@ TEST_CASE("a plot that cannot be made says what was expected", "[app][commands]"
     const std::vector<Case> cases{
         {{"--out", folder.path("a.jpg")}, "expected a name that ends in .png or .csv"},
         {{"--out", folder.path("a.png"), "--size", "9x9"},
-         "expected WIDTHxHEIGHT in pixels, each from 320 to 3840"},
+         "expected WIDTHxHEIGHT in pixels from 320x320 to 3840x3840"},
         {{"--out", folder.path("a.png"), "--curves", "thread.angel"}, "hint: did you mean 'thread.angle'?"},
         {{"--out", folder.path("a.png"), "--of", "conditions", "--joint", "thred"},
          "hint: did you mean 'thread'?"},

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+/// --size WIDTHxHEIGHT.
+namespace jw {
+
+struct PixelSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// @throws CommandError if it is no size, or not between the two
+PixelSize size_option(const std::string& text, PixelSize smallest, PixelSize largest);
+
+}  // namespace jw
