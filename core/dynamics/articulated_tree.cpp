@@ -37,7 +37,7 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
             joint.parent < 0 ? Vec3(Vec3::Zero()) : joints_.nodes()[at(joint.parent)].point_local;
         node.step = joint.point_parent - root_of_parent;
         const Mat3 A = homogeneous_rotation_matrix(joint.p_parent);
-        node.A_in_parent = A;
+        node.still = A;
         if (joint.turns) {
             const Vec3& turn = joint.turn_local;
             const Mat3 along = turn * turn.transpose();
@@ -52,7 +52,7 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
         node.turn_in_parent = A * joint.turn_local;
         node.shift_in_parent = A * joint.shift_local;
     }
-    turns_.resize((turning_.size() + 3) / 4);
+    turns_.resize((turning_.size() + 4) / 4);  // one more may be looked at than turns
     half_turns_.resize(turns_.size());
 }
 
@@ -68,13 +68,12 @@ void ArticulatedTree::place(const double* y) {
         node.A = homogeneous_rotation_matrix(vec4(p).normalized());
     }
     in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
-        // all turns first: in the chain of nodes each would be waited for
-        for (std::size_t k = 0; k < turning_.size(); ++k) {
-            const FourTurns& four = turns_[k / 4];
-            tree_passes::turn<V>(nodes_[at(turning_[k])], four.cosine[k % 4], four.sine[k % 4]);
-        }
+        std::size_t k = 0;
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
-            tree_passes::place<V>(nodes_[n], nodes_[at(nodes_[n].parent)], y);
+            Node& node = nodes_[n];
+            const FourTurns& four = turns_[k / 4];
+            tree_passes::place<V>(node, nodes_[at(node.parent)], y, four.cosine[k % 4], four.sine[k % 4]);
+            if (node.turns) { ++k; }
         }
     });
 }

@@ -43,7 +43,6 @@ public:
         Triples quarter;
 
         // where it is
-        Triples A_in_parent;
         Triples A;
         Triple r;        ///< of its root
         Triple arm;      ///< from the parent's root to its own

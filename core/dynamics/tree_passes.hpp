@@ -12,21 +12,20 @@ JW_INLINE void store(const V& v, double* numbers) {
     for (int k = 0; k < 3; ++k) { numbers[k] = v[k]; }
 }
 
+/// @param cosine, sine of its coordinate, if it turns
 template <Lanes V>
-JW_INLINE void turn(Node& node, double cosine, double sine) {
-    node.A_in_parent =
-        Columns<V>(node.still) + cosine * Columns<V>(node.across) + sine * Columns<V>(node.quarter);
-}
-
-template <Lanes V>
-JW_INLINE void place(Node& node, const Node& parent, const double* y) {
+JW_INLINE void place(Node& node, const Node& parent, const double* y, double cosine, double sine) {
     const Columns<V> A_parent = parent.A;
     V arm = A_parent * V(node.step);
     if (node.hanging == Hanging::free) {
         arm = V::of_three(y + node.q);
     } else if (node.hanging != Hanging::ball) {
-        node.A = A_parent * Columns<V>(node.A_in_parent);
-        if (node.turns) { node.axis.angular = A_parent * V(node.turn_in_parent); }
+        Columns<V> A = node.still;
+        if (node.turns) {
+            A = A + cosine * Columns<V>(node.across) + sine * Columns<V>(node.quarter);
+            node.axis.angular = A_parent * V(node.turn_in_parent);
+        }
+        node.A = A_parent * A;
         if (node.shifts) {
             const V shift = A_parent * V(node.shift_in_parent);
             node.axis.linear = shift;
