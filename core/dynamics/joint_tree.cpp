@@ -23,6 +23,14 @@ struct Axis {
     Vec3 shift = Vec3::Zero();
 };
 
+/// Where a body hangs: any point of an axis will do, and of what does not turn any at all. The nearest to the
+/// centre of mass keeps the most digits of its inertia there.
+Vec3 nearest_to_centre(std::string_view type, const Vec3& point, const Vec3& s) {
+    if (type == "prismatic" || type == "fixed") { return Vec3::Zero(); }
+    if (type == "spherical" || type == "s" || type == "universal") { return point; }
+    return point - s.dot(point) * s;
+}
+
 /// The axes of a joint, from the parent on. @param s_parent the parent's axis in the child's frame
 std::vector<Axis> axes_of(const Joint& joint, const Vec3& s_parent, const Vec3& s) {
     const std::string_view name = joint.type->name;
@@ -110,8 +118,8 @@ void JointTree::hang(const Mechanism& mechanism, const State& start, const Edge&
     const Joint& joint = mechanism.joints[at(edge.joint)];
     const JointGeometry& g = joint.geometry;
     const bool child_is_j = edge.child_body == joint.body_j;
-    const Vec3& point = child_is_j ? g.P_j_local : g.P_i_local;
     const Vec3 s = (child_is_j ? g.s_j_local : g.s_i_local).normalized();
+    const Vec3 point = nearest_to_centre(joint.type->name, child_is_j ? g.P_j_local : g.P_i_local, s);
     const Vec3 s_other = (child_is_j ? g.s_i_local : g.s_j_local).normalized();
 
     const Vec3& r = start.r[at(edge.child_body)];
