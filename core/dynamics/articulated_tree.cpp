@@ -4,9 +4,6 @@
 
 #include "core/dynamics/tree_passes.hpp"
 
-/// What a pass is made of is compiled into it, for the registers that it runs in.
-#define JW_PASS __attribute__((always_inline))
-
 namespace jw {
 
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)

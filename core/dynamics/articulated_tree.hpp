@@ -59,10 +59,10 @@ public:
         Six acceleration;  ///< B u̇
         Six column_by_D;   ///< axis: inertia times axis, by D = axisᵀ inertia axis, at the parent's root
         double inverse_D = 0.0;
-        Triples inverse_J;    ///< ball, free
-        Triples H_inverse_J;  ///< ball, free
-        Triples inverse_M;    ///< free: of what turning has left of M
-        Vec4 p = Vec4::Unit(0);
+        Triples inverse_J;       ///< ball, free
+        Triples H_inverse_J;     ///< ball, free
+        Triples inverse_M;       ///< free: of what turning has left of M
+        Vec4 p = Vec4::Unit(0);  ///< after find_p only
 
         Vec3 centre() const { return vec3(r) + vec3(own_arm); }
         Vec3 velocity_of_centre() const {

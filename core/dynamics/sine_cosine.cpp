@@ -1,6 +1,5 @@
 #include "core/dynamics/sine_cosine.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,15 +69,15 @@ bool is_far(double angle) { return !(std::abs(angle) < kFar); }
 }  // namespace
 
 void find_sines_and_cosines(std::span<FourTurns> turns) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) __attribute__((always_inline)) {
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
         constexpr int lanes = sizeof(typename V::Register) / sizeof(double);
         for (FourTurns& four : turns) {
             for (int k = 0; k < 4; k += lanes) { find<V>(&four.angle[k], &four.cosine[k], &four.sine[k]); }
         }
     });
     for (FourTurns& four : turns) {
-        if (!std::ranges::any_of(four.angle, is_far)) { continue; }
         for (int k = 0; k < 4; ++k) {
+            if (!is_far(four.angle[k])) { continue; }
             four.cosine[k] = std::cos(four.angle[k]);
             four.sine[k] = std::sin(four.angle[k]);
         }

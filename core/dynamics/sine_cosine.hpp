@@ -14,7 +14,8 @@ struct alignas(32) FourTurns {
     double sine[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// Sets `cosine` and `sine`, to 1.2e-16 of the true ones.
+/// Sets `cosine` and `sine`, to 1.2e-16 of the true ones; of angles beyond 1.6e6 rad as the standard library
+/// has them.
 void find_sines_and_cosines(std::span<FourTurns> turns);
 
 }  // namespace jw

@@ -89,7 +89,7 @@ void TreeEquations::set_bodies(const double* y) {
         const Node& node = tree_.node(tree_.node_of(b));
         BodyKinematics<OmegaLocal>& body = bodies_[at(b)];
         body.r = node.centre();
-        body.p = node.p;
+        if (needs_p_) { body.p = node.p; }
         body.A = mat3(node.A);
         if (!needs_motion_[at(b)]) { continue; }
         body.r_dot = node.velocity_of_centre();

@@ -104,16 +104,17 @@ JW_INLINE void set_inertia_and_wrench(Node& node, const BodyForce* Q) {
 template <Lanes V>
 JW_INLINE void fold_axis(Node& node, Node& parent, double* e) {
     const InertiaOf<V> inertia = node.inertia;
+    const SixOf<V> wrench = node.wrench;
     const SixOf<V> axis = node.axis;
+    // of what only turns; what shifts, too, has more
     SixOf<V> column{inertia.H * axis.angular, inertia.J * axis.angular};
     double D = dot(axis.angular, column.angular);
+    *e = dot(axis.angular, wrench.angular);
     if (node.shifts) {
         column = column + SixOf<V>{inertia.M * axis.linear, transposed_times(inertia.H, axis.linear)};
         D = dot(axis, column);
+        *e = dot(axis, wrench);
     }
-    const SixOf<V> wrench = node.wrench;
-    *e = dot(axis.angular, wrench.angular);
-    if (node.shifts) { *e = dot(axis, wrench); }
     const V arm = node.arm;
     column = at_root_of(column, arm);
     node.inverse_D = 1.0 / D;
@@ -151,6 +152,7 @@ JW_INLINE void fold_ball(Node& node, Node& parent, double* e) {
     const Columns<V> M = let_go_of_turning<V>(node);
     const Columns<V> H = diagonal<V>(0.0) - times_tilde(M, arm);
     store(wrench.angular, e);
+    if (node.parent == 0) { return; }
     const V force = force_without_torque(node, wrench);
     parent.inertia = InertiaOf<V>(parent.inertia) + InertiaOf<V>{M, H, tilde_times(arm, H)};
     parent.wrench = SixOf<V>(parent.wrench) + SixOf<V>{force, cross(arm, force)};
@@ -167,6 +169,7 @@ JW_INLINE void fold(Node& node, Node& parent, double* e) {
             store(V(node.wrench.angular), e + 3);
             break;
         case Hanging::welded: {
+            if (node.parent == 0) { break; }
             const V arm = node.arm;
             parent.inertia = InertiaOf<V>(parent.inertia) + at_root_of(InertiaOf<V>(node.inertia), arm);
             parent.wrench = SixOf<V>(parent.wrench) + at_root_of(SixOf<V>(node.wrench), arm);

@@ -13,6 +13,7 @@ namespace jw {
 
 /// Into its caller whatever the size: what a function computes in is decided by who calls it.
 #define JW_INLINE [[gnu::always_inline]] inline
+#define JW_PASS __attribute__((always_inline))  // of a lambda
 
 /// The whole vector in one register; computes only within run_wide.
 struct Wide {
@@ -234,7 +235,8 @@ template <class Pass>
 }
 #endif
 
-/// Runs a pass in the widest registers there are. What it calls must be JW_INLINE, and so must itself be.
+/// Runs a pass in the widest registers there are. It must be JW_PASS, and JW_INLINE what it hands registers
+/// to.
 /// @param pass called with std::type_identity of Wide or Narrow
 template <class Pass>
 void in_registers(const Pass& pass) {
