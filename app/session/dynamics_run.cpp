@@ -106,6 +106,17 @@ std::string look_at(double t) {
     return "look at it shortly before, with 'jointwise inspect --time " + number_text(0.99 * t, 3) + "'";
 }
 
+/// @param violation by the size of the scene
+std::string what_contradicts(double violation) {
+    constexpr double typed = 1e-3;
+    if (violation > typed) {
+        return "joints of a loop whose axes or points do not fit, or drivers that lead apart, cannot be kept "
+               "together";
+    }
+    return "points and axes of a loop want all their digits, or joints that ask for less (a spherical and a "
+           "cylindrical one in the place of two revolutes)";
+}
+
 }  // namespace
 
 DynamicsRequest request_of(const Lesson& lesson) {
@@ -171,15 +182,13 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
     switch (failure.cause) {
         case SimulationFailure::Cause::contradiction:
             return where + "equations of " + in_quotes(failure.equation_of) +
-                   " repeat those of other joints, yet ask for something else (off by " +
-                   number_text(failure.violation, 2) +
-                   " of their size); joints of a loop whose axes or points do not fit, or drivers that lead "
-                   "apart, cannot be kept together; " +
-                   look_at(failure.t);
+                   " repeat those of other joints, but miss them by " + number_text(failure.violation, 2) +
+                   " of the scene's size; " + what_contradicts(failure.violation) + "; " + look_at(failure.t);
         case SimulationFailure::Cause::out_of_reach:
             return where + "equations of " + in_quotes(failure.equation_of) +
                    " cannot be met there (off by " + number_text(failure.violation, 2) +
-                   " of their size): a reach ends, a driver leads where the mechanism cannot follow, or it "
+                   " of the scene's size): a reach ends, a driver leads where the mechanism cannot follow, "
+                   "or it "
                    "is locked; " +
                    look_at(failure.t);
         case SimulationFailure::Cause::not_finite:

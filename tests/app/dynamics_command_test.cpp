@@ -54,6 +54,24 @@ TEST_CASE(
     CHECK(ran(exact, "1").err.find("branches that should cross") == std::string::npos);
 }
 
+TEST_CASE("simulate says what to do about a loop that does not fit", "[app][dynamics]") {
+    const std::string exact = bytes_of(lesson_path("dynamics/four-bar-1.toml"));
+    const std::string axis = "axis_j = [0, 0, 1]";
+    const std::size_t where = exact.find(axis);
+    REQUIRE(where != std::string::npos);
+    const Folder folder;
+    const auto said_with = [&](const std::string& other) {
+        std::string off = exact;
+        off.replace(where, axis.size(), other);
+        const Ran ran = run({"simulate", folder.file("loop.toml", off), "--duration", "1"});
+        CHECK(ran.status == 3);
+        CHECK(ran.err.find("repeat those of other joints, but miss them by") != std::string::npos);
+        return ran.err;
+    };
+    CHECK(said_with("axis_j = [0.0001, 0, 1]").find("want all their digits") != std::string::npos);
+    CHECK(said_with("axis_j = [0.2, 0, 1]").find("do not fit") != std::string::npos);
+}
+
 TEST_CASE("simulate --reactions adds forces and names what is not unique", "[app][dynamics]") {
     const Ran ran = run(
         {"simulate", lesson_path("dynamics/four-bar-1.toml"), "--reactions", "--samples", "2", "--duration",
