@@ -53,11 +53,15 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
     half_turns_.resize(turns_.size());
 }
 
-void ArticulatedTree::place(const double* y) {
+void ArticulatedTree::turn(double share, const double* y, std::vector<FourTurns>& turns) const {
     for (std::size_t k = 0; k < turning_.size(); ++k) {
-        turns_[k / 4].angle[k % 4] = y[nodes_[at(turning_[k])].q];
+        turns[k / 4].angle[k % 4] = share * y[nodes_[at(turning_[k])].q];
     }
-    find_sines_and_cosines(turns_);
+    find_sines_and_cosines(turns);
+}
+
+void ArticulatedTree::place(const double* y) {
+    turn(1.0, y, turns_);
     for (const int n : with_p_) {
         Node& node = nodes_[at(n)];
         const double* position = y + node.q;
@@ -76,10 +80,7 @@ void ArticulatedTree::place(const double* y) {
 }
 
 void ArticulatedTree::find_p(const double* y) {
-    for (std::size_t k = 0; k < turning_.size(); ++k) {
-        half_turns_[k / 4].angle[k % 4] = 0.5 * y[nodes_[at(turning_[k])].q];
-    }
-    find_sines_and_cosines(half_turns_);
+    turn(0.5, y, half_turns_);
     std::size_t k = 0;
     for (std::size_t n = 1; n < nodes_.size(); ++n) {
         const TreeNode& joint = joints_.nodes()[n - 1];
@@ -139,9 +140,7 @@ Six ArticulatedTree::at_root(int n, const Vec3& force, const Vec3& torque) const
 }
 
 double ArticulatedTree::drift_along(int n, const Six& on) const {
-    const auto omega = vec3(node(n).velocity.angular);
-    const Vec3 inwards = omega.cross(omega.cross(vec3(node(n).own_arm)));
-    return vec3(on.linear).dot(vec3(node(n).bias.linear) + inwards) +
+    return vec3(on.linear).dot(vec3(node(n).bias.linear) + vec3(node(n).inwards)) +
            vec3(on.angular).dot(vec3(node(n).bias.angular));
 }
 

@@ -51,7 +51,8 @@ public:
         // how it moves
         Six axis;  ///< velocity per q̇
         Six velocity;
-        Six bias;  ///< acceleration that the velocities alone cause, Ḃ u
+        Six bias;        ///< acceleration that the velocities alone cause, Ḃ u
+        Triple inwards;  ///< of that what turning alone adds on the way to its centre of mass
 
         // what the passes leave
         Inertia6 inertia;  ///< its own and of all that hangs on it
@@ -113,6 +114,9 @@ public:
     void respond(int i, int j, const Six& on_i, const Six& on_j, double* e, double* e_by_D) const;
 
 private:
+    /// Sines and cosines of a share of what every joint has turned.
+    void turn(double share, const double* y, std::vector<FourTurns>& turns) const;
+
     JointTree joints_;
     std::vector<Node> nodes_;
     std::vector<int> turning_;      ///< nodes whose joints turn

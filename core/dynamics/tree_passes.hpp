@@ -69,6 +69,8 @@ JW_INLINE void move(Node& node, const Node& parent, const double* y) {
     }
     node.velocity.linear = V(parent.velocity.linear) + way;
     node.bias.linear = bias;
+    const V omega = node.velocity.angular;
+    node.inwards = cross(omega, cross(omega, V(node.own_arm)));
 }
 
 /// J' along the global axes.
@@ -93,7 +95,7 @@ JW_INLINE void set_inertia_and_wrench(Node& node, const BodyForce* Q) {
     const V alpha = node.bias.angular;
     const Columns<V> A = node.A;
     const Columns<V> J = J_of<V>(node);
-    const V of_centre = V(node.bias.linear) + cross(alpha, arm) + cross(omega, cross(omega, arm));
+    const V of_centre = V(node.bias.linear) + cross(alpha, arm) + V(node.inwards);
     const V force = V::of_three(Q->f.data()) - node.mass * of_centre;
     const V torque = A * V::of_three(Q->n_local.data()) - cross(omega, J * omega) - J * alpha;
     node.inertia = inertia_at_root(node.mass, J, arm);
