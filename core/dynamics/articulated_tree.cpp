@@ -166,11 +166,9 @@ void ArticulatedTree::unfold() {
 
 std::vector<int> ArticulatedTree::path(int i, int j) const {
     std::vector<int> path;
-    while (i != j) {
-        int& n = i > j ? i : j;
+    for_each_on_way(i, j, [&](int n, Way) {
         for (int k = 0; k < joint_of(n).velocities(); ++k) { path.push_back(node(n).u + k); }
-        n = node(n).parent;
-    }
+    });
     return path;
 }
 
@@ -179,23 +177,17 @@ void ArticulatedTree::respond(
     in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
         SixOf<V> wrench_i = on_i;
         SixOf<V> wrench_j = on_j;
-        int n_i = i;
-        int n_j = j;
-        const auto pass_on = [&](int& n, SixOf<V>& wrench) JW_PASS {
+        for_each_on_way(i, j, [&](int n, Way way) JW_PASS {
             const Node& here = nodes_[at(n)];
+            SixOf<V>& wrench = way == Way::from_j ? wrench_j : wrench_i;
+            // joints hold the two wrenches in different shares: what is left of them where they meet is no
+            // pair of opposites any more, and is felt by all joints down to the ground
+            if (way == Way::first_of_both) { wrench = wrench + wrench_j; }
             wrench = tree_passes::respond(here, wrench, e, e_by_D);
             const int numbers = here.hanging == Hanging::axis ? 1 : joint_of(n).velocities();
             e += numbers;
             e_by_D += numbers;
-            n = here.parent;
-        };
-        while (n_i != n_j) {
-            if (n_i > n_j) {
-                pass_on(n_i, wrench_i);
-            } else {
-                pass_on(n_j, wrench_j);
-            }
-        }
+        });
     });
 }
 

@@ -106,14 +106,30 @@ public:
     std::vector<double>& e() { return e_; }
     const std::vector<double>& u_dot() const { return u_dot_; }
 
-    /// Where in u a pair of opposite wrenches on nodes i and j is felt: from both down to where their ways to
-    /// the ground meet.
+    /// Columns of E = Φq B F⁻ᵀ in which a row between nodes i and j has entries: the joints of both ways to
+    /// the ground, the common part of them once. (Φq B alone ends where the two ways meet; F⁻ᵀ does not.)
     std::vector<int> path(int i, int j) const;
-    /// e of such a pair and D⁻¹ e, in the order of the path. The last inertias must have been folded.
+    /// e of a pair of opposite wrenches on nodes i and j, and D⁻¹ e, in the order of the path. The last
+    /// inertias must have been folded.
     /// @param on_i at the root of node i; on_j likewise
     void respond(int i, int j, const Six& on_i, const Six& on_j, double* e, double* e_by_D) const;
 
 private:
+    /// Part of the way from two nodes to the ground.
+    enum class Way { from_i, from_j, first_of_both, both };
+    /// Calls `f(n, way)` for every node n on the ways from nodes i and j to the ground, tips first.
+    template <class F>
+    JW_INLINE void for_each_on_way(int i, int j, F&& f) const {
+        while (i != j) {
+            int& n = i > j ? i : j;
+            f(n, i > j ? Way::from_i : Way::from_j);
+            n = node(n).parent;
+        }
+        for (Way way = Way::first_of_both; i != 0; i = node(i).parent) {
+            f(i, way);
+            way = Way::both;
+        }
+    }
     /// Sines and cosines of a share of what every joint has turned.
     void turn(double share, const double* y, std::vector<FourTurns>& turns) const;
 
