@@ -71,7 +71,7 @@ auto measured(
     out.value(0) = r.value(m.coordinate);
     if constexpr (K == Content::motion) {
         out.rate(0) = r.rate(m.coordinate);
-        out.bias(0) = 0.0;
+        out.bias(0) = r.bias(m.coordinate);
     } else {
         out.block_j = r.block_j.row(m.coordinate);
     }

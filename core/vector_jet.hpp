@@ -202,7 +202,10 @@ template <Content K, unsigned S, class C>
 Jet<C, K, 3, S> arm(const BodyKinematics<C>& body, const Vec3& s_local) {
     Jet<C, K, 3, S> out;
     out.value = body.A * s_local;
-    if constexpr (K == Content::motion) {
+    if constexpr (requires { body.alpha; }) {
+        out.rate = body.omega.cross(out.value);
+        out.bias = body.omega.cross(out.rate) + body.alpha.cross(out.value);
+    } else if constexpr (K == Content::motion) {
         out.rate = body.A_dot * s_local;
         out.bias = body.A_bias * s_local;
     } else {
@@ -220,6 +223,7 @@ Jet<C, K, 3, S> point(const BodyKinematics<C>& body, const Vec3& s_local) {
     out.value += body.r;
     if constexpr (K == Content::motion) {
         out.rate += body.r_dot;
+        if constexpr (requires { body.r_ddot; }) { out.bias += body.r_ddot; }
     } else {
         detail::own_block(out).template leftCols<3>().setIdentity();
     }

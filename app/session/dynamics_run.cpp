@@ -86,7 +86,8 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
         position = std::max(position, row[kinetic + 2]);
     }
     return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
-           number_text(position, 2);
+           number_text(position, 2) + ", accelerations proved to " +
+           number_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints), 2);
 }
 
 /// Where branches of a loop cross, they do so only as far as its numbers fit.
@@ -190,6 +191,15 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
                    " of the scene's size): a reach ends, a driver leads where the mechanism cannot follow, "
                    "or it "
                    "is locked; " +
+                   look_at(failure.t);
+        case SimulationFailure::Cause::not_proven:
+            return where + "accelerations do not satisfy " +
+                   (failure.equation_of.empty()
+                        ? std::string("M q̈ - Q = Φqᵀλ")
+                        : "the acceleration equations of " + in_quotes(failure.equation_of)) +
+                   " (off by " + number_text(failure.violation, 2) +
+                   " of their size): the pose may be singular, or masses too far apart; with '--coordinates "
+                   "bodies' they are worked out in another way; " +
                    look_at(failure.t);
         case SimulationFailure::Cause::not_finite:
             return where +

@@ -153,6 +153,26 @@ void ArticulatedTree::fold() {
     });
 }
 
+void ArticulatedTree::set_forces(std::span<const double> drawn, double length) {
+    const auto set = [&](int u, double size) {
+        for (int k = 0; k < 3; ++k) { e_[at(u + k)] = size * drawn[at(u + k)]; }
+    };
+    const auto trace = [](const Triples& m) { return m.x.number[0] + m.y.number[1] + m.z.number[2]; };
+    for (const Node& node : std::span(nodes_).subspan(1)) {
+        switch (node.hanging) {
+            case Hanging::welded: break;
+            case Hanging::axis:
+                e_[at(node.u)] = drawn[at(node.u)] * (node.turns ? 1.0 : length) / node.inverse_D;
+                break;
+            case Hanging::free:
+                set(node.u, 3.0 * length / trace(node.inverse_M));
+                set(node.u + 3, 3.0 / trace(node.inverse_J));
+                break;
+            case Hanging::ball: set(node.u, 3.0 / trace(node.inverse_J)); break;
+        }
+    }
+}
+
 void ArticulatedTree::unfold() {
     in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
@@ -160,6 +180,15 @@ void ArticulatedTree::unfold() {
             tree_passes::unfold<V>(
                 node, nodes_[at(node.parent)], std::next(e_.data(), node.u),
                 std::next(u_dot_.data(), node.u));
+        }
+    });
+}
+
+void ArticulatedTree::accelerate(const double* u_dot) {
+    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        for (std::size_t n = 1; n < nodes_.size(); ++n) {
+            Node& node = nodes_[n];
+            tree_passes::accelerate<V>(node, nodes_[at(node.parent)], std::next(u_dot, node.u));
         }
     });
 }

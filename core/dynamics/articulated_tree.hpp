@@ -104,7 +104,14 @@ public:
     /// Up: u̇ from e.
     void unfold();
     std::vector<double>& e() { return e_; }
+    const std::vector<double>& e() const { return e_; }
+    /// e in which every joint, by itself, is moved as `drawn` says: turned by so many rad, shifted by so many
+    /// `length`. The last inertias must have been folded. @param drawn one number per velocity
+    void set_forces(std::span<const double> drawn, double length);
     const std::vector<double>& u_dot() const { return u_dot_; }
+
+    /// Accelerations B u̇ of the nodes, of any u̇.
+    void accelerate(const double* u_dot);
 
     /// Columns of E = Φq B F⁻ᵀ in which a row between nodes i and j has entries: the joints of both ways to
     /// the ground, the common part of them once. (Φq B alone ends where the two ways meet; F⁻ᵀ does not.)

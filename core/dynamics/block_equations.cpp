@@ -300,6 +300,31 @@ void BlockEquations<B>::write_accelerations(double* y_dot) const {
 }
 
 template <int B>
+bool BlockEquations<B>::free_motion(
+    double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) {
+    const bool anything_is_free = rows() - rows_left_out() < velocities();
+    set_bodies<false>(y);
+    evaluate_links<false>(t);
+    factor_in_metric();
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        // turns of 1 rad beside ways of one extent
+        six_[k] = anything_is_free ? drawn[k] * (k % 6 < 3 ? extent_ : 1.0) : 0.0;
+    }
+    // twice: the first answer has the rounding of what it takes out
+    for (int pass = 0; anything_is_free && pass < 2; ++pass) {
+        std::ranges::fill(lambda_, 0.0);
+        subtract_products(six_.data(), lambda_.data());
+        matrix_.solve(lambda_.data());
+        add_reactions(lambda_.data(), six_.data());
+    }
+    for (std::size_t m = 0; m < bodies.size(); ++m) {
+        bodies[m].free_way = vec3(&six_[6 * m]);
+        bodies[m].free_turn = bodies_[at(moving_[m].body)].A * vec3(&six_[6 * m + 3]);
+    }
+    return true;
+}
+
+template <int B>
 void BlockEquations<B>::refine(double* y_dot) {
     constrain_accelerations();
     write_accelerations(y_dot);

@@ -52,6 +52,8 @@ public:
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
     MatrixX free_motions(double t, const double* y) override;
+    bool free_motion(
+        double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
     void refine(double* y_dot) override;
     bool masses_are_apart() const override { return masses_apart_; }
     void set_driver(int driver, double f0, double f1) override;

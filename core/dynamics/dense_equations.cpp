@@ -95,17 +95,32 @@ void DenseEquations<C>::to_flat(const double* y, double* flat) const {
 
 /// ω̇' follows from p̈ and ω̇ as ω' from ṗ and ω (slide 13).
 template <class C>
+void DenseEquations<C>::flat_rates(const double* y, const double* y_dot, double* flat_dot) const {
+    for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
+        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> rates(y_dot + n * kNumbers);
+        Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat_dot, n))
+            << rates.template head<10>(),
+            omega_local_of_angular<C>(vec4(y + n * kNumbers + 3), rates.template tail<C::kAngular>());
+    }
+}
+
+template <class C>
 void DenseEquations<C>::derivatives(const double* y, const double* y_dot, double* out) const {
     std::vector<double> flat(static_cast<std::size_t>(kNumbersPerBody * bodies()));
     std::vector<double> flat_dot(flat.size());
     to_flat(y, flat.data());
-    for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
-        const Eigen::Map<const Eigen::Matrix<double, kNumbers, 1>> rates(y_dot + n * kNumbers);
-        Eigen::Map<Eigen::Matrix<double, kNumbersPerBody, 1>>(body_numbers(flat_dot.data(), n))
-            << rates.template head<10>(),
-            omega_local_of_angular<C>(vec4(y + n * kNumbers + 3), rates.template tail<C::kAngular>());
-    }
+    flat_rates(y, y_dot, flat_dot.data());
     flat_derivatives(flat.data(), flat_dot.data(), bodies(), out);
+}
+
+template <class C>
+void DenseEquations<C>::motion_of_bodies(
+    double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies) {
+    std::vector<double> flat(static_cast<std::size_t>(kNumbersPerBody) * bodies.size());
+    std::vector<double> flat_dot(flat.size());
+    to_flat(y, flat.data());
+    flat_rates(y, y_dot, flat_dot.data());
+    MotionEquations::motion_of_bodies(t, flat.data(), flat_dot.data(), bodies);
 }
 
 template <class C>

@@ -48,6 +48,8 @@ public:
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
+    void motion_of_bodies(
+        double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies) override;
     int rows() const override { return system_.rows(C::kNormalised); }
     int rows_left_out() const override { return rows() - static_cast<int>(saddle_point_.kept().size()); }
 
@@ -67,6 +69,7 @@ public:
     const VectorX& lambda() const { return lambda_; }
 
 private:
+    void flat_rates(const double* y, const double* y_dot, double* flat_dot) const;
     void read(const double* y);
     void find_thetas();
     void set_mass();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "core/dynamics/flat_state.hpp"
@@ -29,6 +30,30 @@ struct RowsVerdict {
     double smallest_pivot = 1.0;
     double violation = 0.0;  ///< largest |Φ| of the rows kept, each by the size of its equation
     double left_out = 0.0;   ///< the same of rows left out, where they are evaluated besides; else 0
+};
+
+/// A moving body's pose, velocity and acceleration, of its centre of mass and along the global axes, and a
+/// motion δ that the constraints leave free, drawn at random. All of it as the equations of motion in use
+/// have it.
+struct ProbedBody {
+    Vec3 r = Vec3::Zero();   ///< [m]
+    Vec4 p = Vec4::Unit(0);  ///< set where somebody asks for e0 ... e3
+    Mat3 A = Mat3::Identity();
+    Vec3 r_dot = Vec3::Zero();      ///< [m/s]
+    Vec3 omega = Vec3::Zero();      ///< [rad/s]
+    Vec3 r_ddot = Vec3::Zero();     ///< [m/s²]
+    Vec3 alpha = Vec3::Zero();      ///< ω̇ [rad/s²]
+    Vec3 free_way = Vec3::Zero();   ///< δ: of the centre of mass [any unit]
+    Vec3 free_turn = Vec3::Zero();  ///< likewise
+};
+
+/// How far accelerations are from the equations of motion, by the size of what is added up in each.
+struct AccelerationResidual {
+    double forces = 0.0;       ///< |δᵀ (M q̈ - Q)| for a free motion δ
+    double constraints = 0.0;  ///< largest |Φq (q̈ + δ) - γ|
+    double drift = 0.0;  ///< largest |Φ| and |Φ̇| [by extent, and by the time in which a body moves by it]
+    int joint = -1;      ///< with the largest residual of `constraints`, -1: a driver's
+    int driver = -1;
 };
 
 class MotionEquations {
@@ -84,6 +109,20 @@ public:
 
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;
+
+    /// Poses, velocities and accelerations of the moving bodies at y, where it goes on with ẏ as `evaluate`
+    /// gave it. @param bodies one per moving body
+    virtual void motion_of_bodies(
+        double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies);
+    /// Random numbers that `free_motion` is made of.
+    virtual int velocities() const { return 6 * bodies(); }
+    /// Sets δ of every body, a motion with Φq δ = 0 at y made of `drawn`, `velocities()` numbers between -1
+    /// and 1. Zero where nothing is free. @return false if these equations cannot say
+    virtual bool free_motion(
+        double /*t*/, const double* /*y*/, std::span<const double> /*drawn*/,
+        std::span<ProbedBody> /*bodies*/) {
+        return false;
+    }
 };
 
 /// Chooses rows at y and keeps the choice only if there are more of them. @return whether there are

@@ -13,6 +13,8 @@
 /// A mechanism under its loads from t = 0 on, by any of the methods.
 namespace jw {
 
+class Certificate;
+
 struct SimulationSettings {
     Method method = Method::explicit_8;
     Treatment treatment = Treatment::projection;
@@ -43,19 +45,23 @@ struct SimulationFailure {
     enum class Cause {
         contradiction,  ///< equations that should repeat others ask for something else
         out_of_reach,   ///< nothing meets the equations
+        not_proven,     ///< accelerations do not satisfy the equations of motion
         step_too_small,
         not_finite,
         too_many_steps
     };
     Cause cause = Cause::step_too_small;
     double t = 0.0;
-    std::string equation_of;  ///< of the first two: the joint or driver whose equation is off most
-    double violation = 0.0;   ///< of the first two: by how much, by the size of the equation
+    /// Of the first three: the joint or driver whose equation is off most; empty if it is that of the forces.
+    std::string equation_of;
+    double violation = 0.0;  ///< of the first three: by how much, by the size of the equation
 };
 
 struct SimulationOutcome {
     IntegrationCounts counts;
     std::optional<SimulationFailure> failure;
+    /// Largest residuals of the accelerations in the equations of motion, over all steps.
+    AccelerationResidual residual;
 };
 
 class Simulation {
@@ -97,6 +103,9 @@ private:
     void look_for_contradicting_rates();
     /// Of numbers that are integrated.
     std::vector<double> flat_of(const std::vector<double>& y) const;
+    /// Puts the accelerations at the end of a step back into the equations of motion.
+    std::optional<SimulationFailure> failure_of_proof(
+        Certificate& certificate, const TimeStepper& stepper, AccelerationResidual& worst) const;
     /// One step towards `event`, and what keeps the run from going on after it.
     std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
     /// Why no step can be taken from where the stepper is.

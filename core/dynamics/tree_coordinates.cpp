@@ -37,9 +37,8 @@ std::vector<NumberScale> TreeEquations::scales() const {
 }
 
 void TreeEquations::to_flat(const double* y, double* flat) const {
-    tree_.place(y);
+    place(y);
     tree_.find_p(y);
-    tree_.move(y);
     for (const int body : moving_) {
         const Node& node = tree_.node(tree_.node_of(body));
         vec3(flat) = node.centre();
@@ -65,8 +64,7 @@ void TreeEquations::from_flat(const double* flat, double* y) const {
         const double* velocity = body_numbers(flat, m) + 7;
         momenta[at(moving_[m])] = {own.mass * vec3(velocity), own.J_local * vec3(velocity + 3)};
     }
-    tree_.place(y);
-    tree_.move(y);
+    place(y);
     tree_.set_inertias_and_wrenches(momenta);
     tree_.fold();
     tree_.unfold();

@@ -80,6 +80,8 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
         }
     }
     e_by_D_ = e_of_rows_;
+    evaluated_y_.assign(y_.size(), 0.0);
+    evaluated_y_dot_ = evaluated_y_;
 }
 
 /// Where the bodies are that loads and equations ask for, and how they move where that counts.
@@ -97,9 +99,14 @@ void TreeEquations::set_bodies(const double* y) {
     }
 }
 
-RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
+void TreeEquations::place(const double* y) const {
+    is_evaluated_ = false;
     tree_.place(y);
     tree_.move(y);
+}
+
+RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
+    place(y);
     set_bodies(y);
     std::ranges::fill(forces_, BodyForce{});
     add_forces(scene_->loads, bodies_, t, forces_);
@@ -111,18 +118,76 @@ RowsVerdict TreeEquations::evaluate(double t, const double* y, double* y_dot) {
         factor_rows();
         for (std::size_t k = 0; k < kept_.size(); ++k) {
             const Row& row = rows_[at(kept_[k])];
-            double right =
-                row.gamma - tree_.drift_along(row.node_i, row.on_i) - tree_.drift_along(row.node_j, row.on_j);
-            const double* e_by_D = e_by_D_.data() + row.first_e;
-            for (const int u : row.path) { right -= *e_by_D++ * tree_.e()[at(u)]; }
-            lambda_[k] = right;
+            lambda_[k] = row.gamma - tree_.drift_along(row.node_i, row.on_i) -
+                         tree_.drift_along(row.node_j, row.on_j) - along_row(row);
         }
         add_answer_of_rows();
         verdict = {smallest_pivot_, largest_of_kept_rows(&Row::phi), 0.0};
     }
     tree_.unfold();
     write_rates(y, y_dot);
+    std::copy_n(y, size(), evaluated_y_.data());
+    evaluated_t_ = t;
+    is_evaluated_ = true;
     return verdict;
+}
+
+bool TreeEquations::is_evaluated_at(double t, const double* y) const {
+    return is_evaluated_ && t == evaluated_t_ && std::equal(evaluated_y_.begin(), evaluated_y_.end(), y);
+}
+
+void TreeEquations::stay_at(double t, const double* y) {
+    if (!is_evaluated_at(t, y)) { evaluate(t, y, evaluated_y_dot_.data()); }
+}
+
+void TreeEquations::motion_of_bodies(
+    double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies) {
+    stay_at(t, y);
+    tree_.accelerate(y_dot + joints().positions());
+    if (needs_p_) { tree_.find_p(y); }
+    for (std::size_t m = 0; m < bodies.size(); ++m) {
+        const Node& node = tree_.node(tree_.node_of(moving_[m]));
+        ProbedBody& body = bodies[m];
+        const Vec3 arm = vec3(node.own_arm);
+        body.r = vec3(node.r) + arm;
+        if (needs_p_) { body.p = node.p; }
+        body.A = mat3(node.A);
+        body.omega = vec3(node.velocity.angular);
+        body.r_dot = vec3(node.velocity.linear) + body.omega.cross(arm);
+        body.alpha = vec3(node.acceleration.angular) + vec3(node.bias.angular);
+        body.r_ddot = vec3(node.acceleration.linear) + vec3(node.bias.linear) + body.alpha.cross(arm) +
+                      vec3(node.inwards);
+    }
+}
+
+/// Forces drawn at random move the tree, held by the rows that are kept.
+bool TreeEquations::free_motion(
+    double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) {
+    if (velocities() <= static_cast<int>(kept_.size())) {
+        for (ProbedBody& body : bodies) { body.free_way = body.free_turn = Vec3::Zero(); }
+        return true;
+    }
+    stay_at(t, y);
+    is_evaluated_ = false;
+    tree_.set_forces(drawn, extent_);
+    for (std::size_t k = 0; k < kept_.size(); ++k) { lambda_[k] = -along_row(rows_[at(kept_[k])]); }
+    add_answer_of_rows();
+    tree_.unfold();
+    for (std::size_t m = 0; m < bodies.size(); ++m) {
+        const Node& node = tree_.node(tree_.node_of(moving_[m]));
+        const Vec3 turn = vec3(node.acceleration.angular);
+        bodies[m].free_way = vec3(node.acceleration.linear) + turn.cross(vec3(node.own_arm));
+        bodies[m].free_turn = turn;
+    }
+    return true;
+}
+
+/// E D⁻¹ e of a row.
+double TreeEquations::along_row(const Row& row) const {
+    double sum = 0.0;
+    const double* e_by_D = e_by_D_.data() + row.first_e;
+    for (const int u : row.path) { sum += *e_by_D++ * tree_.e()[at(u)]; }
+    return sum;
 }
 
 void TreeEquations::write_rates(const double* y, double* y_dot) const {
@@ -134,8 +199,7 @@ void TreeEquations::write_rates(const double* y, double* y_dot) const {
 }
 
 double TreeEquations::kinetic_energy(const double* y) const {
-    tree_.place(y);
-    tree_.move(y);
+    place(y);
     double energy = 0.0;
     for (const int b : moving_) {
         const Node& node = tree_.node(tree_.node_of(b));
@@ -146,7 +210,7 @@ double TreeEquations::kinetic_energy(const double* y) const {
 }
 
 double TreeEquations::potential_energy(const double* y) const {
-    tree_.place(y);
+    place(y);
     std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
     for (const int b : moving_) {
         bodies[at(b)].r = tree_.node(tree_.node_of(b)).centre();

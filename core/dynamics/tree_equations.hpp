@@ -49,6 +49,16 @@ public:
     int rows() const override { return static_cast<int>(rows_.size()); }
     int rows_left_out() const override { return static_cast<int>(rows_.size() - kept_.size()); }
 
+    void motion_of_bodies(
+        double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies) override;
+    int velocities() const override { return joints().velocities(); }
+    bool free_motion(
+        double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
+
+    /// About how many products an evaluation adds for the rows of loops, if the share `kept` of them is kept:
+    /// of nested loops on moving bodies every row is felt by all joints down to the ground.
+    double products_of_rows(double kept) const;
+
     const JointTree& joints() const { return tree_.joints(); }
 
 private:
@@ -81,6 +91,12 @@ private:
         std::size_t e_by_D;
     };
 
+    /// Poses and velocities of the nodes at y. What the last evaluation left is lost.
+    void place(const double* y) const;
+    /// Whether the nodes are what `evaluate` left at y.
+    bool is_evaluated_at(double t, const double* y) const;
+    /// What `evaluate` leaves at the nodes, at y.
+    void stay_at(double t, const double* y);
     void set_bodies(const double* y);
     void write_rates(const double* y, double* y_dot) const;
     Six at_root(int node, const Mat3& A, const Eigen::Matrix<double, 1, 6>& block) const;
@@ -94,6 +110,7 @@ private:
     void keep(std::vector<int> rows);
     /// E D⁻¹ Eᵀ of the kept rows.
     void factor_rows();
+    double along_row(const Row& row) const;
     /// λ from the right sides in lambda_; e + Eᵀ λ.
     void add_answer_of_rows();
     /// Changes of u that take `number` out of the kept rows.
@@ -125,6 +142,11 @@ private:
     EnvelopeMatrix matrix_;
     std::vector<double> lambda_;
     double smallest_pivot_ = 1.0;
+    /// Time and y of the last evaluation, while the nodes are what it left.
+    mutable bool is_evaluated_ = false;
+    std::vector<double> evaluated_y_;
+    double evaluated_t_ = 0.0;
+    std::vector<double> evaluated_y_dot_;
 };
 
 }  // namespace jw

@@ -203,6 +203,25 @@ JW_INLINE void unfold(Node& node, const Node& parent, const double* e, double* u
     node.acceleration = acceleration;
 }
 
+/// B u̇. @param u_dot the node's numbers
+template <Lanes V>
+JW_INLINE void accelerate(Node& node, const Node& parent, const double* u_dot) {
+    SixOf<V> acceleration = at_end_of(SixOf<V>(parent.acceleration), V(node.arm));
+    switch (node.hanging) {
+        case Hanging::welded: break;
+        case Hanging::axis:
+            acceleration.angular = acceleration.angular + *u_dot * V(node.axis.angular);
+            if (node.shifts) { acceleration.linear = acceleration.linear + *u_dot * V(node.axis.linear); }
+            break;
+        case Hanging::free:
+            acceleration.linear = V::of_three(u_dot);
+            acceleration.angular = Columns<V>(node.A) * V::of_three(u_dot + 3);
+            break;
+        case Hanging::ball: acceleration.angular = Columns<V>(node.A) * V::of_three(u_dot); break;
+    }
+    node.acceleration = acceleration;
+}
+
 /// What a joint gives way to goes to e, and D⁻¹ e. @return what it holds, at the parent's root
 template <Lanes V>
 JW_INLINE SixOf<V> respond(const Node& node, const SixOf<V>& wrench, double* e, double* e_by_D) {

@@ -111,8 +111,7 @@ double TreeEquations::project(double t, double* y) {
     double before = 0.0;
     double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds; ++round) {
-        tree_.place(y);
-        tree_.move(y);
+        place(y);
         set_bodies(y);
         evaluate_rows(t, kept_groups_);
         tree_.set_inertias(Metric::mass);
@@ -217,8 +216,7 @@ std::vector<int> TreeEquations::independent_rows() const {
 /// In a metric that knows no masses: what repeats what is a matter of geometry.
 bool TreeEquations::choose_rows(double t, const double* y) {
     kept_before_ = kept_;
-    tree_.place(y);
-    tree_.move(y);
+    place(y);
     set_bodies(y);
     evaluate_rows(t, groups_);
     measure_rows();
@@ -272,10 +270,33 @@ void TreeEquations::keep(std::vector<int> rows) {
     for (const Shared& s : all) { products_.push_back({matrix_.index(s.a, s.b), s.e, s.e_by_D}); }
 }
 
+double TreeEquations::products_of_rows(double kept) const {
+    const auto velocities = at(joints().velocities());
+    std::vector<double> rows_on(velocities, 0.0);
+    std::vector<std::size_t> first_on(velocities, rows_.size());
+    // along a path a wrench is moved by some fifty products
+    constexpr double per_joint = 50.0;
+    double products = 0.0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        std::size_t first = k;
+        for (const int u : rows_[k].path) {
+            rows_on[at(u)] += 1.0;
+            first_on[at(u)] = std::min(first_on[at(u)], k);
+            first = std::min(first, first_on[at(u)]);
+        }
+        const auto width = kept * static_cast<double>(k - first);
+        products += kept * (per_joint * static_cast<double>(rows_[k].path.size()) + 0.5 * width * width);
+    }
+    for (const double rows : rows_on) { products += 0.5 * kept * kept * rows * rows; }
+    return products;
+}
+
 std::pair<double, double> TreeEquations::violation(double t, const double* y) {
-    tree_.place(y);
-    tree_.move(y);
-    set_bodies(y);
+    // asked of the end of a step, which has just been evaluated
+    if (!is_evaluated_at(t, y)) {
+        place(y);
+        set_bodies(y);
+    }
     evaluate_rows(t, groups_);
     std::pair<double, double> worst{0.0, 0.0};
     for (const Row& row : rows_) {

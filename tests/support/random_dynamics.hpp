@@ -83,6 +83,51 @@ inline Mechanism random_tree(Random& random) {
     return scene.mechanism;
 }
 
+/// A random tree whose bodies are linked once more, any body with any other: drivers of angles,
+/// displacements and distances, single equations and a ball that closes a loop. Almost every link meets on
+/// the way to the ground at a body that moves itself.
+inline Mechanism random_linked_tree(Random& random) {
+    SceneBuilder scene;
+    scene.mechanism = random_tree(random);
+    const Mechanism tree = scene.mechanism;
+    const auto body_count = static_cast<double>(tree.bodies.size());
+    const auto any_body = [&] { return static_cast<int>(random.number(0.0, 0.999 * body_count)); };
+    const auto any_two = [&] {
+        std::pair<int, int> two{any_body(), any_body()};
+        while (two.first == two.second) { two.second = any_body(); }
+        return two;
+    };
+    const auto start = [&](const Measure& measure, int i, int j) {
+        return evaluate_measure(measure, i, j, -1, start_state(tree), start_motion(tree), zero_motion(tree))
+            .value;
+    };
+    const auto drive = [&](const std::string& name, int joint, int i, int j, const Measure& measure) {
+        const double f = start(measure, i, j);
+        const bool squared = std::holds_alternative<SquaredDistanceMeasure>(measure);
+        scene.mechanism.drivers.push_back(
+            {name, joint, i, j, measure,
+             polynomial({squared ? std::sqrt(f) : f, random.number(), random.number()})});
+    };
+    for (int k = 0; k < static_cast<int>(tree.joints.size()); ++k) {
+        const Joint& joint = tree.joints[static_cast<std::size_t>(k)];
+        const bool turns = joint.type->name == "revolute" || joint.type->name == "cylindrical";
+        if (turns) { drive("angle " + joint.name, k, joint.body_i, joint.body_j, angle_of(joint)); }
+        const bool shifts = joint.type->name == "prismatic";
+        if (shifts) { drive("way " + joint.name, k, joint.body_i, joint.body_j, displacement_of(joint)); }
+    }
+    const auto [rod_i, rod_j] = any_two();
+    drive("rod", -1, rod_i, rod_j, SquaredDistanceMeasure{random.vector(), random.vector()});
+    const auto [strut_i, strut_j] = any_two();
+    scene.add_distance(strut_i, strut_j, random.vector(2.0), random.vector(2.0) + Vec3(3.0, 0.0, 0.0));
+    const auto [n1_i, n1_j] = any_two();
+    const Vec3 axis = random.direction();
+    scene.add_joint("n1", n1_i, n1_j, random.vector(), axis).geometry.s_j_local =
+        scene.local(n1_j, perpendicular_to(axis));
+    const auto [ball_i, ball_j] = any_two();
+    scene.add_joint("spherical", ball_i, ball_j, random.vector(2.0), random.direction());
+    return scene.mechanism;
+}
+
 /// Trees with a joint of every type, loops with and without redundant rows, drivers; the whole scene
 /// anywhere.
 inline std::vector<Mechanism> mechanisms_of_all_kinds(Random& random) {
