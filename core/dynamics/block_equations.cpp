@@ -63,6 +63,9 @@ BlockEquations<B>::BlockEquations(
         const int j = order_of_body_[at(link.body_j)];
         if (i < 0 && j < 0) { continue; }  // between fixed bodies: nothing can move
         const unsigned all = (1U << link.rows) - 1U;
+        has_screws_ = has_screws_ || std::ranges::any_of(link.equations, [](const LinkEquation& e) {
+                          return std::holds_alternative<ScrewTurned>(e.primitive);
+                      });
         nodes_.push_back({std::move(link), i, j, all});
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -111,6 +114,18 @@ JW_FLATTEN void BlockEquations<B>::set_bodies(const double* y) {
             OmegaLocal::set_motion(body, vec3(y + 10));
         }
         y += kNumbersPerBody;
+    }
+}
+
+template <int B>
+void BlockEquations<B>::tell_turns_at(Turns turns, double t, const double* y) {
+    if (!has_screws_) { return; }
+    set_bodies<true>(y);
+    for (Node& node : nodes_) {
+        for (LinkEquation& equation : node.link.equations) {
+            tell_turns(
+                equation.primitive, turns, t, bodies_[at(node.link.body_i)], bodies_[at(node.link.body_j)]);
+        }
     }
 }
 

@@ -48,6 +48,8 @@ public:
     double smallest_pivot() const override;
     bool choose_rows(double t, const double* y) override;
     void take_back_rows() override;
+    void begin_turns(double t, const double* y) override { tell_turns_at(Turns::of_start, t, y); }
+    void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
     double potential_energy(const double* y) const override;
@@ -76,6 +78,7 @@ private:
     }
 
     void build_structure();
+    void tell_turns_at(Turns turns, double t, const double* y);
     template <bool WithMotion>
     void set_bodies(const double* y);
     /// Φ and Φq of every link, and γ if asked for.
@@ -131,6 +134,7 @@ private:
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
     double extent_ = 1.0;
+    bool has_screws_ = false;
     bool masses_apart_ = false;         ///< light bodies carry heavy ones: see block_pivoting.cpp
     bool masses_apart_before_ = false;  ///< before the last choice of rows
 };

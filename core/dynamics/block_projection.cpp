@@ -181,7 +181,8 @@ std::pair<double, double> BlockEquations<B>::violation(double t, const double* y
                     std::size_t row = n * B + at(equation.first_row);
                     for (int k = 0; k < jet.kDim; ++k) {
                         if (has(equation.left_out, k)) { continue; }
-                        position = std::max(position, std::abs(jet.value(k)) * inverse_unit_[row]);
+                        const double phi = up_to_turns(equation.primitive, jet.value(k));
+                        position = std::max(position, std::abs(phi) * inverse_unit_[row]);
                         velocity = std::max(velocity, std::abs(jet.rate(k) - f_dot) * inverse_unit_[row]);
                         ++row;
                     }

@@ -38,6 +38,7 @@ ExplicitIntegrator::ExplicitIntegrator(
       y_new_(y_.size()),
       y_dot_new_(y_.size()),
       stages_(static_cast<std::size_t>(table.stages), std::vector<double>(y_.size())) {
+    equations_->begin_turns(t_, y_.data());
     equations_->choose_rows(t_, y_.data());
     if (options_.project) { project(t_, y_); }
     verdict_ = evaluate(t_, y_, stages_.front());
@@ -141,6 +142,7 @@ void ExplicitIntegrator::accept(double t) {
     std::swap(y_, y_new_);
     std::swap(stages_.front(), y_dot_new_);
     verdict_ = verdict_new_;
+    equations_->follow_turns(t_, y_.data());
     ++counts_.steps;
     scales_.include(y_, stages_.front(), 0.0);
     if (options_.project && equations_->rows_left_out() > 0) {

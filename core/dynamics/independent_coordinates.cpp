@@ -144,6 +144,7 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     }
     driven_ = block_equations(driven_scene_);
     drive(t, x);
+    driven_->begin_turns(t, y);
     driven_->choose_rows(t, y);
     std::vector<double> here(y, y + equations_->size());
     driven_->project(t, here.data());

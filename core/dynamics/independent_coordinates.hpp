@@ -37,6 +37,10 @@ public:
 
     /// Moves y, an estimate, to where the coordinates are x, and tells ẋ.
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override;
+    void follow_turns(double t, const double* y) override {
+        equations_->follow_turns(t, y);
+        driven_->follow_turns(t, y);
+    }
     /// Lengths by the size of the scene, everything else by 1; their rates by the fastest motion so far
     /// besides.
     VectorX sizes(const StateScales& scales) const override;

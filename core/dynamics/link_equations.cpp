@@ -83,6 +83,30 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
     return links;
 }
 
+double up_to_turns(const LinkPrimitive& primitive, double phi) {
+    const auto* screw = std::get_if<ScrewTurned>(&primitive);
+    return screw != nullptr ? screw->residual_up_to_turns(phi) : phi;
+}
+
+void tell_turns(
+    LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j) {
+    auto* screw = std::get_if<ScrewTurned>(&primitive);
+    if (screw == nullptr) { return; }
+    const auto angle = measured<Content::motion>(screw->angle, i, j, Theta{});
+    const double rate = angle.rate(0);
+    double expected = 0.0;
+    if (turns == Turns::of_motion && screw->so_far) {
+        const TurnsSoFar& before = *screw->so_far;
+        expected = before.theta + 0.5 * (before.rate + rate) * (t - before.t);
+    } else {
+        const double displacement = measured<Content::motion>(screw->displacement, i, j, Theta{}).value(0);
+        expected = screw->theta_0 + (displacement - screw->d_0) / screw->alpha;
+    }
+    const double theta = expected + std::remainder(angle.value(0) - expected, 2.0 * std::numbers::pi);
+    screw->so_far = TurnsSoFar{t, theta, rate};
+}
+
 std::vector<Link> with_drivers_joined(std::vector<Link> links) {
     std::vector<Link> joined;
     for (Link& link : links) {

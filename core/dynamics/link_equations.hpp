@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -12,7 +13,14 @@
 /// link, without artificial coordinates (which have no mass).
 namespace jw {
 
-/// A screw without its θ: Φ = (d - d0) - α (θ - θ0) with θ the angle from u_i to u_j, turns left out (m).
+/// The angle of a screw, whole turns included, at a moment of a motion.
+struct TurnsSoFar {
+    double t;      ///< [s]
+    double theta;  ///< [rad]
+    double rate;   ///< [rad/s]
+};
+
+/// A screw without its θ: Φ = (d - d0) - α (θ - θ0) with θ the angle from u_i to u_j (m).
 struct ScrewTurned {
     static constexpr int kEquations = 1;
     DisplacementMeasure displacement;
@@ -20,7 +28,25 @@ struct ScrewTurned {
     double alpha;    ///< [m/rad]
     double d_0;      ///< [m]
     double theta_0;  ///< [rad]
+    /// Two directions tell their angle up to whole turns only. In a motion these are counted on from here, by
+    /// the rate; a pose alone has as many as fit its displacement best.
+    std::optional<TurnsSoFar> so_far = std::nullopt;
+
+    /// Φ where the nut has advanced by so much [m] and turned by an angle known up to whole turns [rad] at
+    /// time t [s].
+    double residual(double advanced, double turned, double t) const;
+    /// Φ of a pose of which nothing is known but itself: at most half a turn's displacement.
+    double residual_up_to_turns(double phi) const {
+        return std::remainder(phi, 2.0 * std::numbers::pi * alpha);
+    }
 };
+
+inline double ScrewTurned::residual(double advanced, double turned, double t) const {
+    const auto missing = [&](double theta) { return advanced - d_0 - alpha * (theta - theta_0); };
+    if (!so_far) { return residual_up_to_turns(missing(turned)); }
+    const double expected = so_far->theta + so_far->rate * (t - so_far->t);
+    return missing(expected + std::remainder(turned - expected, 2.0 * std::numbers::pi));
+}
 
 /// A measure that follows a function of time. θ of a screw is driven as its angle.
 struct Driven {
@@ -59,6 +85,16 @@ std::vector<Link> links_of(const Mechanism& mechanism);
 /// The same with the drivers' rows in links of joints between the same bodies, where they have room.
 std::vector<Link> with_drivers_joined(std::vector<Link> links);
 
+/// What is left of Φ where only the pose counts, and not how many turns it took to get there.
+double up_to_turns(const LinkPrimitive& primitive, double phi);
+
+/// Tells a screw its turns at `t` [s], of bodies with their motion set; anything else is left alone. A start
+/// has as many as its displacement says; after that they are counted on by the rates, at both ends of a step.
+enum class Turns { of_start, of_motion };
+void tell_turns(
+    LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j);
+
 /// Rows of one primitive at a time: value, and as asked for by K the Jacobian or the motion.
 /// Calls `f(jet, f_dot, f_ddot)`; the two are those of a driver's function, else 0.
 template <Content K, class C, class F>
@@ -68,10 +104,10 @@ void visit_rows(
         [&](const auto& p) {
             using P = std::decay_t<decltype(p)>;
             if constexpr (std::is_same_v<P, ScrewTurned>) {
-                auto jet = measured<K>(p.displacement, i, j, Theta{}) -
-                           scaled(p.alpha, measured<K>(p.angle, i, j, Theta{}));
-                const double phi = jet.value(0) - p.d_0 + p.alpha * p.theta_0;
-                jet.value(0) = std::remainder(phi, 2.0 * std::numbers::pi * p.alpha);
+                const auto displacement = measured<K>(p.displacement, i, j, Theta{});
+                const auto angle = measured<K>(p.angle, i, j, Theta{});
+                auto jet = displacement - scaled(p.alpha, angle);
+                jet.value(0) = p.residual(displacement.value(0), angle.value(0), t);
                 f(jet, 0.0, 0.0);
             } else if constexpr (std::is_same_v<P, Driven>) {
                 std::visit(

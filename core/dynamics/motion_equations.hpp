@@ -101,7 +101,13 @@ public:
     virtual double smallest_pivot() const { return 1.0; }
     /// The rows before the last choice.
     virtual void take_back_rows() {}
-    /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included, by the size of their equations.
+    /// A motion begins at y, which satisfies the constraints. Bodies tell the angle of a screw up to whole
+    /// turns only: here they are those that its displacement says.
+    virtual void begin_turns(double /*t*/, const double* /*y*/) {}
+    /// The motion has come to y: turns are counted on from where they were told last, by the rates.
+    virtual void follow_turns(double /*t*/, const double* /*y*/) {}
+    /// Largest |Φ| and |Φq q̇ - ν| over all rows, those left out included, by the size of their equations. Of
+    /// y alone: whatever turns were counted.
     virtual std::pair<double, double> violation(double t, const double* y) = 0;
     /// Kinetic and potential energy (gravity and springs) [J].
     virtual double kinetic_energy(const double* y) const = 0;

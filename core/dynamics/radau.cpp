@@ -56,6 +56,7 @@ RadauIntegrator::RadauIntegrator(
       y_(std::move(y)),
       y_dot_(y_.size()),
       coordinates_(std::move(coordinates)) {
+    equations_->begin_turns(t_, y_.data());
     equations_->choose_rows(t_, y_.data());
     equations_->project(t_, y_.data());
     equations_->evaluate(t_, y_.data(), y_dot_.data());
@@ -67,7 +68,7 @@ RadauIntegrator::RadauIntegrator(
     scales_.include(y_, y_dot_, h_);
     const auto size = static_cast<Eigen::Index>(y_.size());
     y_stages_ = MatrixX::Zero(size, stages);
-    y_rate_ = VectorX::Zero(size);
+    y_rates_ = MatrixX::Zero(size, stages);
     choose_coordinates();
 }
 
@@ -99,7 +100,8 @@ void RadauIntegrator::renew_jacobian() {
     const Eigen::Index n = x_.size();
     VectorX moved(n);
     VectorX rate(n);
-    VectorX y(y_rate_.size());
+    VectorX y(y_stages_.rows());
+    VectorX y_rate(y.size());
     reduced_.resize(n, n);
     for (Eigen::Index k = 0; k < n; ++k) {
         // forward differences lose half the digits whatever the step; this is the middle
@@ -107,7 +109,7 @@ void RadauIntegrator::renew_jacobian() {
         moved = x_;
         moved(k) += step;
         y = Eigen::Map<const VectorX>(y_.data(), y.size());
-        evaluate(t_, moved, y.data(), y_rate_.data(), rate);
+        evaluate(t_, moved, y.data(), y_rate.data(), rate);
         reduced_.col(k) = (rate - x_dot_) / step;
     }
     factored_step_ = 0.0;
@@ -138,7 +140,7 @@ VectorX RadauIntegrator::weights(double tau) const {
 void RadauIntegrator::predict(double h) {
     for (Eigen::Index i = 0; i < x_stages_.cols(); ++i) {
         x_stages_.col(i) = x_;
-        y_stages_.col(i) = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
+        y_stages_.col(i) = start_numbers();
         if (step_before_ == 0.0) { continue; }
         const VectorX w = weights(1.0 + table_.c(i) * h / step_before_);
         x_stages_.col(i) = x_before_ * w;
@@ -171,7 +173,7 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
         end.violation = 0.0;
         for (Eigen::Index i = 0; i < stages; ++i) {
             evaluate(
-                t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rate_.data(),
+                t_ + table_.c(i) * h, x_stages_.col(i), y_stages_.col(i).data(), y_rates_.col(i).data(),
                 x_rates_.col(i));
             end.pivot_left = std::min(end.pivot_left, coordinates_->pivot_left());
             end.pivot_with_coordinates_left =
@@ -218,23 +220,25 @@ double RadauIntegrator::error_of(double h, bool doubtful) {
     const VectorX error = filtered(x_dot_);
     if (!doubtful || norm(error) < 1.0) { return norm(error); }
     // what stiff parts of the first estimate exaggerate is damped by a second one
-    VectorX y = Eigen::Map<const VectorX>(y_.data(), y_rate_.size());
+    VectorX y = start_numbers();
+    VectorX y_rate(y.size());
     VectorX rate(x_.size());
-    evaluate(t_, x_ + error, y.data(), y_rate_.data(), rate);
+    evaluate(t_, x_ + error, y.data(), y_rate.data(), rate);
     return norm(filtered(rate));
 }
 
 void RadauIntegrator::accept(double h, double t) {
     const Eigen::Index stages = x_stages_.cols();
     x_before_.resize(x_.size(), stages + 1);
-    y_before_.resize(y_rate_.size(), stages + 1);
+    y_before_.resize(y_stages_.rows(), stages + 1);
     x_before_ << x_, x_stages_;
-    y_before_ << Eigen::Map<const VectorX>(y_.data(), y_rate_.size()), y_stages_;
+    y_before_ << start_numbers(), y_stages_;
     step_before_ = last_step_ = h;
     t_ = t;
     x_ = x_stages_.col(stages - 1);
     std::copy_n(y_stages_.col(stages - 1).data(), y_.size(), y_.data());
     evaluate(t_, x_, y_.data(), y_dot_.data(), x_dot_);
+    coordinates_->follow_turns(t_, y_.data());
     ++counts_.steps;
     scales_.include(y_, y_dot_, 0.0);
     x_scale_ = coordinates_->sizes(scales_);

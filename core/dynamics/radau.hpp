@@ -64,6 +64,9 @@ private:
     };
 
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot);
+    Eigen::Map<const VectorX> start_numbers() const {
+        return {y_.data(), static_cast<Eigen::Index>(y_.size())};
+    }
     void choose_coordinates();
     bool jacobian_is_stale() const;
     void renew_jacobian();
@@ -114,7 +117,7 @@ private:
     MatrixX x_stages_;            ///< of the stages, one column each
     MatrixX x_rates_;
     MatrixX y_stages_;  ///< the whole mechanism there
-    VectorX y_rate_;    ///< of the stage evaluated last
+    MatrixX y_rates_;   ///< and how fast it moves there
     std::vector<double> flat_;
     MatrixX x_before_;          ///< x at the start and at the stages of the last accepted step
     MatrixX y_before_;          ///< y there

@@ -26,6 +26,8 @@ public:
     /// Moves y, an estimate, to where the coordinates are x, and tells ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
+    /// The motion has come to y: whole turns are counted on from there.
+    virtual void follow_turns(double /*t*/, const double* /*y*/) {}
     /// Whether that takes a projection.
     virtual bool are_projected() const { return true; }
     /// Of the equations there.

@@ -7,6 +7,7 @@ namespace jw {
 SemiImplicitEuler::SemiImplicitEuler(
     MotionEquations& equations, const IntegrationOptions& options, double t, std::vector<double> y)
     : equations_(&equations), options_(options), t_(t), y_(std::move(y)), y_dot_(y_.size()) {
+    equations_->begin_turns(t_, y_.data());
     equations_->choose_rows(t_, y_.data());
     if (options_.project) { equations_->project(t_, y_.data()); }
     equations_->evaluate(t_, y_.data(), y_dot_.data());
@@ -37,6 +38,7 @@ bool SemiImplicitEuler::step(double t_end) {
     if (options_.project && verdict_.violation > kMet) { return false; }
     std::swap(y_, y_new_);
     t_ = tried_;
+    equations_->follow_turns(t_, y_.data());
     ++counts_.steps;
     return true;
 }
