@@ -22,6 +22,8 @@ constexpr int kMostDodges = 12;
 constexpr double kThrough = 1e-3;
 /// Share of the last regular step below which one near a singular position is given up.
 constexpr double kGivesUp = 1e-3;
+/// Share of the way, and of the fastest motion, by which stages may miss where their rates lead.
+constexpr double kMostShareOff = 0.1;
 /// Rounding of acos near 1 [rad].
 constexpr double kNoTurn = 1e-6;
 /// Contraction of Newton's iteration that makes a new Jacobian worth its evaluations.
@@ -308,6 +310,28 @@ bool RadauIntegrator::turned_too_far(double h) {
     return true;
 }
 
+/// Stages y_i = y_0 + h Σ a_ij ẏ_j hold for all numbers of a motion up to the error of the method, and only
+/// the independent ones are made to. A stage that lies on another branch, or a turn of a thread farther, is
+/// where no velocity leads.
+bool RadauIntegrator::is_one_motion(double h) const {
+    if (!coordinates_->are_projected()) { return true; }
+    const MatrixX led = (h * y_rates_ * table_.a.transpose()).colwise() + start_numbers();
+    double way = 0.0;
+    double position = 0.0;
+    double velocity = 0.0;
+    for (Eigen::Index k = 0; k < led.rows(); ++k) {
+        const double scale = scales_.of(static_cast<std::size_t>(k));
+        const double off = (y_stages_.row(k) - led.row(k)).cwiseAbs().maxCoeff() / scale;
+        if (k % kNumbersPerBody < kPositionsPerBody) {
+            position = std::max(position, off);
+            way = std::max(way, h * y_rates_.row(k).cwiseAbs().maxCoeff() / scale);
+        } else {
+            velocity = std::max(velocity, off);
+        }
+    }
+    return position <= kMostShareOff * way + kMet && velocity <= kMostShareOff;
+}
+
 double RadauIntegrator::most_turn() const { return std::min(kMostTurn, options_.most_turn); }
 
 double RadauIntegrator::growth_after(double error, int iterations) const {
@@ -344,6 +368,11 @@ bool RadauIntegrator::step(double t_end) {
         }
         if (!fixed && turned_too_far(h)) {
             ++counts_.rejected;
+            continue;
+        }
+        if (!fixed && !is_one_motion(h)) {
+            ++counts_.rejected;
+            h_ = 0.5 * h;
             continue;
         }
         contraction_ = newton.contraction;

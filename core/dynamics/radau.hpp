@@ -83,6 +83,8 @@ private:
     };
     Turning turning_of_stages() const;
     bool turned_too_far(double h);
+    /// Whether the stages follow from the start by the rates of all bodies, not of the few coordinates only.
+    bool is_one_motion(double h) const;
     bool try_otherwise(double h, const NewtonEnd& newton, Trial& trial);
     double growth_after(double error, int iterations) const;
     double most_turn() const;
