@@ -42,7 +42,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     equations_->choose_rows(t_, y_.data());
     if (options_.project) { project(t_, y_); }
     verdict_ = evaluate(t_, y_, stages_.front());
-    pivot_at_choice_ = verdict_.smallest_pivot;
+    pivot_at_choice_ = regular_pivot_ = verdict_.smallest_pivot;
     scales_.include(y_, stages_.front(), 0.0);
     h_ = is_fixed() ? options_.fixed_step
                     : scales_.first_step(stages_.front(), options_.tolerance, table_->order);
@@ -118,9 +118,11 @@ RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
         return equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
     };
     const RowsVerdict verdict = evaluated();
-    if (!options_.project || always || verdict.violation <= kDriftShare * options_.tolerance) {
-        return verdict;
-    }
+    // beside a singular position a residual is a larger error of the motion, by 1 / pivot of its rates
+    const double soft = std::min(1.0, verdict.smallest_pivot / (kNearSingular * regular_pivot_));
+    const double drift = kDriftShare * options_.tolerance;
+    const double allowed = std::max(soft * drift, std::min(kNearlyExact, drift));
+    if (!options_.project || always || verdict.violation <= allowed) { return verdict; }
     project(t, y_new_);
     return evaluated();
 }
@@ -157,6 +159,7 @@ void ExplicitIntegrator::accept(double t) {
     }
     if (is_beginning_ && options_.project && equations_->rows_left_out() > 0) { take_up_rows(); }
     if (began_singular_) { pivot_at_choice_ = std::max(pivot_at_choice_, verdict_.smallest_pivot); }
+    regular_pivot_ = std::max(regular_pivot_, verdict_.smallest_pivot);
 }
 
 /// A scene that begins at a singular position leaves out rows that have something to say a step later, or,
@@ -227,7 +230,7 @@ double ExplicitIntegrator::growth_after(double error) {
 
 bool ExplicitIntegrator::is_near_singular() const {
     // not a number fails every comparison
-    return options_.project && !(lowest_pivot_ >= kNearSingular * pivot_at_choice_);
+    return options_.project && !(lowest_pivot_ >= kNearSingular * regular_pivot_);
 }
 
 bool ExplicitIntegrator::step(double t_end) {
@@ -244,7 +247,7 @@ bool ExplicitIntegrator::step(double t_end) {
             // off the constraints a small residual becomes a large acceleration there
             on_manifold_ = true;
             take_step(h);
-            if (lowest_pivot_ < kTooNear * pivot_at_choice_ && dodges < kMostDodges) {
+            if (lowest_pivot_ < kTooNear * regular_pivot_ && dodges < kMostDodges) {
                 ++dodges;
                 h_ = kDodge * h;
                 continue;

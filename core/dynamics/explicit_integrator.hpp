@@ -60,6 +60,7 @@ private:
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
     double pivot_at_choice_ = 1.0;
+    double regular_pivot_ = 1.0;  ///< largest so far: rows may have been chosen beside a singular position
     std::vector<double> start_;
     bool is_beginning_ = true;
     bool began_singular_ = false;
