@@ -133,6 +133,13 @@ void DenseEquations<C>::from_flat(const double* flat, double* y) const {
     }
 }
 
+template <class C>
+void DenseEquations<C>::state_of(const double* value, const double* rate, double* y) const {
+    std::vector<double> flat(static_cast<std::size_t>(kNumbersPerBody * bodies()));
+    flat_state_of(value, rate, bodies(), flat.data());
+    from_flat(flat.data(), y);
+}
+
 /// θ and θ̇ of every screw: the angle between its bodies nearest to the one before.
 template <class C>
 void DenseEquations<C>::find_thetas() {

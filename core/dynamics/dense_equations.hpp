@@ -38,6 +38,7 @@ public:
     void to_flat(const double* y, double* flat) const override;
     void from_flat(const double* flat, double* y) const override;
     void derivatives(const double* y, const double* y_dot, double* out) const override;
+    void state_of(const double* value, const double* rate, double* y) const override;
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
     double project(double t, double* y) override;
     bool choose_rows(double t, const double* y) override;

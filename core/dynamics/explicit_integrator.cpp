@@ -233,6 +233,26 @@ bool ExplicitIntegrator::is_near_singular() const {
     return options_.project && !(lowest_pivot_ >= kNearSingular * regular_pivot_);
 }
 
+/// With every stage on the constraints. What the last step left is put back.
+bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, double t, double* y) {
+    const double t_now = t_;
+    const std::vector<double> y_now = y_;
+    const std::vector<double> y_dot_now = stages_.front();
+    const RowsVerdict verdict_now = verdict_;
+    t_ = t_from;
+    y_ = from;
+    on_manifold_ = options_.project;
+    verdict_ = evaluate(t_, y_, stages_.front());
+    take_step(t - t_from);
+    std::ranges::copy(y_new_, y);
+    const bool met = verdict_new_.violation <= kMet && correction_ <= kOneMotion;
+    t_ = t_now;
+    y_ = y_now;
+    stages_.front() = y_dot_now;
+    verdict_ = verdict_now;
+    return met;
+}
+
 bool ExplicitIntegrator::step(double t_end) {
     if (is_contradicted()) { return false; }
     if (is_fixed()) { h_ = options_.fixed_step; }

@@ -24,6 +24,8 @@ public:
     const std::vector<double>& y_dot() const override { return stages_.front(); }
     const IntegrationCounts& counts() const override { return counts_; }
     std::pair<double, std::vector<double>> tried() const override { return {tried_, y_new_}; }
+    bool reach(double t_from, const std::vector<double>& from, double t, double* y) override;
+    const StateScales* scales() const override { return &scales_; }
 
 private:
     void take_step(double h);

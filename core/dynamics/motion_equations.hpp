@@ -79,7 +79,10 @@ public:
     virtual void derivatives(const double* y, const double* y_dot, double* out) const {
         flat_derivatives(y, y_dot, bodies(), out);
     }
-    /// The flat state that has these numbers and rates.
+    /// The y that has these numbers and rates, and the flat state.
+    virtual void state_of(const double* value, const double* rate, double* y) const {
+        flat_state_of(value, rate, bodies(), y);
+    }
     virtual void flat_of(const double* value, const double* rate, double* flat) const {
         flat_state_of(value, rate, bodies(), flat);
     }

@@ -404,13 +404,22 @@ bool RadauIntegrator::step(double t_end) {
     return false;
 }
 
-void RadauIntegrator::interpolate(double t, double* y) const {
+/// Where the independent coordinates hardly tell where the others are, the pose that they lead to may be one
+/// of another branch: then the nearest one on the constraints is meant.
+bool RadauIntegrator::interpolate(double t, double* y) {
     const VectorX w = weights(1.0 - (t_ - t) / last_step_);
     const VectorX estimate = y_before_ * w;
+    const auto is_of_motion = [&] { return scales_.difference(y, estimate.data()) <= kMostShareOff; };
     std::copy_n(estimate.data(), estimate.size(), y);
     VectorX y_dot(estimate.size());
     VectorX x_dot(x_before_.rows());
     coordinates_->evaluate(t, x_before_ * w, y, y_dot.data(), x_dot);
+    if (!coordinates_->are_projected() || (coordinates_->verdict().violation <= kMet && is_of_motion())) {
+        return true;
+    }
+    std::copy_n(estimate.data(), estimate.size(), y);
+    equations_->project(t, y);
+    return equations_->evaluate(t, y, y_dot.data()).violation <= kMet && is_of_motion();
 }
 
 }  // namespace jw

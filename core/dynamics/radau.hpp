@@ -39,8 +39,9 @@ public:
         return {tried_, {end.data(), end.data() + end.size()}};
     }
     /// The polynomial of the step in its coordinates; all others follow from the constraints.
-    void interpolate(double t, double* y) const override;
+    bool interpolate(double t, double* y) override;
     bool has_polynomial() const override { return last_step_ > 0.0; }
+    const StateScales* scales() const override { return &scales_; }
 
 private:
     /// How Newton's iteration for the stages ended.

@@ -1,13 +1,26 @@
 #include "core/dynamics/sampler.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/dynamics/singular_steps.hpp"
 
 namespace jw {
 
 using Meets = HermitePolynomial::Meets;
 
-void Sampler::take(const TimeStepper& stepper) {
+namespace {
+
+/// Tolerances below which only rounding would be looked at; velocities lose more digits beside singular
+/// positions.
+constexpr double kLeastOff = 1e-11;
+constexpr double kLeastRateOff = 1e-8;
+
+}  // namespace
+
+void Sampler::take(TimeStepper& stepper) {
+    stepper_ = &stepper;
     if (known_ == kNodes) {
         std::rotate(nodes_.begin(), nodes_.begin() + 1, nodes_.end());
         --known_;
@@ -15,29 +28,41 @@ void Sampler::take(const TimeStepper& stepper) {
     Node& node = nodes_[known_++];
     fitted_ = false;
     node.t = stepper.t();
+    y_.resize(stepper.y().size());
+    flat_.resize(at(kNumbersPerBody * equations_->bodies()));
     if (known_ == 1) {
         // the start itself
-        flat_.resize(at(kNumbersPerBody * equations_->bodies()));
-        equations_->to_flat(stepper.y().data(), flat_.data());
-        while (next_ < times_.size() && times_[next_] <= node.t) { receive_(times_[next_++], flat_); }
-    }
-    y_.resize(stepper.y().size());
-    if (stepper.has_polynomial()) {
-        for (; next_ < times_.size() && times_[next_] <= node.t; ++next_) {
-            if (times_[next_] == node.t) {
-                y_ = stepper.y();
-            } else {
-                stepper.interpolate(times_[next_], y_.data());
-            }
-            equations_->to_flat(y_.data(), flat_.data());
-            receive_(times_[next_], flat_);
+        while (!ended_ && next_ < times_.size() && times_[next_] <= node.t) {
+            give(times_[next_], stepper.y());
         }
+    }
+    if (stepper.has_polynomial()) {
+        give_by_method(node.t);
         return;
     }
     node.known.resize(equations_->interpolated(), 3);
     equations_->derivatives(stepper.y().data(), stepper.y_dot().data(), node.known.data());
     // one step behind: times between the two nodes in the middle are known best
     if (known_ == kNodes) { give_until(nodes_[2].t); }
+}
+
+void Sampler::give(double t, const std::vector<double>& y) {
+    equations_->to_flat(y.data(), flat_.data());
+    ++next_;
+    receive_(t, flat_);
+}
+
+void Sampler::give_by_method(double t_end) {
+    for (; !ended_ && next_ < times_.size() && times_[next_] <= t_end;) {
+        const double t = times_[next_];
+        if (t == t_end) {
+            give(t, stepper_->y());
+        } else if (stepper_->interpolate(t, y_.data())) {
+            give(t, y_);
+        } else {
+            ended_ = t;
+        }
+    }
 }
 
 void Sampler::begin_anew() {
@@ -53,17 +78,82 @@ void Sampler::finish() {
 }
 
 void Sampler::give_until(double t_end) {
-    const std::span<const Node> known = std::span(nodes_).first(known_);
-    for (; next_ < times_.size() && times_[next_] <= t_end; ++next_) {
+    while (!ended_ && next_ < times_.size() && times_[next_] <= t_end) {
         const double t = times_[next_];
+        const std::span<const Node> known = std::span(nodes_).first(known_);
         const auto node = std::ranges::find(known, t, &Node::t);
         if (node != known.end()) {
-            equations_->flat_of(node->known.data(), node->known.col(1).data(), flat_.data());
+            read(*node, y_);
+            if (!meets(t, y_)) { equations_->project(t, y_.data()); }
+            give(t, y_);
+        } else if (find_between(t)) {
+            give(t, y_);
         } else {
-            interpolate(t);
+            ended_ = t;
         }
-        receive_(t, flat_);
     }
+}
+
+void Sampler::read(const Node& node, std::vector<double>& y) const {
+    equations_->state_of(node.known.data(), node.known.col(1).data(), y.data());
+}
+
+const Sampler::Node& Sampler::node_before(double t) const {
+    std::size_t k = known_ - 1;
+    while (k > 0 && nodes_[k].t > t) { --k; }
+    return nodes_[k];
+}
+
+bool Sampler::find_between(double t) {
+    interpolate(t);
+    return meets(t, y_) || correct(t) || meets_as_well_as_nodes(t, y_);
+}
+
+/// What the polynomial gave, back onto the constraints, or a step of its own.
+bool Sampler::correct(double t) {
+    const StateScales* scales = stepper_->scales();
+    moved_ = y_;
+    equations_->project(t, moved_.data());
+    const bool near = scales == nullptr || scales->difference(moved_.data(), y_.data()) <= kOneMotion;
+    if (near && meets_as_well_as_nodes(t, moved_)) {
+        y_ = moved_;
+        return true;
+    }
+    const Node& before = node_before(t);
+    std::vector<double> start(y_.size());
+    read(before, start);
+    if (!stepper_->reach(before.t, start, t, moved_.data()) || !meets_as_well_as_nodes(t, moved_)) {
+        return false;
+    }
+    y_ = moved_;
+    return true;
+}
+
+bool Sampler::meets(double t, const std::vector<double>& y) const {
+    if (!std::isfinite(tolerance_) || equations_->rows() == 0) { return true; }
+    const auto [position, velocity] = equations_->violation(t, y.data());
+    const StateScales* scales = stepper_->scales();
+    const double fastest = scales != nullptr ? scales->omega() : std::numeric_limits<double>::infinity();
+    return position <= std::max(tolerance_, kLeastOff) &&
+           velocity <= std::max(tolerance_, kLeastRateOff) * fastest;
+}
+
+/// Rows that repeat others hold as well as the lesson was typed, and no better between steps than at their
+/// ends.
+bool Sampler::meets_as_well_as_nodes(double t, const std::vector<double>& y) {
+    if (meets(t, y)) { return true; }
+    if (equations_->rows_left_out() == 0) { return false; }
+    constexpr double twice = 2.0;
+    const Node* ends[] = {&node_before(t), &node_before(t) + 1};
+    std::pair<double, double> most{0.0, 0.0};
+    std::vector<double> there(y.size());
+    for (const Node* node : ends) {
+        read(*node, there);
+        const auto off = equations_->violation(node->t, there.data());
+        most = {std::max(most.first, off.first), std::max(most.second, off.second)};
+    }
+    const auto [position, velocity] = equations_->violation(t, y.data());
+    return position <= twice * most.first + tolerance_ && velocity <= twice * most.second + tolerance_;
 }
 
 HermitePolynomial& Sampler::polynomial_at(double t) {
@@ -113,7 +203,7 @@ HermitePolynomial& Sampler::polynomial_between(const Node* ends) {
 void Sampler::interpolate(double t) {
     HermitePolynomial& polynomial = polynomial_at(t);
     polynomial.evaluate(t);
-    equations_->flat_of(polynomial.value().data(), polynomial.rate().data(), flat_.data());
+    equations_->state_of(polynomial.value().data(), polynomial.rate().data(), y_.data());
 }
 
 }  // namespace jw

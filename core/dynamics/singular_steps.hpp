@@ -14,6 +14,10 @@ inline constexpr double kDodge = 0.93;
 /// A step through a singular position is at least this share of the last regular one.
 inline constexpr double kSmallestShare = 0.4;
 
+/// Change of a state, by the scales of the motion, that takes it back to the motion it was meant to be on.
+/// Where two branches part, their velocities differ by more, however near their positions are.
+inline constexpr double kOneMotion = 1e-2;
+
 /// Error of a step, by the scales of the motion, up to which one through a singular position is taken
 /// whatever its tolerance: it is rounding there. Beyond, it is the motion.
 inline constexpr double kMostErrorThrough = 1e-2;

@@ -46,6 +46,16 @@ void StateScales::include(const std::vector<double>& y, const std::vector<double
     }
 }
 
+double StateScales::difference(const double* y, const double* other) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < scale_.size(); ++k) {
+        const double d = std::abs(y[k] - other[k]) / scale_[k];
+        // not a number is farther than anything
+        if (!(d <= most)) { most = d; }
+    }
+    return most;
+}
+
 double StateScales::size_of(Kind kind) const {
     switch (kind) {
         case Kind::way: return length_;

@@ -50,6 +50,8 @@ public:
     /// Of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
     double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
+    /// Largest of the differences between two states, each by its size.
+    double difference(const double* y, const double* other) const;
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
@@ -87,8 +89,16 @@ public:
     virtual const IntegrationCounts& counts() const = 0;
     /// Whether the method has a polynomial of its own over the last step.
     virtual bool has_polynomial() const { return false; }
-    /// y within the last step by that.
-    virtual void interpolate(double /*t*/, double* /*y*/) const {}
+    /// y within the last step by that, on the constraints. @return false if it is not to be had: what was
+    /// found is no part of this motion
+    virtual bool interpolate(double /*t*/, double* /*y*/) { return false; }
+    /// y at `t`, by one step from an earlier state of this motion less than a step before; the motion itself
+    /// stays where it is. @return false if there is no such step
+    virtual bool reach(double /*t_from*/, const std::vector<double>& /*from*/, double /*t*/, double* /*y*/) {
+        return false;
+    }
+    /// What errors are compared with; nothing where a method compares none.
+    virtual const StateScales* scales() const { return nullptr; }
 };
 
 }  // namespace jw

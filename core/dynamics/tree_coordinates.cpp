@@ -99,8 +99,7 @@ void TreeEquations::derivatives(const double* y, const double* y_dot, double* ou
         });
 }
 
-void TreeEquations::flat_of(const double* value, const double* rate, double* flat) const {
-    double* y = y_.data();
+void TreeEquations::state_of(const double* value, const double* rate, double* y) const {
     std::copy_n(value, joints().positions(), y);
     joints().for_each_part(
         [&](int q, int q_dot) { y[q_dot] = rate[q]; },
@@ -109,7 +108,11 @@ void TreeEquations::flat_of(const double* value, const double* rate, double* fla
             vec4(y + p).normalize();
             vec3(y + omega) = omega_local_of(vec4(y + p), vec4(rate + p));
         });
-    to_flat(y, flat);
+}
+
+void TreeEquations::flat_of(const double* value, const double* rate, double* flat) const {
+    state_of(value, rate, y_.data());
+    to_flat(y_.data(), flat);
 }
 
 }  // namespace jw

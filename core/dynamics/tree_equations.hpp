@@ -36,6 +36,7 @@ public:
     void from_flat(const double* flat, double* y) const override;
     int interpolated() const override { return joints().positions(); }
     void derivatives(const double* y, const double* y_dot, double* out) const override;
+    void state_of(const double* value, const double* rate, double* y) const override;
     void flat_of(const double* value, const double* rate, double* flat) const override;
 
     RowsVerdict evaluate(double t, const double* y, double* y_dot) override;
