@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/dynamics/certificate.hpp"
@@ -259,7 +260,7 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
     count_turns_at(start_);
     const double end = times.empty() ? 0.0 : times.back();
     const std::unique_ptr<TimeStepper> integration = stepper(end);
-    Sampler sampler(integrated(), times, receive);
+    Sampler sampler(integrated(), times, receive, tolerance_of_samples());
     sampler.take(*integration);
     // an evaluation in joint coordinates costs less than all joints in those of the bodies: of those, a
     // quarter at every step
@@ -270,7 +271,7 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
     // fixed steps are as long as they are asked to be
     const bool adaptive = entry_of(settings_.method).adaptive;
     for (const double event : adaptive ? events_until(end, scene_) : std::vector{end}) {
-        while (integration->t() < event && !outcome.failure) {
+        while (integration->t() < event && !outcome.failure && !sampler.ended()) {
             outcome.failure = failure_of_step(*integration, event, end);
             if (!outcome.failure) {
                 outcome.failure = failure_of_proof(certificate, *integration, outcome.residual);
@@ -282,6 +283,10 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
         sampler.begin_anew();
     }
     sampler.finish();
+    if (sampler.ended()) {
+        outcome.failure =
+            SimulationFailure{SimulationFailure::Cause::step_too_small, *sampler.ended(), {}, 0.0};
+    }
     outcome.counts = integration->counts();
     return outcome;
 }
@@ -305,6 +310,13 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     failure.equation_of = here.driver >= 0 ? scene_.mechanism.drivers[at(here.driver)].name
                                            : scene_.mechanism.joints[at(here.joint)].name;
     return failure;
+}
+
+/// Of what lies between steps. Steps of equal length end on the constraints to rounding: how far their length
+/// leads beside them is not asked for, so lengths are typed with seven digits.
+double Simulation::tolerance_of_samples() const {
+    if (drifts(settings_.treatment)) { return std::numeric_limits<double>::infinity(); }
+    return entry_of(settings_.method).adaptive ? settings_.tolerance : kRepeatsUpTo;
 }
 
 std::optional<SimulationFailure> Simulation::failure_of_step(

@@ -106,6 +106,7 @@ private:
     /// Puts the accelerations at the end of a step back into the equations of motion.
     std::optional<SimulationFailure> failure_of_proof(
         Certificate& certificate, const TimeStepper& stepper, AccelerationResidual& worst) const;
+    double tolerance_of_samples() const;
     /// One step towards `event`, and what keeps the run from going on after it.
     std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
     /// Why no step can be taken from where the stepper is.
