@@ -31,6 +31,8 @@ constexpr double kSlowContraction = 0.1;
 /// Changes that are this small beside the tolerance cannot spoil a step.
 constexpr double kRoundingSeen = 1e-3;
 constexpr double kRoundingNear = 0.1;  ///< where no more is to be had, near a singular position
+/// Error of a step through a singular position, by the tolerance, that is taken for rounding.
+constexpr double kMostRoundingThrough = 10.0;
 /// Contraction with which a longer step would not converge.
 constexpr double kNearlyFailed = 0.3;
 
@@ -163,6 +165,11 @@ bool RadauIntegrator::NewtonEnd::is_too_near() const {
     return std::min(pivot_left, pivot_with_coordinates_left) < kTooNear;
 }
 
+/// What rounding of accelerations does to velocities in a step near a singular position, by the tolerance.
+double RadauIntegrator::rounding_through(double h, double pivot) const {
+    return h * scales_.omega() * rounding_of_acceleration(pivot) / options_.tolerance;
+}
+
 RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     const Eigen::Index stages = table_.c.size();
     const Eigen::Index n = reduced_.rows();
@@ -192,7 +199,9 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
         if (!std::isfinite(size)) { return end; }
         if (end.iterations > 1) {
             end.contraction = size / last;
-            const double rounding = end.is_near_singular() ? kRoundingNear : kRoundingSeen;
+            const double rounding = end.is_near_singular()
+                                        ? std::max(kRoundingNear, rounding_through(h, end.pivot_left))
+                                        : kRoundingSeen;
             if (end.contraction > kSlowContraction && size <= rounding) {
                 // so near, only rounding keeps it from contracting
                 end.contraction = kSlowContraction;
@@ -201,9 +210,10 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
             }
             if (end.contraction >= 0.99) { return end; }
             const double left = end.contraction / (1.0 - end.contraction) * size;
+            const double least = end.is_near_singular() ? std::max(enough, rounding) : enough;
             end.converged = left <= enough;
             const int more = kMostIterations - end.iterations;
-            if (end.converged || left * std::pow(end.contraction, more - 1) > enough) { return end; }
+            if (end.converged || left * std::pow(end.contraction, more - 1) > least) { return end; }
         } else if (size <= 1e-2 * enough) {
             end.converged = true;
             end.contraction = 0.0;
@@ -381,8 +391,9 @@ bool RadauIntegrator::step(double t_end) {
         const bool singular = newton.is_near_singular();
         // the estimate of a step through a singular position sees rounding, not the motion
         const bool through = newton.pivot_left < kThrough;
-        const bool small_enough =
-            through && h <= kSmallestShare * regular_step_ && error * options_.tolerance < kMostErrorThrough;
+        const double most_error =
+            std::max(kMostRoundingThrough, 30.0 * rounding_through(h, newton.pivot_left));
+        const bool small_enough = through && h <= kSmallestShare * regular_step_ && error < most_error;
         if (error > 1.0 && !small_enough) {
             ++counts_.rejected;
             trial.doubtful = true;

@@ -74,6 +74,7 @@ private:
     void factor(double h);
     void predict(double h);
     NewtonEnd solve_stages(double h);
+    double rounding_through(double h, double pivot) const;
     double error_of(double h, bool doubtful);
     void accept(double h, double t);
     /// The step that was solved last: the fastest turn of a body in its stages [rad/s], and the largest from
