@@ -1,8 +1,8 @@
 #include "lessons/reader.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "lessons/file_text.hpp"
 #include "lessons/reading.hpp"
 #include "lessons/toml_text.hpp"
 
@@ -109,30 +109,15 @@ ReadResult read_lesson(std::string source, std::string file_name) {
 }
 
 ReadResult read_lesson_file(const std::filesystem::path& path) {
-    const auto fail = [&](const std::string& message) {
+    FileText file = read_file_text(path, kLargestFile);
+    if (!file.problem.empty()) {
         ReadResult result;
-        result.diagnostics.push_back({path.string(), {}, message, {}, Severity::error});
+        const std::string name = path.empty() ? "''" : path.string();
+        const std::string message = file.problem + "; expected a lesson (.toml)";
+        result.diagnostics.push_back({name, {}, message, {}, Severity::error});
         return result;
-    };
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        return fail("there is no such file; expected a lesson (.toml)");
     }
-    if (std::filesystem::is_directory(path, error)) {
-        return fail("this is a folder; expected a lesson (.toml)");
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) { return fail("the file cannot be opened; expected a lesson (.toml) that may be read"); }
-    // one byte more than allowed: a pipe or device tells no size
-    std::string text(kLargestFile + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (stream.bad()) { return fail("the file cannot be read to its end; expected a lesson (.toml)"); }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kLargestFile) {
-        return fail("the file is larger than 10 MB; expected a lesson (.toml)");
-    }
-    text.shrink_to_fit();
-    return read_lesson(std::move(text), path.string());
+    return read_lesson(std::move(file.text), path.string());
 }
 
 std::string toml_version() {

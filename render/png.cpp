@@ -1,17 +1,12 @@
 #include "render/png.hpp"
 
-#include <cerrno>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
 
-#include <fcntl.h>
 #include <libdeflate.h>
 #include <stb_image.h>  // reading comes from the library of the package, writing from the header: it needs the hook
-#include <unistd.h>
 
 namespace {
 
@@ -50,50 +45,6 @@ struct Free {
 };
 using Memory = std::unique_ptr<unsigned char, Free>;
 
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error) {
-    throw std::runtime_error(
-        "cannot write '" + path.string() + "': " + std::generic_category().message(error));
-}
-
-/// A file under construction: removed again unless `publish` was reached.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const std::filesystem::path& target)
-        : target_(target), path_(target.string() + ".part-" + std::to_string(::getpid())) {
-        // O_EXCL: never write through a link that somebody left under this name
-        file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file_ < 0) { fail_to_write(target_, errno); }
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (file_ >= 0) { ::close(file_); }
-        if (!published_) { ::unlink(path_.c_str()); }
-    }
-
-    void write(std::span<const std::uint8_t> bytes) {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(file_, bytes.data(), bytes.size());
-            if (written < 0 && errno == EINTR) { continue; }
-            if (written < 0) { fail_to_write(target_, errno); }
-            bytes = bytes.subspan(static_cast<std::size_t>(written));
-        }
-    }
-
-    void publish() {
-        // a full disk may show only now
-        if (::close(std::exchange(file_, -1)) != 0) { fail_to_write(target_, errno); }
-        if (::rename(path_.c_str(), target_.c_str()) != 0) { fail_to_write(target_, errno); }
-        published_ = true;
-    }
-
-private:
-    std::filesystem::path target_;
-    std::string path_;
-    int file_ = -1;
-    bool published_ = false;
-};
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
@@ -123,12 +74,6 @@ Image read_png(const std::filesystem::path& path) {
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.rgb.assign(pixels.get(), pixels.get() + 3 * count);
     return image;
-}
-
-void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    TemporaryFile file(path);
-    file.write(bytes);
-    file.publish();
 }
 
 std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }

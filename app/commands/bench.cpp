@@ -9,6 +9,7 @@
 #include "app/commands/bench_kinematics.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
+#include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/panels/price_panel.hpp"
 #include "app/session/csv.hpp"
@@ -16,6 +17,7 @@
 #include "app/session/numbers.hpp"
 #include "app/session/prices.hpp"
 #include "lessons/catalogue.hpp"
+#include "render/atomic_file.hpp"
 #include "render/png.hpp"
 
 namespace jw {
@@ -46,6 +48,15 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scen
         lessons_below(catalogue_folder().parent_path() / "benchmark");
     shipped.insert(shipped.end(), large.begin(), large.end());
     return scenes.empty() ? shipped : named_lessons(scenes, shipped);
+}
+
+/// Lessons and the references that are shipped with them.
+std::vector<std::filesystem::path> read_with(std::vector<std::filesystem::path> files) {
+    const std::filesystem::path references = catalogue_folder().parent_path() / "reference";
+    for (std::size_t k = 0, lessons = files.size(); k < lessons; ++k) {
+        files.push_back(references / (files[k].stem().string() + ".csv"));
+    }
+    return files;
 }
 
 BenchPlan plan_of(const BenchOptions& options) {
@@ -181,6 +192,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
             Exit::bad_input,
             "jointwise: error: --picture draws one scene; name one\nhint: jointwise bench --help");
     }
+    if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();
     if (options.output == "csv") {
         streams.out

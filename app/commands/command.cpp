@@ -12,6 +12,13 @@ CommandError bad_option(const std::string& command, const std::string& message) 
 }
 
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
+    if (streams.goes_into && streams.goes_into(path)) {
+        throw CommandError(
+            Exit::bad_input,
+            path.string() +
+                ": error: the results of this command are written into the lesson that it reads; "
+                "expected another file behind '>'");
+    }
     ReadResult read = read_lesson_file(path);
     if (!read.lesson) { throw CommandError(Exit::bad_input, read.report()); }
     if (!read.diagnostics.empty()) { streams.err << read.report(); }

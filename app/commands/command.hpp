@@ -37,10 +37,12 @@ struct Streams {
     std::ostream& out;
     std::ostream& err;
     bool err_is_terminal = false;
+    /// Whether `out` or `err` goes into a file; nothing: it does not.
+    std::function<bool(const std::filesystem::path&)> goes_into = {};
 };
 
 /// The lesson in `path`; warnings go to `streams.err`.
-/// @throws CommandError (bad_input) with all diagnostics of the file
+/// @throws CommandError (bad_input) with all diagnostics of the file, or if `streams` go into it
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
 /// For CLI11's `check`: what is wrong with a whole number below 0, empty if nothing is.

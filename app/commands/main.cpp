@@ -1,7 +1,10 @@
+#include <csignal>
 #include <iostream>
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include "app/commands/outputs.hpp"
 #include "app/commands/program.hpp"
 #include "app/window.hpp"
 
@@ -25,14 +28,26 @@ jw::SurfaceReport examine_window() {
     return report;
 }
 
+/// A stream that is closed would lend its number to the next file that is opened, and what is said would go
+/// into a picture. What is written into one of these fails as it should.
+void open_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) == -1) { static_cast<void>(::open("/dev/null", O_RDONLY)); }
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    const jw::Streams streams{std::cout, std::cerr, ::isatty(STDERR_FILENO) != 0};
+    open_closed_streams();
+    // a file that grows beyond its limit is an error that is told, and not the end
+    std::signal(SIGXFSZ, SIG_IGN);
+    const jw::Streams streams{std::cout, std::cerr, ::isatty(STDERR_FILENO) != 0, jw::is_own_output};
     const int status = jw::run_program({argv + 1, argv + argc}, streams, examine_window);
     std::cout.flush();
     if (!std::cout) {
-        std::cerr << "jointwise: error: standard output could not be written (disk full, or a closed pipe)\n";
+        std::cerr << "jointwise: error: standard output could not be written (disk full, a limit of its "
+                     "size, or a closed pipe)\n";
         return static_cast<int>(jw::Exit::bad_input);
     }
     return status;

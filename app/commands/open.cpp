@@ -3,10 +3,12 @@
 #include <regex>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/outputs.hpp"
 #include "app/commands/tries.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
+#include "render/atomic_file.hpp"
 #include "render/offscreen.hpp"
 #include "render/png.hpp"
 
@@ -56,6 +58,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
             Exit::bad_input,
             "jointwise: error: --size '" + options.size + "'; expected WIDTHxHEIGHT, for example 1920x1080");
     }
+    if (!options.picture.empty()) { check_output("--picture", options.picture, {options.file}); }
     WindowSetup setup;
     setup.host.catalogue = catalogue_folder();
     setup.host.recent_file = host::RecentLessons::usual_file();

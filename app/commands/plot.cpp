@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/commands/size_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/inspection.hpp"
 #include "app/session/series.hpp"
 #include "lessons/diagnostics.hpp"
+#include "render/atomic_file.hpp"
 #include "render/png.hpp"
 
 namespace jw {
@@ -93,6 +95,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     if (!is_csv && !options.out.ends_with(".png")) {
         throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
     }
+    check_output("--out", options.out, {options.file});
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     streams.err << tried_text(tried.done);
     StoryOptions how;
@@ -103,9 +106,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     panels::PlotState state;
     state.shown = chosen(set, options.curves);
     if (is_csv) {
-        const std::string text = csv_of(only(set, state.shown));
-        const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-        render::write_file_atomically(options.out, std::span(bytes, text.size()));
+        render::write_file_atomically(options.out, csv_of(only(set, state.shown)));
     } else {
         const std::string title = tried.lesson.title + ": " + title_of(options.of);
         render::write_file_atomically(

@@ -57,7 +57,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     const FrameRange range =
         options.frames ? frame_range(*options.frames, frames) : FrameRange{0, frames - 1};
 
-    host::FrameFiles files(options.out);
+    host::FrameFiles files(options.out, range.first, range.last, options.file);
     host::FramePainter painter(story, size.width, size.height);
     {
         ProgressBar bar(streams, "drawing");

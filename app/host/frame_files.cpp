@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cstdio>
-#include <span>
+#include <set>
 
 #include "app/session/json.hpp"
+#include "render/atomic_file.hpp"
 #include "render/png.hpp"
 
 namespace jw::host {
@@ -15,15 +16,19 @@ std::string frame_name(int number) {
     return name.data();
 }
 
-FrameFiles::FrameFiles(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error || !std::filesystem::is_directory(folder_)) {
-        throw std::runtime_error(
-            "'" + folder_.string() + "' cannot be made a folder" + (error ? ": " + error.message() : "") +
-            "; expected a folder that can be written");
-    }
+namespace {
+
+std::set<std::string> names_of(int first, int last) {
+    std::set<std::string> names;
+    for (int number = first; number <= last; ++number) { names.insert(frame_name(number)); }
+    return names;
 }
+
+}  // namespace
+
+FrameFiles::FrameFiles(
+    const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson)
+    : folder_(folder, names_of(first, last), lesson) {}
 
 void FrameFiles::wait() {
     if (!writing_.valid()) { return; }
@@ -31,9 +36,10 @@ void FrameFiles::wait() {
 }
 
 void FrameFiles::add(int number, const View& view, double seconds, render::Image image) {
+    if (frames_.empty()) { folder_.begin(); }
     wait();
-    writing_ =
-        std::async(std::launch::async, [path = folder_ / frame_name(number), picture = std::move(image)] {
+    writing_ = std::async(
+        std::launch::async, [path = folder_.path() / frame_name(number), picture = std::move(image)] {
             render::write_file_atomically(path, render::encode_png(picture));
         });
     const bool motion = view.kind == Step::Kind::motion;
@@ -56,9 +62,7 @@ void FrameFiles::add(int number, const View& view, double seconds, render::Image
 void FrameFiles::finish(Json head) {
     wait();
     head["frames"] = std::move(frames_);
-    const std::string text = head.dump(1) + '\n';
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    render::write_file_atomically(folder_ / "manifest.json", std::span(bytes, text.size()));
+    folder_.finish(head.dump(1) + '\n');
 }
 
 }  // namespace jw::host

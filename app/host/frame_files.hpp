@@ -3,9 +3,10 @@
 #include <filesystem>
 #include <future>
 #include <string>
-#include <vector>
 
+#include "app/host/frame_folder.hpp"
 #include "app/session/json.hpp"
+#include "app/session/view.hpp"
 #include "render/image.hpp"
 
 /// Pictures of a lesson as files, and the manifest that maps each to its step.
@@ -17,9 +18,12 @@ std::string frame_name(int number);
 /// Encodes and writes one picture while the next is drawn. Every file appears whole or not at all.
 class FrameFiles {
 public:
-    /// Makes `folder`, parents included.
-    /// @throws std::runtime_error if that is not possible
-    explicit FrameFiles(std::filesystem::path folder);
+    /// Makes `folder`, parents included. What is in it stays as it is until the first picture comes.
+    /// @param first,last  numbers of the pictures that may come
+    /// @param lesson      its file, which must not be overwritten; empty if it has none
+    /// @throws std::runtime_error as FrameFolder
+    FrameFiles(
+        const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson = {});
 
     void add(int number, const View& view, double seconds, render::Image image);
     /// Waits for the last picture and writes the manifest, which so names only pictures that are there.
@@ -29,7 +33,7 @@ public:
 private:
     void wait();
 
-    std::filesystem::path folder_;
+    FrameFolder folder_;
     std::future<void> writing_;
     Json frames_ = Json::array();
 };

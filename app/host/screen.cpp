@@ -11,6 +11,7 @@
 #include "app/session/pace.hpp"
 #include "app/session/picture_camera.hpp"
 #include "lessons/reader.hpp"
+#include "render/atomic_file.hpp"
 #include "render/id_buffer.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/picture_texture.hpp"
@@ -57,7 +58,7 @@ struct Screen::Recording {
           first(host.session()->index()),
           next(first),
           folder(host.task_path()),
-          files(folder),
+          files(folder, first, static_cast<int>(story.steps().size()) - 1),
           painter(story, kWidth, kHeight, gl) {}
 
     Lesson lesson;

@@ -4,6 +4,7 @@
 
 #include "app/host/frame_painter.hpp"
 #include "lessons/reader.hpp"
+#include "render/atomic_file.hpp"
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
 

@@ -17,7 +17,8 @@ struct FolderRule {
 };
 
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
-constexpr std::array<std::string_view, 4> kLessons{"core/", "lessons/", "Eigen/", "toml++/"};
+constexpr std::array<std::string_view, 7> kLessons{"core/",   "lessons/", "Eigen/",  "toml++/",
+                                                   "fcntl.h", "poll.h",   "unistd.h"};
 constexpr std::array<std::string_view, 10> kRender{
     "render/",      "Eigen/",    "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
     "libdeflate.h", "stb_image", "imgui.h",        "fcntl.h",     "unistd.h"};

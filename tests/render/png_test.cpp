@@ -4,7 +4,10 @@
 #include <fstream>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include "render/atomic_file.hpp"
 #include "render/png.hpp"
 #include "tests/render/support.hpp"
 
@@ -95,6 +98,27 @@ TEST_CASE("a write that fails half-way leaves the old file and nothing else", "[
     }
     CHECK(content(path) == "old");
     CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a device, a pipe or a loop of links is not replaced by a file", "[render][png]") {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe.png";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const std::vector<std::uint8_t> bytes(10, 1);
+    CHECK_THROWS_WITH(write_file_atomically(pipe, bytes), Catch::Contains("this is a pipe"));
+    CHECK(std::filesystem::is_fifo(pipe));
+    CHECK_THROWS_WITH(write_file_atomically("/dev/null", bytes), Catch::Contains("this is a device"));
+    CHECK(std::filesystem::is_character_file("/dev/null"));
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a draft that a killed program left behind is in nobody's way", "[render][png]") {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "frame.png";
+    std::ofstream(path.string() + ".part-" + std::to_string(::getpid())) << "half";
+    write_file_atomically(path, std::string_view("whole"));
+    CHECK(content(path) == "whole");
+    CHECK(folder.files() == 2);
 }
 
 TEST_CASE("a file that cannot take its place leaves nothing behind", "[render][png]") {

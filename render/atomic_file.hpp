@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace jw::render {
+
+/// Writes a file that appears whole or not at all, in place of the one of that name if there is one. Where
+/// the file system allows it, what is being written has no name until then, so that nothing is left behind
+/// even if the program is killed.
+///
+/// A program that wants to be told of a file that grows beyond its limit (ulimit -f) must ignore SIGXFSZ.
+/// @throws std::runtime_error naming `path` and the reason: no room, no right, or something under this name
+/// that
+///         is no file (a folder, a device, a pipe)
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Whether `write_file_atomically` has a chance: to be asked before what is written is computed.
+/// @throws std::runtime_error as that, where the name cannot be that of a file or its folder is not there
+void check_can_be_written(const std::filesystem::path& path);
+
+}  // namespace jw::render
