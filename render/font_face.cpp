@@ -7,6 +7,8 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include "render/font_file.hpp"
+
 namespace jw::render {
 
 struct FontFace::Library {
@@ -23,9 +25,10 @@ struct FontFace::Library {
 struct FontFace::Face {
     FT_Face handle = nullptr;
 
-    Face(const Library& library, const std::filesystem::path& path) {
-        if (FT_New_Face(library.handle, path.c_str(), 0, &handle) != 0) {
-            throw std::runtime_error("'" + path.string() + "' is not a font that FreeType can read");
+    Face(const Library& library, const std::vector<std::uint8_t>& bytes, const std::filesystem::path& path) {
+        const auto size = static_cast<FT_Long>(bytes.size());
+        if (FT_New_Memory_Face(library.handle, bytes.data(), size, 0, &handle) != 0) {
+            throw std::runtime_error("font '" + path.string() + "' is damaged: FreeType cannot read it");
         }
     }
     Face(const Face&) = delete;
@@ -59,7 +62,9 @@ std::vector<std::uint8_t> box_filtered(const FT_Bitmap& bitmap, int window, int 
 }  // namespace
 
 FontFace::FontFace(const std::filesystem::path& path)
-    : library_(std::make_unique<Library>()), face_(std::make_unique<Face>(*library_, path)) {}
+    : bytes_(read_font_file(path)),
+      library_(std::make_unique<Library>()),
+      face_(std::make_unique<Face>(*library_, bytes_, path)) {}
 
 FontFace::~FontFace() {
     face_.reset();  // before its library
@@ -68,6 +73,7 @@ FontFace::~FontFace() {
 FontFace::FontFace(FontFace&&) noexcept = default;
 
 FontFace& FontFace::operator=(FontFace&& other) noexcept {
+    std::swap(bytes_, other.bytes_);
     std::swap(face_, other.face_);
     std::swap(library_, other.library_);
     return *this;

@@ -24,11 +24,14 @@ struct GlyphBitmap {
 
 class FontFace {
 public:
-    /// @throws std::runtime_error naming `path` if it is not a font.
+    /// @throws std::runtime_error naming `path` and what is wrong: it cannot be read, or is damaged.
     explicit FontFace(const std::filesystem::path& path);
     ~FontFace();
     FontFace(FontFace&&) noexcept;
     FontFace& operator=(FontFace&&) noexcept;
+
+    /// The whole file, for others who read it.
+    const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
     /// From the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
     double line_height() const;
@@ -44,6 +47,7 @@ public:
 private:
     struct Library;
     struct Face;
+    std::vector<std::uint8_t> bytes_;  // read from as long as the face is used
     std::unique_ptr<Library> library_;
     std::unique_ptr<Face> face_;
 };

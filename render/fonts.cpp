@@ -3,36 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <cstring>
 #include <map>
-#include <sstream>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 #include <imgui.h>
 
 #include "render/font_face.hpp"
+#include "render/font_search.hpp"
 #include "render/math_alphabets.hpp"
 
 namespace jw::render {
 namespace {
-
-struct FontFile {
-    const char* name;
-    const char* package;
-};
-
-constexpr FontFile kSans{"DejaVuSans.ttf", "fonts-dejavu-core"};
-constexpr FontFile kSansBold{"DejaVuSans-Bold.ttf", "fonts-dejavu-core"};
-constexpr FontFile kMono{"DejaVuSansMono.ttf", "fonts-dejavu-core"};
-constexpr FontFile kMath{"latinmodern-math.otf", "fonts-lmodern"};
-
-constexpr std::array kFolders{
-    "/usr/share/fonts/truetype/dejavu",
-    "/usr/share/texmf/fonts/opentype/public/lm-math",
-    "/usr/share/fonts/opentype/lmodern",
-};
 
 constexpr int kAtlasWidth = 2048;
 
@@ -86,42 +69,21 @@ std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
     return glyph;
 }
 
-std::vector<std::filesystem::path> font_folders() {
-    std::vector<std::filesystem::path> folders;
-    if (const char* const own = std::getenv("JOINTWISE_FONTS"); own != nullptr) {
-        std::istringstream list(own);
-        for (std::string folder; std::getline(list, folder, ':');) {
-            if (!folder.empty()) { folders.emplace_back(folder); }
-        }
-    }
-    folders.insert(folders.end(), kFolders.begin(), kFolders.end());
-    return folders;
-}
-
-std::filesystem::path find_font(
-    const FontFile& file, const std::vector<std::filesystem::path>& folders = font_folders()) {
-    for (const auto& folder : folders) {
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(folder / file.name, ignored)) { return folder / file.name; }
-    }
-    throw std::runtime_error(
-        "font '" + std::string(file.name) + "' not found; install the Debian package " + file.package +
-        " or name its folder in JOINTWISE_FONTS");
-}
-
 /// Fills the atlas of a context. ImGui's own rasteriser neither hints nor reaches beyond 16 bits, so it only
 /// packs: every glyph but the space is a custom rectangle (`AddCustomRectFontGlyph`) drawn by FreeType.
 class AtlasBuilder {
 public:
+    /// @throws std::runtime_error as `load_fonts`; then the atlas is as it was
     explicit AtlasBuilder(ImFontAtlas& atlas) : atlas_(atlas) {
+        for (const FontFile& file : kFontFiles) { face_of(file); }
         atlas_.Clear();
         atlas_.TexDesiredWidth = kAtlasWidth;
         atlas_.Flags |= ImFontAtlasFlags_NoMouseCursors;
     }
 
     ImFont* add_interface(const FontFile& file, float size) {
-        FontFace& face = face_of(file);  // checks the file: ImGui would stop the program
-        ImFont* const font = add_base(file, size);
+        FontFace& face = face_of(file);
+        ImFont* const font = add_base(face, size);
         const double em = static_cast<double>(size) / face.line_height();
         for (const auto& [first, last] : kInterface) {
             for (char32_t c = first; c <= last; ++c) { add_glyph(font, c, face.render(c, em, 1)); }
@@ -131,7 +93,7 @@ public:
 
     ImFont* add_formula(float size) {
         FontFace& math = face_of(kMath);
-        ImFont* const font = add_base(kMath, size);
+        ImFont* const font = add_base(math, size);
         const double em = static_cast<double>(size) / math.line_height();
         for (const auto& [first, last] : kFormula) {
             for (char32_t c = first; c <= last; ++c) {
@@ -173,20 +135,21 @@ private:
     FontFace& face_of(const FontFile& file) {
         const auto found = faces_.find(file.name);
         return found != faces_.end() ? found->second
-                                     : faces_.emplace(file.name, find_font(file)).first->second;
+                                     : faces_.emplace(file.name, open_font(file)).first->second;
     }
 
-    /// A font that holds nothing but the space.
-    ImFont* add_base(const FontFile& file, float size) {
+    /// A font that holds nothing but the space. Its face has been checked: ImGui would stop the program.
+    ImFont* add_base(const FontFace& face, float size) {
         static constexpr ImWchar only_space[] = {0x20, 0x20, 0};  // read when the atlas is built
         ImFontConfig config;
         config.OversampleH = 1;
         config.PixelSnapH = true;
-        ImFont* const font = atlas_.AddFontFromFileTTF(find_font(file).c_str(), size, &config, only_space);
-        if (font == nullptr) {
-            throw std::runtime_error("ImGui cannot read font '" + std::string(file.name) + "'");
-        }
-        return font;
+        // the atlas frees its copy
+        void* const copy = ImGui::MemAlloc(face.bytes().size());
+        if (copy == nullptr) { throw std::bad_alloc(); }
+        std::memcpy(copy, face.bytes().data(), face.bytes().size());
+        const auto bytes = static_cast<int>(face.bytes().size());
+        return atlas_.AddFontFromMemoryTTF(copy, bytes, size, &config, only_space);
     }
 
     void add_glyph(ImFont* font, char32_t code_point, std::optional<GlyphBitmap> glyph) {
@@ -240,21 +203,6 @@ Fonts load_fonts(float scale) {
     builder.build();
     ImGui::GetIO().FontDefault = fonts.normal;
     return fonts;
-}
-
-std::vector<FontSource> find_fonts() { return find_fonts(font_folders()); }
-
-std::vector<FontSource> find_fonts(const std::vector<std::filesystem::path>& folders) {
-    std::vector<FontSource> sources;
-    for (const FontFile& file : {kSans, kSansBold, kMono, kMath}) {
-        FontSource source{file.name, file.package, {}, {}};
-        try {
-            source.path = find_font(file, folders);
-            const FontFace readable(source.path);
-        } catch (const std::runtime_error& error) { source.problem = error.what(); }
-        sources.push_back(source);
-    }
-    return sources;
 }
 
 }  // namespace jw::render

@@ -34,15 +34,20 @@ struct Fonts {
 ///
 /// Searched in the folders of JOINTWISE_FONTS (colon-separated), then where Debian's packages put them.
 /// @param scale  1 for a picture 720 high, 1.5 for 1080
-/// @throws std::runtime_error naming the missing file and its Debian package.
+/// @throws std::runtime_error naming the file that is missing or damaged and its Debian package; then the
+/// atlas
+///         is as it was.
 Fonts load_fonts(float scale);
 
 /// A font file that `load_fonts` needs.
 struct FontSource {
+    enum class State { right, missing, damaged };
     std::string name;
-    std::string package;         ///< of Debian
-    std::filesystem::path path;  ///< empty if it is not found
-    std::string problem;         ///< empty if it is found and can be read
+    std::string package;  ///< of Debian
+    State state = State::right;
+    std::filesystem::path path;  ///< empty if it is missing
+    std::string problem;         ///< empty if it is right
+    std::string remedy;          ///< of one that is damaged
 };
 
 /// Every font file, looked for where `load_fonts` does, or in `folders` only.

@@ -4,10 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
 #include "app/commands/commands.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/diagnostics.hpp"
 #include "lessons/reader.hpp"
 #include "render/font_face.hpp"
 #include "render/png.hpp"
@@ -23,9 +26,20 @@ const char* word_for(Outcome state) {
         case Outcome::right: return "right";
         case Outcome::draws_wrong: return "draws wrong";
         case Outcome::missing: return "missing";
+        case Outcome::damaged: return "damaged";
         case Outcome::absent: break;
     }
     return "absent";
+}
+
+const char* word_for(render::FontSource::State state) {
+    using State = render::FontSource::State;
+    return state == State::right ? "right" : state == State::missing ? "missing" : "damaged";
+}
+
+const char* word_for(LessonsReport::State state) {
+    using State = LessonsReport::State;
+    return state == State::right ? "right" : state == State::missing ? "missing" : "damaged";
 }
 
 std::string version(int major, int minor, int patch) {
@@ -45,6 +59,12 @@ std::vector<std::pair<std::string, std::string>> versions() {
         {"libdeflate", render::libdeflate_version()}};
 }
 
+/// The folder of lessons is one that somebody chose.
+bool folder_is_own() {
+    const char* const chosen = std::getenv("JOINTWISE_LESSONS");
+    return chosen != nullptr && *chosen != '\0';
+}
+
 SurfaceReport examine_window(const SurfaceDoctor& doctor_window) {
     if (doctor_window) { return doctor_window(); }
     SurfaceReport report;
@@ -60,7 +80,7 @@ std::set<std::string> packages_of(const Diagnosis& diagnosis) {
         if (!surface.packages.empty()) { packages.insert(surface.packages); }
     }
     for (const render::FontSource& font : diagnosis.fonts) {
-        if (!font.problem.empty()) { packages.insert(font.package); }
+        if (font.state == render::FontSource::State::missing) { packages.insert(font.package); }
     }
     return packages;
 }
@@ -74,6 +94,29 @@ std::string describe(const SurfaceReport& surface) {
     return text;
 }
 
+std::string describe(const render::FontSource& font) {
+    std::string text = font.problem.empty() ? font.path.string() : font.problem;
+    if (!font.remedy.empty()) { text += "; " + font.remedy; }
+    return text + " (package " + font.package + ")";
+}
+
+std::string describe(const LessonsReport& lessons) {
+    if (!lessons.problem.empty()) { return lessons.problem + "; " + lessons.remedy; }
+    return std::to_string(lessons.count) + " in " + lessons.folder.string();
+}
+
+/// Nothing is absent or wrong but what is there and cannot be used.
+bool only_damaged(const Diagnosis& diagnosis) {
+    const auto fits = [](Outcome state) {
+        return state != Outcome::missing && state != Outcome::draws_wrong;
+    };
+    return std::ranges::all_of(diagnosis.surfaces, fits, &SurfaceReport::state) &&
+           std::ranges::find(
+               diagnosis.fonts, render::FontSource::State::missing, &render::FontSource::state) ==
+               diagnosis.fonts.end() &&
+           diagnosis.lessons.state != LessonsReport::State::missing;
+}
+
 Exit doctor(bool as_json, const SurfaceDoctor& doctor_window, const Streams& streams) {
     const Diagnosis diagnosis = diagnose(doctor_window);
     if (as_json) {
@@ -81,13 +124,53 @@ Exit doctor(bool as_json, const SurfaceDoctor& doctor_window, const Streams& str
     } else {
         streams.out << describe(diagnosis);
     }
-    return exit_of(diagnosis);
+    const Exit exit = exit_of(diagnosis);
+    if (exit != Exit::done) {
+        const std::string verdict = verdict_of(diagnosis);
+        streams.err << "jointwise: error: " << verdict.substr(0, verdict.find_first_of(";\n"))
+                    << "; 'jointwise doctor' says what and why\n";
+    }
+    return exit;
 }
 
 }  // namespace
 
 Diagnosis diagnose(const SurfaceDoctor& doctor_window) {
-    return {{examine_offscreen(), examine_window(doctor_window)}, render::find_fonts(), versions()};
+    return {
+        {examine_offscreen(), examine_window(doctor_window)},
+        render::find_fonts(),
+        examine_lessons(catalogue_folder()),
+        versions()};
+}
+
+LessonsReport examine_lessons(const std::filesystem::path& folder) {
+    LessonsReport report;
+    report.folder = folder;
+    std::string first_fault;
+    int faults = 0;
+    const std::vector<std::filesystem::path> files = lessons_below(folder);
+    for (const std::filesystem::path& file : files) {
+        const ReadResult read = read_lesson_file(file);
+        if (read.lesson) {
+            ++report.count;
+        } else if (++faults == 1) {
+            const std::string fault = read.report();
+            first_fault = fault.substr(0, fault.find('\n'));
+        }
+    }
+    if (files.empty()) {
+        report.state = LessonsReport::State::missing;
+        report.problem = "there is no lesson (*.toml) below " + in_quotes(folder.string());
+    } else if (faults > 0) {
+        report.state = LessonsReport::State::damaged;
+        report.problem = std::to_string(faults) + " of " + std::to_string(files.size()) +
+                         " lessons cannot be read, the first: " + first_fault;
+    }
+    if (report.problem.empty()) { return report; }
+    const bool own = folder_is_own();
+    report.remedy = own ? "name another folder in JOINTWISE_LESSONS, or leave the variable out"
+                        : "install Jointwise again";
+    return report;
 }
 
 Exit exit_of(const Diagnosis& diagnosis) {
@@ -95,14 +178,18 @@ Exit exit_of(const Diagnosis& diagnosis) {
         return std::ranges::any_of(diagnosis.surfaces, [=](const auto& s) { return s.state == state; });
     };
     if (any(Outcome::draws_wrong)) { return Exit::numerics; }
-    const bool font_missing =
+    const bool no_font =
         std::ranges::any_of(diagnosis.fonts, [](const auto& font) { return !font.problem.empty(); });
-    return any(Outcome::missing) || font_missing ? Exit::bad_input : Exit::done;
+    const bool bad =
+        any(Outcome::missing) || any(Outcome::damaged) || no_font || !diagnosis.lessons.problem.empty();
+    return bad ? Exit::bad_input : Exit::done;
 }
 
 std::string verdict_of(const Diagnosis& diagnosis) {
     if (exit_of(diagnosis) == Exit::done) { return "everything that is needed is there"; }
     std::string text = "not everything that is needed is there";
+    if (only_damaged(diagnosis)) { text = "something that is needed is damaged"; }
+    if (exit_of(diagnosis) == Exit::numerics) { text = "a surface draws wrong"; }
     const std::set<std::string> packages = packages_of(diagnosis);
     if (!packages.empty()) {
         text += "; install it:\n  apt-get install";
@@ -111,6 +198,10 @@ std::string verdict_of(const Diagnosis& diagnosis) {
     for (const SurfaceReport& surface : diagnosis.surfaces) {
         if (!surface.remedy.empty()) { text += "\n  " + surface.name + ": " + surface.remedy; }
     }
+    for (const render::FontSource& font : diagnosis.fonts) {
+        if (!font.remedy.empty()) { text += "\n  " + font.name + ": " + font.remedy; }
+    }
+    if (!diagnosis.lessons.remedy.empty()) { text += "\n  lessons: " + diagnosis.lessons.remedy; }
     return text;
 }
 
@@ -122,10 +213,8 @@ std::string describe(const Diagnosis& diagnosis) {
              << describe(surface) << '\n';
     }
     text << "Fonts\n";
-    for (const render::FontSource& font : diagnosis.fonts) {
-        text << "  " << (font.problem.empty() ? font.path.string() : font.problem) << " (package "
-             << font.package << ")\n";
-    }
+    for (const render::FontSource& font : diagnosis.fonts) { text << "  " << describe(font) << '\n'; }
+    if (!diagnosis.lessons.folder.empty()) { text << "Lessons\n  " << describe(diagnosis.lessons) << '\n'; }
     text << "Made of\n ";
     for (const auto& [name, number] : diagnosis.versions) {
         text << (name == diagnosis.versions.front().first ? " " : ", ") << name << ' ' << number;
@@ -152,9 +241,18 @@ Json json_of(const Diagnosis& diagnosis) {
         fonts.push_back(
             {{"name", f.name},
              {"package", f.package},
+             {"state", word_for(f.state)},
              {"path", f.path.empty() ? Json() : Json(f.path.string())},
-             {"problem", f.problem}});
+             {"problem", f.problem},
+             {"remedy", f.remedy}});
     }
+    const LessonsReport& lessons = diagnosis.lessons;
+    const Json lessons_json{
+        {"folder", lessons.folder.empty() ? Json() : Json(lessons.folder.string())},
+        {"state", word_for(lessons.state)},
+        {"count", lessons.count},
+        {"problem", lessons.problem},
+        {"remedy", lessons.remedy}};
     Json versions_json = Json::object();
     for (const auto& [name, number] : diagnosis.versions) { versions_json[name] = number; }
     return {
@@ -164,6 +262,7 @@ Json json_of(const Diagnosis& diagnosis) {
         {"verdict", verdict_of(diagnosis)},
         {"surfaces", surfaces},
         {"fonts", fonts},
+        {"lessons", lessons_json},
         {"versions", versions_json}};
 }
 

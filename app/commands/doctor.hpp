@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,16 +13,30 @@
 /// What `jointwise doctor` finds and says.
 namespace jw {
 
+/// The lessons that the program offers.
+struct LessonsReport {
+    enum class State { right, missing, damaged };
+    State state = State::right;
+    std::filesystem::path folder;  ///< empty if nobody looked
+    int count = 0;                 ///< of lessons that can be read
+    std::string problem;           ///< empty if there is none
+    std::string remedy;            ///< likewise
+};
+
+/// Reads all lessons below a folder.
+LessonsReport examine_lessons(const std::filesystem::path& folder);
+
 struct Diagnosis {
     std::vector<SurfaceReport> surfaces;
     std::vector<render::FontSource> fonts;
+    LessonsReport lessons;
     std::vector<std::pair<std::string, std::string>> versions;  ///< of what the program is made of
 };
 
 /// Looks at everything; takes a second.
 Diagnosis diagnose(const SurfaceDoctor& doctor_window);
 
-/// numerics (3) where a surface draws wrong, bad_input (2) where something is missing, else done.
+/// numerics (3) where a surface draws wrong, bad_input (2) where something is missing or damaged, else done.
 Exit exit_of(const Diagnosis& diagnosis);
 /// "everything that is needed is there", or what to do.
 std::string verdict_of(const Diagnosis& diagnosis);

@@ -24,6 +24,7 @@ jw::SurfaceReport examine_window() {
     } catch (const std::exception& error) {
         report.state = jw::SurfaceReport::State::missing;
         report.problem = error.what();
+        jw::blame_library(report);
     }
     return report;
 }

@@ -6,6 +6,8 @@
 #include <span>
 #include <stdexcept>
 
+#include <dlfcn.h>
+
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
 #include "render/scene_renderer.hpp"
@@ -120,6 +122,34 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report) {
     } catch (const std::exception& error) { report.problem = error.what(); }
     report.state = report.problem.empty() ? SurfaceReport::State::right : SurfaceReport::State::draws_wrong;
     if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may do"; }
+}
+
+void blame_library(SurfaceReport& report) {
+    struct Library {
+        const char* name;
+        const char* package;
+    };
+    constexpr std::array<Library, 3> libraries{
+        {{"libGLX.so.0", "libglx0"}, {"libGL.so.1", "libgl1"}, {"libGLX_mesa.so.0", "libglx-mesa0"}}};
+    for (const auto& [name, package] : libraries) {
+        if (void* const library = ::dlopen(name, RTLD_LAZY | RTLD_LOCAL); library != nullptr) {
+            ::dlclose(library);
+            continue;
+        }
+        const char* const words = ::dlerror();
+        const std::string why = words == nullptr ? name : words;
+        // what the system's loader says of a file that is not there; anything else is about one that is
+        if (why.find("No such file") != std::string::npos) {
+            report.state = SurfaceReport::State::missing;
+            report.problem = "the library '" + std::string(name) + "' is not there";
+            report.packages = package;
+        } else {
+            report.state = SurfaceReport::State::damaged;
+            report.problem = "the library '" + std::string(name) + "' is damaged: " + why;
+            report.remedy = "apt-get install --reinstall " + std::string(package);
+        }
+        return;
+    }
 }
 
 SurfaceReport examine_offscreen() {

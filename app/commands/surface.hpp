@@ -14,6 +14,7 @@ struct SurfaceReport {
         right,        ///< it loads, and the test picture is as it should be
         draws_wrong,  ///< it loads, and the test picture is not
         missing,      ///< it does not load, and something can be installed or set
+        damaged,      ///< it does not load, because a library is there and no library: install it again
         absent,       ///< there is none here, and nothing is wrong with that: no display
     };
     std::string name;  ///< "offscreen", "window"
@@ -32,6 +33,10 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report);
 
 /// OSMesa.
 SurfaceReport examine_offscreen();
+
+/// Why a window could not be made, as far as it is a library of OpenGL that is missing or damaged: fills in
+/// state, problem, remedy and packages. Otherwise `report` stays as it is.
+void blame_library(SurfaceReport& report);
 
 /// Draws a window's test picture and reports; empty where the program has no window.
 using SurfaceDoctor = std::function<SurfaceReport()>;

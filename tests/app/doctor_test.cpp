@@ -65,6 +65,8 @@ TEST_CASE("doctor says the same as JSON", "[app][doctor]") {
         CHECK(std::filesystem::exists(font["path"].get<std::string>()));
     }
     CHECK(json["versions"].size() >= 8);
+    CHECK(json["lessons"]["state"] == "right");
+    CHECK(json["lessons"]["count"].get<int>() > 30);
 }
 
 TEST_CASE("a folder without fonts takes none away from those of the system", "[app][doctor]") {
@@ -75,6 +77,7 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
     const Ran own = run({"doctor"});
     folder.file("latinmodern-math.otf", "no font");
     const Ran broken = run({"doctor"});
+    const Ran broken_json = run({"doctor", "--json"});
     ::unsetenv("JOINTWISE_FONTS");
     CHECK(empty.status == 0);
     CHECK(own.status == 0);
@@ -82,8 +85,15 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
     CHECK(broken.status == 2);
     CHECK_THAT(
         broken.out, Catch::Contains(
-                        "'" + folder.path("latinmodern-math.otf") +
-                        "' is not a font that FreeType can read (package fonts-lmodern)"));
+                        "font '" + folder.path("latinmodern-math.otf") +
+                        "' is damaged: it is no TrueType or OpenType font; replace the file, or take its "
+                        "folder out of JOINTWISE_FONTS (package fonts-lmodern)"));
+    CHECK_THAT(broken.out, Catch::Contains("\nsomething that is needed is damaged"));
+    // nothing to install: it is there
+    CHECK(broken.out.find("apt-get install") == std::string::npos);
+    const auto fonts = nlohmann::json::parse(broken_json.out)["fonts"];
+    CHECK(fonts[3]["state"] == "damaged");
+    CHECK(fonts[0]["state"] == "right");
 }
 
 TEST_CASE("missing fonts are named with their packages", "[app][doctor]") {
@@ -101,6 +111,7 @@ TEST_CASE("missing fonts are named with their packages", "[app][doctor]") {
         Catch::Contains("  font 'DejaVuSans.ttf' not found; install the Debian package fonts-dejavu-core or "
                         "name its folder in JOINTWISE_FONTS"));
     CHECK(json_of(diagnosis)["fonts"][0]["path"].is_null());
+    CHECK(json_of(diagnosis)["fonts"][0]["state"] == "missing");
 }
 
 TEST_CASE("a surface that does not load is status 2, one that draws wrong is status 3", "[app][doctor]") {

@@ -100,15 +100,19 @@ TEST_CASE("UTF-8 of one, two, three and four bytes", "[render][fonts]") {
     CHECK(to_utf8(U"").empty());
 }
 
-TEST_CASE("a file that is no font is named", "[render][fonts]") {
+TEST_CASE("a file that is no font is named, and the letters that are there stay", "[render][fonts]") {
+    const ImguiContext context;
+    const Fonts fonts = load_fonts(1.0F);
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "DejaVuSans.ttf") << "not a font";
     ::setenv("JOINTWISE_FONTS", folder.path().c_str(), 1);
-    const ImguiContext context;
     CHECK_THROWS_WITH(
-        load_fonts(1.0F),
-        "'" + (folder.path() / "DejaVuSans.ttf").string() + "' is not a font that FreeType can read");
+        load_fonts(1.5F), "font '" + (folder.path() / "DejaVuSans.ttf").string() +
+                              "' is damaged: it is no TrueType or OpenType font; replace the file, or take "
+                              "its folder out of JOINTWISE_FONTS");
     ::unsetenv("JOINTWISE_FONTS");
+    CHECK(missing_from(*fonts.normal, kLatin).empty());
+    CHECK(ImGui::GetIO().Fonts->IsBuilt());
 }
 
 }  // namespace jw::render::test

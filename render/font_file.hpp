@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Font files as bytes, and whether they are whole: what reads fonts trusts them.
+namespace jw::render {
+
+/// @throws std::runtime_error naming `path` and why it cannot be read, or what is wrong with it
+std::vector<std::uint8_t> read_font_file(const std::filesystem::path& path);
+
+/// What is wrong with a TrueType or OpenType file of one font, as "it ends too early"; empty if nothing is.
+/// Every table must lie within the file, have the checksum that the file says, and all that text needs be
+/// there.
+/// @source OpenType specification 1.9, "Font file", table directory
+std::string fault_of_font(std::span<const std::uint8_t> bytes);
+
+}  // namespace jw::render
