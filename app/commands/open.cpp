@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
 
-#include <regex>
+#include <cmath>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/commands/size_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
@@ -26,6 +27,10 @@ struct OpenOptions {
     std::string tab = "step";
     std::string picture;
 };
+
+// smaller ones have no room for a picture and a panel; larger ones are typing errors
+constexpr PixelSize kSmallest{320, 200};
+constexpr PixelSize kLargest{7680, 7680};
 
 /// What the window shows, drawn into a file; needs no display.
 void draw_window(const WindowSetup& setup, const std::string& path) {
@@ -51,12 +56,9 @@ host::Tab tab_of(const std::string& name) {
 }
 
 Exit open(const OpenOptions& options, const Streams& streams) {
-    static const std::regex form("([0-9]{3,5})x([0-9]{3,5})");
-    std::smatch match;
-    if (!std::regex_match(options.size, match, form)) {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: --size '" + options.size + "'; expected WIDTHxHEIGHT, for example 1920x1080");
+    const PixelSize size = size_option(options.size, kSmallest, kLargest);
+    if (!std::isfinite(options.text)) {
+        throw CommandError(Exit::bad_input, "jointwise: error: --text is not finite; expected 0.75 to 1.5");
     }
     if (!options.picture.empty()) { check_output("--picture", options.picture, {options.file}); }
     WindowSetup setup;
@@ -64,8 +66,8 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.recent_file = host::RecentLessons::usual_file();
     setup.host.dark = options.dark;
     setup.host.text_scale = static_cast<float>(options.text);
-    setup.host.width = std::stoi(match[1]);
-    setup.host.height = std::stoi(match[2]);
+    setup.host.width = size.width;
+    setup.host.height = size.height;
     setup.tab = tab_of(options.tab);
     if (!options.file.empty()) {
         // mistakes are told before a window opens
@@ -81,7 +83,8 @@ Exit open(const OpenOptions& options, const Streams& streams) {
         setup.tries = options.tries;
     }
     if (!options.picture.empty()) {
-        setup.host.recent_file.clear();  // the same picture whatever was opened before
+        // the same picture whatever was opened before
+        setup.host.recent_file.clear();
         draw_window(setup, options.picture);
         return Exit::done;
     }

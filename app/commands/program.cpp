@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/usage.hpp"
 #include "app/session/inspection.hpp"
 #include "lessons/diagnostics.hpp"
 
@@ -37,17 +39,18 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
            comma_list(names) + "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
 }
 
-/// CLI11 says of a value that it could not be converted, not into what.
-std::string expectation(const CLI::App& command, const CLI::Error& error) {
-    if (dynamic_cast<const CLI::ConversionError*>(&error) == nullptr) { return {}; }
-    const std::string text = error.what();
-    for (const CLI::Option* option : command.get_options()) {
-        if (text.find(option->get_name() + " ") == std::string::npos) { continue; }
-        // N is what counts something, in all commands
-        const bool counts = option->get_type_name().starts_with("N");
-        return counts ? "; expected a whole number, digits only" : "; expected a number, as 0.5 or 1e-6";
+/// What the parser takes, and this program does not.
+void check_numbers(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        const std::string fault = fault_of_numbers(*command);
+        if (!fault.empty()) { throw bad_option(command->get_name(), fault); }
     }
-    return {};
+}
+
+/// An error of the file system without the name of the function that found it.
+std::string words_of(const std::filesystem::filesystem_error& error) {
+    const std::string where = error.path1().empty() ? "" : in_quotes(error.path1().string()) + ": ";
+    return where + error.code().message();
 }
 
 }  // namespace
@@ -62,8 +65,8 @@ int run_program(
         // the command that was meant, if the line got that far
         const std::vector<CLI::App*> commands = self->get_subcommands();
         const CLI::App& command = commands.empty() ? *self : *commands.front();
-        return "jointwise: error: " + std::string(error.what()) + expectation(command, error) +
-               "\nhint: jointwise " + (commands.empty() ? "" : command.get_name() + " ") + "--help\n";
+        return "jointwise: error: " + usage_fault(command, error) + "\nhint: jointwise " +
+               (commands.empty() ? "" : command.get_name() + " ") + "--help\n";
     });
     Run run;
     for (const auto add :
@@ -82,6 +85,7 @@ int run_program(
         std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
         if (last_first.empty()) { last_first = {"open"}; }
         app.parse(last_first);
+        check_numbers(app);
         return status(run());
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == 0;  // --help, --version
@@ -97,6 +101,9 @@ int run_program(
     } catch (const std::bad_alloc&) {
         streams.err << "jointwise: error: out of memory\n";
         return status(Exit::numerics);
+    } catch (const std::filesystem::filesystem_error& error) {
+        streams.err << "jointwise: error: " << words_of(error) << '\n';
+        return status(Exit::bad_input);
     } catch (const std::exception& error) {
         // a missing font or OSMesa, a file system that fails: said by whoever found it
         streams.err << "jointwise: error: " << error.what() << '\n';

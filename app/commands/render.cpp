@@ -100,7 +100,7 @@ void add_render(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--size", options->size, "pixels")->type_name("WxH")->capture_default_str();
     command->add_option("--fps", options->fps, "pictures per second of the motion")
         ->check(CLI::Range(0.1, kMostFps))
-        ->type_name("N")
+        ->type_name("X")
         ->capture_default_str();
     command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")
         ->type_name("A:B");

@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/describe.hpp"
+#include "app/session/inspection.hpp"
 #include "app/session/json.hpp"
 
 namespace jw {
@@ -50,6 +51,7 @@ Exit step(const StepOptions& options, const Streams& streams) {
                                  ": the lesson has steps 0 to " + std::to_string(last));
     }
     const Exit exit = story.failure() != nullptr && until == last ? Exit::numerics : Exit::done;
+    if (exit == Exit::numerics) { streams.err << not_reached(lesson, *story.failure()).what() << '\n'; }
     if (options.format == "json") {
         Json json = json_of(story, until);
         add_tried(json, tried.done);

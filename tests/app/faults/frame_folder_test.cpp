@@ -1,0 +1,145 @@
+#include <catch2/catch.hpp>
+
+#include <random>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/host/frame_files.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+namespace {
+
+std::set<std::string> files_in(const std::string& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        names.insert(entry.path().filename().string());
+    }
+    return names;
+}
+
+std::set<std::string> named_by_manifest(const std::string& folder) {
+    const auto manifest = nlohmann::json::parse(bytes_of(folder + "/manifest.json"));
+    std::set<std::string> names;
+    for (const auto& frame : manifest["frames"]) { names.insert(frame["file"].get<std::string>()); }
+    return names;
+}
+
+/// Pictures `first` to `last`, of which `drawn` come before the run ends; all of them: the run is finished.
+void write_run(const std::string& folder, int first, int last, int drawn) {
+    host::FrameFiles files(folder, first, last);
+    const View view;
+    for (int k = first; k < first + drawn; ++k) { files.add(k, view, 1.0, {1, 1, {0, 0, 0}}); }
+    if (drawn == last - first + 1) { files.finish({{"format", "jointwise render"}}); }
+}
+
+/// Frames that a folder has and no list of it names.
+std::set<std::string> strays_in(const std::string& folder) {
+    std::set<std::string> strays;
+    const std::set<std::string> named = named_by_manifest(folder);
+    for (const std::string& name : files_in(folder)) {
+        if (name != "manifest.json" && !named.contains(name)) { strays.insert(name); }
+    }
+    return strays;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Whatever runs went into a folder, finished or not, the last one's manifest names all that is there") {
+    constexpr std::uint32_t seed = 15;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint32_t>(n)); };
+    for (int sample = 0; sample < 40; ++sample) {
+        const Folder folder;
+        std::string history;
+        for (int run = 0; run < 6; ++run) {
+            const int first = below(8);
+            const int count = 1 + below(6);
+            const int drawn = below(3) == 0 ? below(count) : count;
+            history +=
+                " " + std::to_string(first) + "+" + std::to_string(drawn) + "/" + std::to_string(count);
+            write_run(folder.path(), first, first + count - 1, drawn);
+            CAPTURE(history);
+            const std::set<std::string> there = files_in(folder.path());
+            if (!there.contains("manifest.json")) {
+                CHECK(drawn < count);
+                continue;
+            }
+            for (const std::string& name : named_by_manifest(folder.path())) { CHECK(there.contains(name)); }
+            if (drawn == count) { CHECK(strays_in(folder.path()).empty()); }
+        }
+    }
+}
+
+TEST_CASE("A run that draws nothing leaves the folder as it was") {
+    const Folder folder;
+    write_run(folder.path(), 0, 2, 3);
+    const std::set<std::string> before = files_in(folder.path());
+    write_run(folder.path(), 0, 5, 0);
+    CHECK(files_in(folder.path()) == before);
+    CHECK(named_by_manifest(folder.path()).size() == 3);
+}
+
+TEST_CASE("Only pictures that the old manifest names are removed, and only in the folder") {
+    const Folder folder;
+    write_run(folder.path("frames"), 0, 3, 4);
+    folder.file("frames/frame_00099.png", "somebody's own");
+    folder.file("frames/notes.txt", "somebody's own");
+    folder.file("frame_00042.png", "outside");
+    auto manifest = nlohmann::json::parse(bytes_of(folder.path("frames/manifest.json")));
+    for (const char* name : {"../frame_00042.png", "notes.txt", "manifest.json", "/tmp", "", "frame_.png"}) {
+        manifest["frames"].push_back({{"file", name}});
+    }
+    manifest["frames"].push_back({{"file", 7}});
+    manifest["frames"].push_back("frame_00099.png");
+    folder.file("frames/manifest.json", manifest.dump());
+    write_run(folder.path("frames"), 1, 2, 2);
+    CHECK(
+        files_in(folder.path("frames")) ==
+        std::set<std::string>{
+            "frame_00001.png", "frame_00002.png", "frame_00099.png", "manifest.json", "notes.txt"});
+    CHECK(bytes_of(folder.path("frame_00042.png")) == "outside");
+}
+
+TEST_CASE("A manifest that is cut off is written anew, one of another program is not touched") {
+    const Folder folder;
+    write_run(folder.path(), 0, 3, 4);
+    const std::string whole = bytes_of(folder.path("manifest.json"));
+    folder.file("manifest.json", whole.substr(0, whole.size() / 2));
+    write_run(folder.path(), 0, 1, 2);
+    CHECK(named_by_manifest(folder.path()).size() == 2);
+
+    for (const char* other : {"{\"name\": \"A web page\"}", "[]", "7", "{\"format\": \"other\"}"}) {
+        const Folder theirs;
+        const std::string path = theirs.file("manifest.json", other);
+        CHECK_THROWS_WITH(
+            host::FrameFiles(theirs.path(), 0, 1), "'" + path +
+                                                       "' is no manifest of pictures, and would be "
+                                                       "overwritten; expected a folder for pictures alone");
+        CHECK(files_in(theirs.path()).size() == 1);
+        CHECK(bytes_of(path) == other);
+    }
+    const Folder odd;
+    std::filesystem::create_directory(odd.path("manifest.json"));
+    CHECK_THROWS_WITH(host::FrameFiles(odd.path(), 0, 1), Catch::Contains("is no file"));
+}
+
+TEST_CASE("render into a folder with pictures of a longer run leaves those of this one", "[app][frames]") {
+    const Folder folder;
+    const std::string crank = folder.file("crank.toml", kCrank);
+    const auto render = [&](const std::string& frames) {
+        return run(
+            {"render", crank, "--out", folder.path("frames"), "--size", "960x540", "--frames", frames});
+    };
+    REQUIRE(render("0:3").status == 0);
+    REQUIRE(render("2:2").status == 0);
+    CHECK(files_in(folder.path("frames")) == std::set<std::string>{"frame_00002.png", "manifest.json"});
+    // a mistake in the command line changes nothing
+    CHECK(render("5:2").status == 2);
+    CHECK(named_by_manifest(folder.path("frames")) == std::set<std::string>{"frame_00002.png"});
+}
+
+}  // namespace jw::test
