@@ -8,7 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/host/screen.hpp"
+#include "app/host/guarded_screen.hpp"
 #include "render/gl_functions.hpp"
 
 namespace jw {
@@ -21,6 +21,13 @@ using host::Key;
 
 constexpr const char* kWithoutWindow =
     "; pictures and text need no display: use 'jointwise render', 'jointwise step' or 'jointwise doctor'";
+
+constexpr int kSmallestWidth = 640;
+constexpr int kSmallestHeight = 400;
+// between two copies of what is tried and not saved [s]
+constexpr double kKeeping = 1.0;
+// before the next frame, after one that could not be drawn [s]
+constexpr double kAfterFailure = 0.25;
 
 std::string last_glfw_error;
 
@@ -43,7 +50,7 @@ public:
             glfwTerminate();
             fail("no window with OpenGL 3.3 can be opened");
         }
-        glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwSetWindowSizeLimits(window_, kSmallestWidth, kSmallestHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
     }
@@ -179,11 +186,65 @@ std::string title_of(const Host& host) {
            " – Jointwise";
 }
 
+/// A screen may be larger than what the driver can draw into.
+void limit_size(GLFWwindow* window, const render::GlFunctions& gl) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    if (most >= kSmallestWidth) {
+        glfwSetWindowSizeLimits(window, kSmallestWidth, kSmallestHeight, most, most);
+    }
+}
+
+/// Where that is which was tried and not saved, as the end of a sentence; empty if there is none.
+std::string kept(Host& host) {
+    host.keep_unsaved();
+    if (host.unsaved_copy().empty()) { return {}; }
+    const std::string file = host.unsaved_copy().string();
+    return "; what was tried and not saved is in '" + file + "', under 'Not saved' in the list of lessons";
+}
+
+void run(GLFWwindow* window, Host& host, host::GuardedScreen& screen) {
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point before = Clock::now();
+    Clock::time_point kept_at = before;
+    bool drawn = true;
+    std::string title;
+    while (glfwWindowShouldClose(window) == GLFW_FALSE && !host.wants_to_close()) {
+        // a driver that has just failed is given time
+        const double wait = drawn ? host.seconds_to_wait() : kAfterFailure;
+        if (wait > 0.0) {
+            glfwWaitEventsTimeout(wait);
+        } else {
+            glfwPollEvents();
+        }
+        fit(window, host);
+        host.look_at_file();
+        const Clock::time_point now = Clock::now();
+        if (std::chrono::duration<double>(now - kept_at).count() >= kKeeping) {
+            kept_at = now;
+            host.keep_unsaved();
+        }
+        const double seconds = std::chrono::duration<double>(now - before).count();
+        if (!host.is_due(seconds)) { continue; }
+        before = now;
+        host.frame(seconds);
+        drawn = screen.draw();
+        if (!drawn) { continue; }
+        screen.show();
+        glfwSwapBuffers(window);
+        if (std::string name = title_of(host); name != title) {
+            title = std::move(name);
+            glfwSetWindowTitle(window, title.c_str());
+        }
+    }
+}
+
 }  // namespace
 
 void run_window(const WindowSetup& setup) {
     const GlfwWindow window(setup.host.width, setup.host.height, true);
     const render::GlFunctions gl = functions();
+    limit_size(window.get(), gl);
     host::HostSetup wanted = setup.host;
     glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
     Host host(wanted);
@@ -192,32 +253,12 @@ void run_window(const WindowSetup& setup) {
     glfwSetWindowUserPointer(window.get(), &host);
     listen(window.get());
     use_clipboard(window.get());
-    host::Screen screen(gl, host);
-
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point before = Clock::now();
-    std::string title;
-    while (glfwWindowShouldClose(window.get()) == GLFW_FALSE && !host.wants_to_close()) {
-        const double wait = host.seconds_to_wait();
-        if (wait > 0.0) {
-            glfwWaitEventsTimeout(wait);
-        } else {
-            glfwPollEvents();
-        }
-        fit(window.get(), host);
-        host.look_at_file();
-        const Clock::time_point now = Clock::now();
-        const double seconds = std::chrono::duration<double>(now - before).count();
-        if (!host.is_due(seconds)) { continue; }
-        before = now;
-        host.frame(seconds);
-        screen.draw();
-        screen.show();
-        glfwSwapBuffers(window.get());
-        if (std::string name = title_of(host); name != title) {
-            title = std::move(name);
-            glfwSetWindowTitle(window.get(), title.c_str());
-        }
+    try {
+        host::GuardedScreen screen(gl, host, *setup.log);
+        run(window.get(), host, screen);
+    } catch (const std::exception& error) { throw std::runtime_error(error.what() + kept(host)); }
+    if (const std::string where = kept(host); !where.empty()) {
+        *setup.log << "jointwise: note: closed" << where << '\n';
     }
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,12 @@ struct WindowSetup {
     std::string at;
     host::Tab tab = host::Tab::step;
     std::vector<std::string> tries;  ///< experiments to begin with
+    std::ostream* log = nullptr;     ///< where faults of drawing are told; must be set
 };
 
-/// Runs until the window is closed.
-/// @throws std::runtime_error with what to do where there is no display or no OpenGL 3.3
+/// Runs until the window is closed. What was tried and not saved then is in a file that the log names.
+/// @throws std::runtime_error with what to do where there is no display or no OpenGL 3.3, or where drawing
+///         fails again and again; with the name of that file, if there is one
 void run_window(const WindowSetup& setup);
 
 /// Makes a hidden window's context current and calls `use` with it.

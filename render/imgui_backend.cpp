@@ -36,6 +36,10 @@ out vec4 pixel;
 void main() { pixel = tint * texture(picture, texel); }
 )";
 
+/// What draw data call the font atlas: the id that ImGui gives an atlas without a texture, and no texture of
+/// GL has. Draw data so stay valid when the atlas is uploaded anew under another name.
+constexpr GLuint kAtlas = 0;
+
 /// The atlas holds coverage only; the texture reads as white of that opacity.
 GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     unsigned char* texels = nullptr;
@@ -102,11 +106,7 @@ ImguiBackend::ImguiBackend(const GlFunctions& gl)
     gl_.BindVertexArray(0);
 }
 
-void ImguiBackend::reload_fonts() {
-    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    font_ = upload_atlas(gl_, atlas);
-    atlas.SetTexID(texture_id_cast<ImTextureID>(font_.name()));
-}
+void ImguiBackend::reload_fonts() { font_ = upload_atlas(gl_, *ImGui::GetIO().Fonts); }
 
 void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
     if (data.FramebufferScale.x != 1.0F || data.FramebufferScale.y != 1.0F) {
@@ -130,7 +130,8 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
                 continue;
             }
             if (!set_scissor(gl_, command.ClipRect, data, frame)) { continue; }
-            gl_.BindTexture(GL_TEXTURE_2D, texture_name(command.GetTexID()));
+            const GLuint name = texture_name(command.GetTexID());
+            gl_.BindTexture(GL_TEXTURE_2D, name == kAtlas ? font_.name() : name);
             gl_.DrawElementsBaseVertex(
                 GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
                 reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),

@@ -15,7 +15,8 @@ public:
     /// this backend can do. Context and `gl` must outlive this.
     explicit ImguiBackend(const GlFunctions& gl);
 
-    /// Uploads the atlas again, after `load_fonts` for another scale. Between frames only.
+    /// Uploads the atlas again, after `load_fonts` for another scale. Draw data made before show the letters
+    /// of the old atlas in wrong places: fonts are loaded before a frame begins.
     void reload_fonts();
 
     /// Draws into the framebuffer that is bound, over what it shows. Layout is in pixels of the frame; larger

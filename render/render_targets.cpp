@@ -4,20 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/gl_errors.hpp"
 #include "render/scene_view.hpp"
 
 namespace jw::render {
 namespace {
-
-void throw_on_gl_error(const GlFunctions& gl, const char* during) {
-    if (const GLenum error = gl.GetError(); error != GL_NO_ERROR) {
-        constexpr const char* digits = "0123456789abcdef";
-        const std::string code{digits[(error >> 8U) & 15U], digits[(error >> 4U) & 15U], digits[error & 15U]};
-        throw std::runtime_error(
-            std::string(during) + " failed with OpenGL error 0x" + code +
-            (error == GL_OUT_OF_MEMORY ? " (out of memory)" : ""));
-    }
-}
 
 int integer(const GlFunctions& gl, GLenum name) {
     GLint value = 0;
@@ -84,6 +75,7 @@ RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int s
       flat_(make_target(0, Depth::without)) {}
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
+    take_gl_errors(gl_);  // of calls before: not the fault of this one
     Target target{make_framebuffer(gl_), make_renderbuffer(gl_), {}};
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
     attach(target.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples);

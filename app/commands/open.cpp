@@ -64,6 +64,9 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     WindowSetup setup;
     setup.host.catalogue = catalogue_folder();
     setup.host.recent_file = host::RecentLessons::usual_file();
+    setup.host.unsaved = setup.host.recent_file.empty() ? "jointwise-unsaved"
+                                                        : setup.host.recent_file.parent_path() / "unsaved";
+    setup.log = &streams.err;
     setup.host.dark = options.dark;
     setup.host.text_scale = static_cast<float>(options.text);
     setup.host.width = size.width;
@@ -85,6 +88,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     if (!options.picture.empty()) {
         // the same picture whatever was opened before
         setup.host.recent_file.clear();
+        setup.host.unsaved.clear();
         draw_window(setup, options.picture);
         return Exit::done;
     }

@@ -10,6 +10,7 @@
 
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
 
 namespace jw::host {
 
@@ -51,14 +52,22 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-std::vector<CatalogueEntry> catalogue_of(const fs::path& folder, const std::vector<fs::path>& recent) {
+std::vector<CatalogueEntry> catalogue_of(
+    const fs::path& folder, const std::vector<fs::path>& recent, const std::vector<fs::path>& unsaved) {
     std::vector<CatalogueEntry> entries;
-    for (const fs::path& path : recent) {
-        std::error_code error;
-        if (entries.size() == kMostShown || !fs::exists(path, error)) { continue; }
-        entries.push_back(entry_of(path));
-        entries.back().chapter = "Opened last";
-    }
+    const auto add = [&](const std::vector<fs::path>& paths, const char* chapter) {
+        std::size_t count = 0;
+        for (const fs::path& path : paths) {
+            std::error_code error;
+            // what became a pipe meanwhile is not waited for
+            if (count == kMostShown || !fs::is_regular_file(path, error)) { continue; }
+            entries.push_back(entry_of(path));
+            entries.back().chapter = chapter;
+            ++count;
+        }
+    };
+    add(unsaved, "Not saved");
+    add(recent, "Opened last");
     std::vector<CatalogueEntry> shipped;
     for (const fs::path& path : lessons_below(folder)) { shipped.push_back(entry_of(path)); }
     std::ranges::stable_sort(shipped, {}, order_of);
@@ -81,6 +90,8 @@ std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std:
 }
 
 RecentLessons::RecentLessons(fs::path file) : file_(std::move(file)) {
+    std::error_code error;
+    if (!fs::is_regular_file(file_, error)) { return; }
     std::ifstream in(file_);
     for (std::string line; std::getline(in, line) && paths_.size() < kMostRecent;) {
         if (!line.empty()) { paths_.emplace_back(line); }
@@ -104,8 +115,10 @@ void RecentLessons::add(const fs::path& path) {
     if (paths_.size() > kMostRecent) { paths_.resize(kMostRecent); }
     if (file_.empty()) { return; }
     fs::create_directories(file_.parent_path(), error);
-    std::ofstream out(file_);
-    for (const fs::path& p : paths_) { out << p.string() << '\n'; }
+    std::string text;
+    for (const fs::path& p : paths_) { text += p.string() + '\n'; }
+    std::string ignored;
+    write_lesson_file(file_, text, ignored);
 }
 
 }  // namespace jw::host

@@ -17,10 +17,11 @@ struct CatalogueEntry {
     void* thumbnail = nullptr;  ///< small picture for ImGui (ImTextureID), nullptr until there is one
 };
 
-/// The `recent` lessons that are still there, the last few of them, under a chapter of their own; then the
-/// lessons below `folder` in the order of chapters.
+/// The lessons in `unsaved` and the `recent` ones that are still there, the last few of them, each under a
+/// chapter of their own; then the lessons below `folder` in the order of chapters.
 std::vector<CatalogueEntry> catalogue_of(
-    const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent);
+    const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
+    const std::vector<std::filesystem::path>& unsaved = {});
 
 /// Which entries a search shows: all words, in title, chapter, source or text, whatever the case.
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <imgui.h>
 
@@ -58,7 +59,10 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
 }
 
 Host::Host(HostSetup setup)
-    : setup_(std::move(setup)), context_(ImGui::CreateContext()), recent_(setup_.recent_file) {
+    : setup_(std::move(setup)),
+      context_(ImGui::CreateContext()),
+      recent_(setup_.recent_file),
+      unsaved_(setup_.unsaved) {
     // creating does not make it the current one if there is another
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -83,7 +87,10 @@ bool Host::open(
     file_errors_.clear();
     std::error_code error;
     saved_ = std::filesystem::last_write_time(path, error);
-    session_ = std::make_unique<Session>(*read.lesson);
+    auto session = std::make_unique<Session>(*read.lesson);
+    keep_unsaved();
+    unsaved_.begin_anew();
+    session_ = std::move(session);
     path_ = path;
     recent_.add(path);
     state_.browser = false;
@@ -124,8 +131,13 @@ void Host::load_fonts() {
     const float scale = std::max(0.5F, std::floor(wanted * 8.0F + 0.01F) / 8.0F);
     if (scale == scale_) { return; }
     ImGui::SetCurrentContext(context_);
-    ImGui::GetIO().Fonts->Clear();
-    fonts_ = render::load_fonts(scale);
+    try {
+        fonts_ = render::load_fonts(scale);
+    } catch (const std::runtime_error& error) {
+        if (fonts_version_ == 0) { throw; }
+        // the letters that are there stay
+        return say(std::string("The text stays as large as it is: ") + error.what());
+    }
     scale_ = scale;
     ++fonts_version_;
     set_style(ImGui::GetStyle(), scale, state_.dark);
@@ -154,6 +166,7 @@ void Host::frame(double seconds) {
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
     settle_ = events_.empty() ? std::max(0, settle_ - 1) : 2;
     take_events();
+    if (std::exchange(new_text_scale_, false)) { resize(width_, height_); }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();

@@ -11,6 +11,7 @@
 #include "app/host/scene_hand.hpp"
 #include "app/host/tabs.hpp"
 #include "app/host/ui.hpp"
+#include "app/host/unsaved.hpp"
 #include "render/fonts.hpp"
 
 struct ImGuiContext;
@@ -22,6 +23,7 @@ namespace jw::host {
 struct HostSetup {
     std::filesystem::path catalogue;       ///< folder of the lessons offered
     std::filesystem::path recent_file;     ///< where the lessons opened last are kept; empty: nowhere
+    std::filesystem::path unsaved;         ///< folder for what was tried and not saved; empty: nowhere
     std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
     bool dark = false;
     float text_scale = 1.0F;
@@ -69,6 +71,12 @@ public:
     bool is_due(double seconds_since) const;
     /// Looks whether the open file was saved anew; @return true if so
     bool look_at_file();
+
+    /// Writes what was tried and not saved into a file, if it is another than at the last call. To be called
+    /// often: what ends the program may leave no time for it.
+    void keep_unsaved();
+    /// That file; empty where nothing is unsaved.
+    const std::filesystem::path& unsaved_copy() const { return unsaved_.path(); }
 
     bool wants_to_close() const { return close_; }
     /// The picture changes from frame to frame: turned, pulled, played.
@@ -136,6 +144,7 @@ private:
     void copy_view(Command command);
     void copy(const std::string& text, const std::string& what);
     std::vector<CatalogueEntry> refreshed_catalogue() const;
+    std::vector<std::filesystem::path> copies_of_others() const;
     /// "four-bar-2.png": a name in the folder for pictures that is not taken.
     std::filesystem::path free_name(const std::string& suffix) const;
     double scene_size() const;
@@ -152,6 +161,7 @@ private:
     panels::FrameLayout layout_;
 
     RecentLessons recent_;
+    UnsavedCopy unsaved_;
     std::vector<CatalogueEntry> entries_;
     std::filesystem::path path_;
     std::filesystem::file_time_type saved_{};
@@ -164,7 +174,7 @@ private:
     Picker pick_;
     InputQueue events_;
     std::vector<panels::HotSpot> spots_;
-    bool new_text_scale_ = false;
+    bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins
 
     Picture picture_;
     std::uint64_t picture_version_ = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numbers>
 
 #include <imgui.h>
@@ -47,7 +48,13 @@ void Host::apply(const Action& action) {
     if (!session_) { return; }
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
-    say(session_->apply(action));
+    try {
+        say(session_->apply(action));
+    } catch (const std::exception& error) {
+        // the lesson is as it was before
+        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+        say(std::string("This could not be done: ") + (memory ? "out of memory" : error.what()));
+    }
     if (session_->version() != version) { settle_ = 2; }
     if (session_->told() != told) {
         state_.freedom = -1;
@@ -204,11 +211,6 @@ void Host::next_freedom() {
 }
 
 void Host::advance(double seconds) {
-    if (new_text_scale_) {
-        // fonts are not to change while ImGui draws with them
-        new_text_scale_ = false;
-        resize(width_, height_);
-    }
     if (hand_.advance(seconds)) { settle_ = 2; }
     if (message_left_ > 0.0) {
         message_left_ -= seconds;

@@ -27,14 +27,19 @@ std::filesystem::path Host::task_path() const {
 void Host::save_lesson() {
     const std::filesystem::path path = free_name("-changed.toml");
     std::string error;
-    Lesson lesson = session_->lesson();
-    lesson.claims.clear();  // they were made of the lesson as it was written
-    const std::string text = lesson_text(lesson);
+    const std::string text = text_to_save(*session_);
     // what cannot be read back is not to be found out in the next lecture
     const ReadResult read = read_lesson(text, path.filename().string());
     if (!read.lesson) { return say("Not saved: " + read.report()); }
-    const bool written = write_lesson_file(path, text, error);
-    say(written ? "Saved " + path.string() : "Not saved: " + error);
+    if (!write_lesson_file(path, text, error)) { return say("Not saved: " + error); }
+    unsaved_.saved(*session_);
+    say("Saved " + path.string());
+}
+
+void Host::keep_unsaved() {
+    if (!session_) { return; }
+    const std::string problem = unsaved_.keep(*session_, path_.stem().string());
+    if (!problem.empty()) { say("What you try is lost if the program ends: " + problem); }
 }
 
 void Host::save_csv() {
@@ -62,8 +67,16 @@ void Host::copy_view(Command command) {
     copy(text, "The equations copied as LaTeX.");
 }
 
+/// What was not saved in sessions before this one.
+std::vector<std::filesystem::path> Host::copies_of_others() const {
+    if (setup_.unsaved.empty()) { return {}; }
+    std::vector<std::filesystem::path> copies = unsaved_copies(setup_.unsaved);
+    std::erase(copies, unsaved_.path());
+    return copies;
+}
+
 std::vector<CatalogueEntry> Host::refreshed_catalogue() const {
-    std::vector<CatalogueEntry> entries = catalogue_of(setup_.catalogue, recent_.paths());
+    std::vector<CatalogueEntry> entries = catalogue_of(setup_.catalogue, recent_.paths(), copies_of_others());
     for (CatalogueEntry& entry : entries) {
         for (const CatalogueEntry& before : entries_) {
             // a picture is drawn once per run

@@ -12,6 +12,7 @@
 #include "app/session/picture_camera.hpp"
 #include "lessons/reader.hpp"
 #include "render/atomic_file.hpp"
+#include "render/gl_errors.hpp"
 #include "render/id_buffer.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/picture_texture.hpp"
@@ -98,7 +99,15 @@ Screen::Screen(const render::GlFunctions& gl, Host& host)
     host.set_picker([this](float x, float y) { return pick(x, y); });
 }
 
-Screen::~Screen() { host_->set_picker({}); }
+Screen::~Screen() {
+    host_->set_picker({});
+    // the textures go with this
+    for (CatalogueEntry& entry : host_->catalogue()) { entry.thumbnail = nullptr; }
+    if (!surface_->recording) { return; }
+    try {
+        finish_recording();
+    } catch (const std::exception& error) { host_->done(std::string("Not recorded: ") + error.what()); }
+}
 
 void Screen::fit_to_host() {
     Surface& s = *surface_;
@@ -129,6 +138,7 @@ void Screen::draw() {
     if (const ImDrawData* data = ImGui::GetDrawData()) { s.panels.draw(*data, s.targets->size()); }
     carry_out_task();
     if (!host_->shows_lesson()) { draw_one_thumbnail(); }
+    complaint_ = render::take_gl_errors(gl_);
 }
 
 void Screen::draw_scene() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "app/host/host.hpp"
 #include "render/gl_functions.hpp"
@@ -18,7 +19,12 @@ public:
     Screen& operator=(const Screen&) = delete;
 
     /// Draws what the last Host::frame left, and carries out its task.
+    /// @throws std::runtime_error if the driver cannot make the framebuffers
     void draw();
+    /// What GL complained about in the last `draw`, in words; empty if nothing.
+    const std::string& complaint() const { return complaint_; }
+    /// What is drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
+    int pick(float x, float y);
     /// Whether pictures of lessons are still missing in the browser.
     bool is_complete() const;
     /// The picture as it was drawn.
@@ -36,11 +42,11 @@ private:
     void carry_out_task();
     void record_one();
     void finish_recording();
-    int pick(float x, float y);
 
     const render::GlFunctions& gl_;
     Host* host_;
     std::unique_ptr<Surface> surface_;
+    std::string complaint_;
 };
 
 }  // namespace jw::host

@@ -104,7 +104,8 @@ Session::Session(Lesson lesson)
     : written_(std::make_shared<Lesson>(std::move(lesson))),
       lesson_(written_),
       cache_(std::make_unique<Cache>()) {
-    tell();
+    story_ = std::make_unique<Story>(*lesson_);
+    told_anew();
 }
 
 Session::~Session() = default;
@@ -138,10 +139,11 @@ std::string Session::apply(const Action& action) {
     if (std::holds_alternative<Redo>(action)) { return step_back_in_history(redo_, undo_); }
     if (std::holds_alternative<StartOver>(action)) {
         if (!is_changed()) { return "Nothing was changed."; }
-        undo_.push_back(present("start over"));
+        Past past = present("start over");
+        take_over(written_);
+        undo_.push_back(std::move(past));
         redo_.clear();
         gesture_ = 0;
-        take_over(written_);
         return "The lesson is as it was written.";
     }
     return edit(action);
@@ -151,53 +153,57 @@ std::string Session::edit(const Action& action) {
     Edit result = edited(*lesson_, *written_, action);
     if (!result.lesson) { return result.what; }
     const std::size_t gesture = gesture_of(action);
+    Past past = present(result.what);
+    take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
     if (gesture == 0 || gesture != gesture_) {
-        undo_.push_back(present(result.what));
+        undo_.push_back(std::move(past));
         if (undo_.size() > kMostHistory) { undo_.erase(undo_.begin()); }
     }
     gesture_ = gesture;
     redo_.clear();
-    take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
     return result.what;
 }
 
 std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<Past>& to) {
     gesture_ = 0;
     if (from.empty()) { return &from == &undo_ ? "There is nothing to undo." : "There is nothing to redo."; }
-    Past past = std::move(from.back());
-    from.pop_back();
-    to.push_back(present(past.what));
-    written_ = past.written;
+    const Past past = from.back();
+    Past now = present(past.what);
     take_over(past.lesson);
+    written_ = past.written;
+    from.pop_back();
+    to.push_back(std::move(now));
     index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
     changed();
     return (&from == &undo_ ? "Undone: " : "Done again: ") + past.what;
 }
 
 void Session::replace(Lesson lesson) {
-    undo_.push_back(present("the file before"));
+    Past past = present("the file before");
+    const auto written = std::make_shared<const Lesson>(std::move(lesson));
+    take_over(written);
+    written_ = written;
+    undo_.push_back(std::move(past));
     redo_.clear();
     gesture_ = 0;
-    hand_.reset();
-    written_ = std::make_shared<Lesson>(std::move(lesson));
-    take_over(written_);
 }
 
 Session::Past Session::present(std::string what) const {
     return {lesson_, written_, index_, std::move(what)};
 }
 
+/// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     const Place place = place_of(*story_, index_);
+    auto story = std::make_unique<Story>(*lesson);
     hand_.reset();
-    const std::shared_ptr<const Lesson> before = std::move(lesson_);  // the story looks into it until now
-    lesson_ = std::move(lesson);
-    tell();
+    story_ = std::move(story);
+    lesson_ = std::move(lesson);  // the story before looked into the one before
     index_ = find_place(*story_, place);
+    told_anew();
 }
 
-void Session::tell() {
-    story_ = std::make_unique<Story>(*lesson_);
+void Session::told_anew() {
     ++told_;
     cache_->style.reset();
     changed();
@@ -252,9 +258,10 @@ std::string Session::scrub(const Drag& drag) {
 std::string Session::release() {
     if (!hand_) { return {}; }
     const State state = hand_->step().state;
-    undo_.push_back(present("start estimate moved by hand"));
-    redo_.clear();
+    Past past = present("start estimate moved by hand");
     take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));
+    undo_.push_back(std::move(past));
+    redo_.clear();
     return "The pose is the new start estimate.";
 }
 

@@ -82,7 +82,7 @@ private:
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
     void take_over(std::shared_ptr<const Lesson> lesson);
-    void tell();
+    void told_anew();
     void changed();
     const Story* story_pointer() const { return story_.get(); }
 

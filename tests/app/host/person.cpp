@@ -11,12 +11,15 @@ constexpr int kMostFrames = 600;
 
 }  // namespace
 
-Person::Person(const std::string& lesson, Pictures pictures, int width, int height, bool dark) {
+Person::Person(
+    const std::string& lesson, Pictures pictures, int width, int height, bool dark, float text_scale) {
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
     setup.pictures = folder_.path();
     setup.recent_file = folder_.path() / "state" / "recent";
+    setup.unsaved = folder_.path() / "state" / "unsaved";
     setup.dark = dark;
+    setup.text_scale = text_scale;
     setup.width = width;
     setup.height = height;
     if (pictures == Pictures::drawn) { context_ = std::make_unique<render::Offscreen>(16, 16); }

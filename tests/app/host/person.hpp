@@ -17,12 +17,14 @@ public:
     /// @param lesson  path below the catalogue, "loops/four-bar.toml", or any other; empty: the browser
     explicit Person(
         const std::string& lesson, Pictures pictures = Pictures::none, int width = 1280, int height = 720,
-        bool dark = false);
+        bool dark = false, float text_scale = 1.0F);
     ~Person();
     Person(const Person&) = delete;
     Person& operator=(const Person&) = delete;
 
     host::Host& host() { return *host_; }
+    /// Only where pictures are drawn.
+    host::Screen& screen() { return *screen_; }
     /// Where pictures, lessons and the list of lessons opened last are saved.
     const TemporaryFolder& folder() const { return folder_; }
     const Session& session() const { return *host_->session(); }

@@ -1,0 +1,90 @@
+#include "app/host/guarded_screen.hpp"
+
+#include <new>
+#include <utility>
+
+#include "render/gl_errors.hpp"
+
+namespace jw::host {
+
+namespace {
+
+// a driver that complains again about the same lesson, drawn by new objects, is not helped by newer ones
+constexpr int kMostComplaints = 2;
+// each is a line of the log
+constexpr std::size_t kMostTold = 50;
+
+std::string words_of(const std::exception& error) {
+    return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "out of memory" : error.what();
+}
+
+}  // namespace
+
+GuardedScreen::GuardedScreen(const render::GlFunctions& gl, Host& host, std::ostream& log)
+    : gl_(gl), host_(&host), log_(&log) {
+    make_screen();
+}
+
+GuardedScreen::~GuardedScreen() { host_->set_picker({}); }
+
+void GuardedScreen::make_screen() {
+    screen_ = std::make_unique<Screen>(gl_, *host_);
+    host_->set_picker([this](float x, float y) { return pick(x, y); });
+}
+
+/// Called while the host lays out a frame, which must not be left half done.
+int GuardedScreen::pick(float x, float y) {
+    if (!screen_ || !pick_failure_.empty()) { return 0; }
+    try {
+        return screen_->pick(x, y);
+    } catch (const std::exception& error) {
+        pick_failure_ = words_of(error);
+        return 0;
+    }
+}
+
+bool GuardedScreen::draw() {
+    try {
+        if (const std::string why = std::exchange(pick_failure_, {}); !why.empty()) {
+            fail(why);
+            return false;
+        }
+        if (!screen_) { make_screen(); }
+        screen_->draw();
+    } catch (const GraphicsLost&) { throw; } catch (const std::exception& error) {
+        fail(words_of(error));
+        return false;
+    }
+    if (const std::string why = screen_->complaint(); !why.empty() && failures_ < kMostComplaints) {
+        fail("drawing failed with " + why);
+        return false;
+    }
+    if (screen_->complaint().empty()) { failures_ = 0; }
+    return true;
+}
+
+void GuardedScreen::show() {
+    screen_->show();
+    if (const std::string why = render::take_gl_errors(gl_); !why.empty()) {
+        tell("showing the picture failed with " + why);
+    }
+}
+
+void GuardedScreen::fail(const std::string& why) {
+    tell(why);
+    screen_.reset();
+    render::take_gl_errors(gl_);
+    host_->say(
+        "The picture was lost for a moment: " + why + ". The lesson and what was tried in it are kept.");
+    host_->rouse();
+    if (++failures_ >= kMostFailures) {
+        throw GraphicsLost("the graphics driver fails again and again: " + why);
+    }
+}
+
+void GuardedScreen::tell(const std::string& why) {
+    if (told_.size() == kMostTold || !told_.insert(why).second) { return; }
+    *log_ << "jointwise: warning: " << why << "; the picture is drawn anew\n" << std::flush;
+}
+
+}  // namespace jw::host

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+
+#include "app/host/screen.hpp"
+
+namespace jw::host {
+
+/// Nothing can be drawn any more.
+class GraphicsLost : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A `Screen` in a window: what fails while it draws costs a frame. The failure is shown at the foot of the
+/// picture and written to a log, once for each text; everything on the graphics card is then made anew, and
+/// the lesson with all that was tried in it stays as it is.
+class GuardedScreen {
+public:
+    /// As Screen; `log` must outlive this.
+    GuardedScreen(const render::GlFunctions& gl, Host& host, std::ostream& log);
+    ~GuardedScreen();
+    GuardedScreen(const GuardedScreen&) = delete;
+    GuardedScreen& operator=(const GuardedScreen&) = delete;
+
+    /// As Screen::draw.
+    /// @return whether there is a picture to `show`
+    /// @throws GraphicsLost after kMostFailures failures without a picture between them
+    bool draw();
+    /// As Screen::show. Only after a `draw` that returned true.
+    void show();
+
+    static constexpr int kMostFailures = 20;
+
+private:
+    void make_screen();
+    int pick(float x, float y);
+    void fail(const std::string& why);
+    void tell(const std::string& why);
+
+    const render::GlFunctions& gl_;
+    Host* host_;
+    std::ostream* log_;
+    std::unique_ptr<Screen> screen_;
+    std::string pick_failure_;  ///< of the frame that is to be drawn
+    std::set<std::string> told_;
+    int failures_ = 0;
+};
+
+}  // namespace jw::host
