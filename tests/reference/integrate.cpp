@@ -98,18 +98,23 @@ Attempt extrapolation_step(Ode& ode, const VecX& y, const VecX& y_dot, Real h) {
 
 }  // namespace
 
-Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance) {
+void integrate(
+    Ode& ode, const std::vector<Real>& times, Method method, Real tolerance, const Receive& receive,
+    long most_steps) {
     const bool fehlberg = method == Method::runge_kutta_fehlberg;
     const Real exponent = fehlberg ? 1.0L / 8 : 1.0L / 13;
+    const Real duration = times.back() - times.front();
     VecX y = ode.start();
     VecX y_dot;
     ode.begin_step(y);
     ode.project(y);
-    Trajectory trajectory{ode.sample(y)};
+    receive(y);
     Real h = 1e-5L * duration;
-    for (int k = 0; k < kIntervals; ++k) {
-        Real left = duration / kIntervals;
+    long steps = 0;
+    for (std::size_t k = 1; k < times.size(); ++k) {
+        Real left = times[k] - times[k - 1];
         while (left > 0.0L) {
+            if (++steps > most_steps) { throw std::runtime_error("too many steps"); }
             ode.begin_step(y);
             ode.derivative(y, y_dot);
             const bool last = h >= left;
@@ -128,8 +133,15 @@ Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance) {
             y = attempt.y;
             ode.project(y);
         }
-        trajectory.push_back(ode.sample(y));
+        receive(y);
     }
+}
+
+Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance) {
+    std::vector<Real> times;
+    for (int k = 0; k <= kIntervals; ++k) { times.push_back(duration / kIntervals * k); }
+    Trajectory trajectory;
+    integrate(ode, times, method, tolerance, [&](const VecX& y) { trajectory.push_back(ode.sample(y)); });
     return trajectory;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <limits>
+
 #include "tests/reference/scene.hpp"
 
 /// What an integrator needs of equations of motion, and two integrators.
@@ -25,5 +28,14 @@ enum class Method {
 
 /// From 0 to `duration`, stepping on every sample's time. `tolerance`: of a step, against 1 + |y|.
 Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance);
+
+using Receive = std::function<void(const VecX& y)>;
+
+/// The same from the first of `times` to the last, every one of them the end of a step that `receive` is
+/// given: sampled moments, and those where a derivative jumps.
+/// @throws std::runtime_error after `most_steps` or where no step is short enough
+void integrate(
+    Ode& ode, const std::vector<Real>& times, Method method, Real tolerance, const Receive& receive,
+    long most_steps = std::numeric_limits<long>::max());
 
 }  // namespace jw::reference

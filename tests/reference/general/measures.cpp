@@ -1,0 +1,214 @@
+#include "tests/reference/general/measures.hpp"
+
+namespace jw::reference::general {
+
+namespace {
+
+const Placed& at(const PlacedBodies& bodies, int body) { return bodies[static_cast<std::size_t>(body)]; }
+
+TaylorVector between(const PlacedBodies& bodies, const Fixed& from, const Fixed& to) {
+    return point_of(bodies, to) - point_of(bodies, from);
+}
+
+/// p(t) of a body that turns at constant ω: ṗ = ½ (0, ω) p.
+Taylor euler_parameter(const Placed& body, int number) {
+    const Vec4 spin(0.0L, body.omega.x(), body.omega.y(), body.omega.z());
+    const Vec4 rate = 0.5L * product(spin, body.p);
+    const Vec4 second = 0.5L * product(spin, rate);
+    return {body.p[number], rate[number], second[number]};
+}
+
+/// Values of measures.
+struct Value {
+    const PlacedBodies& bodies;
+
+    Taylor operator()(const Product& m) const {
+        return dot(direction_of(bodies, m.a), direction_of(bodies, m.b));
+    }
+    Taylor operator()(const CrossProduct& m) const {
+        return cross(direction_of(bodies, m.a), direction_of(bodies, m.b))[m.axis];
+    }
+    Taylor operator()(const Along& m) const {
+        return dot(direction_of(bodies, m.a), between(bodies, m.from, m.to));
+    }
+    Taylor operator()(const CrossDistance& m) const {
+        return cross(direction_of(bodies, m.a), between(bodies, m.from, m.to))[m.axis];
+    }
+    Taylor operator()(const Gap& m) const { return between(bodies, m.from, m.to)[m.axis]; }
+    Taylor operator()(const SquaredDistance& m) const {
+        const TaylorVector d = between(bodies, m.from, m.to);
+        return dot(d, d);
+    }
+    Taylor operator()(const Angle& m) const { return angle_value(m, bodies); }
+    Taylor operator()(const Coordinate& m) const {
+        if (m.number >= 3) { return euler_parameter(at(bodies, m.body), m.number - 3); }
+        return point_of(bodies, {m.body, Vec3::Zero()})[m.number];
+    }
+    Taylor operator()(const ThreadAngle& m) const {
+        Taylor angle = angle_value(m.angle, bodies);
+        const Real by_advance = m.theta_0 + ((*this)(m.along).value - m.d_0) / m.alpha;
+        angle.value += 2.0L * kPi * std::round((by_advance - angle.value) / (2.0L * kPi));
+        return angle;
+    }
+    Taylor operator()(const Thread& m) const {
+        const ThreadAngle& thread = m.angle;
+        Taylor out = (*this)(thread.along) - thread.alpha * (*this)(thread);
+        out.value -= thread.d_0 - thread.alpha * thread.theta_0;
+        return out;
+    }
+};
+
+/// Gradients by virtual work: a measure changes by Σ g · δu over the vectors u that it is made of; for a
+/// direction δu = δω × u, for a point δu = δv + δω × arm.
+class Work {
+public:
+    explicit Work(const PlacedBodies& bodies) : bodies_(bodies) {}
+
+    void operator()(const Product& m) {
+        turn(m.a, arm(m.b));
+        turn(m.b, arm(m.a));
+    }
+    void operator()(const CrossProduct& m) {
+        // e · (a × b) = a · (b × e) = b · (e × a)
+        const Vec3 e = Vec3::Unit(m.axis);
+        turn(m.a, arm(m.b).cross(e));
+        turn(m.b, e.cross(arm(m.a)));
+    }
+    void operator()(const Along& m) {
+        turn(m.a, distance(m.from, m.to));
+        part(m.from, m.to, arm(m.a));
+    }
+    void operator()(const CrossDistance& m) {
+        const Vec3 e = Vec3::Unit(m.axis);
+        turn(m.a, distance(m.from, m.to).cross(e));
+        part(m.from, m.to, e.cross(arm(m.a)));
+    }
+    void operator()(const Gap& m) { part(m.from, m.to, Vec3::Unit(m.axis)); }
+    void operator()(const SquaredDistance& m) { part(m.from, m.to, 2.0L * distance(m.from, m.to)); }
+    void operator()(const Angle& m) { angle(m, 1.0L); }
+    void operator()(const Coordinate& m) {
+        if (m.number < 3) {
+            move({m.body, Vec3::Zero()}, Vec3::Unit(m.number));
+            return;
+        }
+        // δe0 = -½ e · δω;  δe = ½ (e0 δω + δω × e)
+        const Vec4& p = at(bodies_, m.body).p;
+        const Vec3 e = p.tail<3>();
+        Vec3 torque = -0.5L * e;
+        if (m.number > 3) {
+            const Vec3 axis = Vec3::Unit(m.number - 4);
+            torque = 0.5L * (p[0] * axis + e.cross(axis));
+        }
+        pulls_.push_back({m.body, Vec3::Zero(), torque});
+    }
+    void operator()(const ThreadAngle& m) { angle(m.angle, 1.0L); }
+    void operator()(const Thread& m) {
+        (*this)(m.angle.along);
+        angle(m.angle.angle, -m.angle.alpha);
+    }
+
+    Gradient take() { return std::move(pulls_); }
+
+private:
+    Vec3 arm(const Fixed& direction) const { return at(bodies_, direction.body).A * direction.local; }
+    Vec3 lever(const Fixed& point) const {
+        const Placed& body = at(bodies_, point.body);
+        return body.A * (point.local - body.centre);
+    }
+    Vec3 distance(const Fixed& from, const Fixed& to) const {
+        return at(bodies_, to.body).c + lever(to) - at(bodies_, from.body).c - lever(from);
+    }
+    void turn(const Fixed& direction, const Vec3& g) {
+        pulls_.push_back({direction.body, Vec3::Zero(), arm(direction).cross(g)});
+    }
+    void move(const Fixed& point, const Vec3& g) { pulls_.push_back({point.body, g, lever(point).cross(g)}); }
+    void part(const Fixed& from, const Fixed& to, const Vec3& g) {
+        move(to, g);
+        move(from, -g);
+    }
+    /// δθ = (C δS - S δC) / (S² + C²) with S = (u_i × u_j) · s and C = u_i · u_j.
+    void angle(const Angle& m, Real weight) {
+        const Vec3 s = arm(m.s);
+        const Vec3 u_i = arm(m.u_i);
+        const Vec3 u_j = arm(m.u_j);
+        const Real S = u_i.cross(u_j).dot(s);
+        const Real C = u_i.dot(u_j);
+        const Real of_S = weight * C / (S * S + C * C);
+        const Real of_C = -weight * S / (S * S + C * C);
+        turn(m.s, of_S * u_i.cross(u_j));
+        turn(m.u_i, of_S * u_j.cross(s) + of_C * u_j);
+        turn(m.u_j, of_S * s.cross(u_i) + of_C * u_i);
+    }
+
+    const PlacedBodies& bodies_;
+    Gradient pulls_;
+};
+
+Taylor ramp(const Ramp& r, Real t) {
+    const Real u = (t - r.start) / (r.end - r.start);
+    if (u <= 0.0L) { return {r.from}; }
+    if (u >= 1.0L) { return {r.to}; }
+    const Taylor way{u, 1.0L / (r.end - r.start), 0.0L};
+    const Taylor cube = way * way * way;
+    const Taylor share = 10.0L * cube - 15.0L * (cube * way) + 6.0L * (cube * way * way);
+    return Taylor{r.from} + (r.to - r.from) * share;
+}
+
+}  // namespace
+
+TaylorVector direction_of(const PlacedBodies& bodies, const Fixed& direction) {
+    const Placed& body = at(bodies, direction.body);
+    const Vec3 s = body.A * direction.local;
+    const Vec3 rate = body.omega.cross(s);
+    return {s, rate, body.omega.cross(rate)};
+}
+
+TaylorVector point_of(const PlacedBodies& bodies, const Fixed& point) {
+    const Placed& body = at(bodies, point.body);
+    const TaylorVector s = direction_of(bodies, {point.body, point.local - body.centre});
+    return TaylorVector{body.c, body.v, Vec3::Zero()} + s;
+}
+
+Taylor time_function(const TimeFunction& f, Real t) {
+    Taylor out;
+    Taylor power{1.0L};
+    const Taylor time{t, 1.0L, 0.0L};
+    for (const Real c : f.polynomial) {
+        out = out + c * power;
+        power = power * time;
+    }
+    for (const Harmonic& h : f.harmonics) {
+        const Real sine = h.amplitude * std::sin(h.omega * t + h.phase);
+        const Real cosine = h.amplitude * std::cos(h.omega * t + h.phase);
+        out = out + Taylor{sine, h.omega * cosine, -h.omega * h.omega * sine};
+    }
+    for (const Ramp& r : f.ramps) { out = out + ramp(r, t); }
+    return out;
+}
+
+Taylor angle_value(const Angle& m, const PlacedBodies& bodies) {
+    const TaylorVector u_i = direction_of(bodies, m.u_i);
+    const TaylorVector u_j = direction_of(bodies, m.u_j);
+    return angle_of(dot(cross(u_i, u_j), direction_of(bodies, m.s)), dot(u_i, u_j));
+}
+
+Taylor measured(const Measure& measure, const PlacedBodies& bodies) {
+    return std::visit(Value{bodies}, measure);
+}
+
+Taylor phi_of(const Equation& equation, const PlacedBodies& bodies, Real t) {
+    Taylor target = time_function(equation.target, t);
+    if (equation.squared) { target = target * target; }
+    Taylor phi = measured(equation.measure, bodies) - target;
+    phi.value -= equation.constant;
+    if (equation.turns) { phi.value = std::remainder(phi.value, 2.0L * kPi); }
+    return phi;
+}
+
+Gradient gradient_of(const Equation& equation, const PlacedBodies& bodies) {
+    Work work(bodies);
+    std::visit(work, equation.measure);
+    return work.take();
+}
+
+}  // namespace jw::reference::general

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/reference/general/model.hpp"
+#include "tests/reference/general/taylor.hpp"
+
+/// What the equations of a model are worth at a state: value, rate, γ and gradient.
+namespace jw::reference::general {
+
+/// A body on its way: accelerations of centre of mass and rotation (ω̇, global) are zero.
+struct Placed {
+    Vec3 c = Vec3::Zero();  ///< centre of mass [m]
+    Vec4 p = Vec4::Unit(0);
+    Vec3 v = Vec3::Zero();      ///< of the centre of mass
+    Vec3 omega = Vec3::Zero();  ///< global
+    Mat3 A = Mat3::Identity();
+    Vec3 centre = Vec3::Zero();  ///< of mass, in the frame of the body
+};
+using PlacedBodies = std::vector<Placed>;
+
+/// Generalised force: what a unit of λ does to the bodies of an equation, body by body.
+struct Pull {
+    int body = 0;
+    Vec3 force = Vec3::Zero();   ///< factor of the velocity of the centre of mass
+    Vec3 torque = Vec3::Zero();  ///< factor of ω, global
+};
+using Gradient = std::vector<Pull>;
+
+/// With ω̇ = 0: s̈ = ω × (ω × s).
+TaylorVector direction_of(const PlacedBodies& bodies, const Fixed& direction);
+TaylorVector point_of(const PlacedBodies& bodies, const Fixed& point);
+Taylor time_function(const TimeFunction& f, Real t);
+
+/// Φ = measure - target at time t, its rate and its second derivative while no body accelerates (-γ).
+Taylor phi_of(const Equation& equation, const PlacedBodies& bodies, Real t);
+/// ∂(Φ̇)/∂(v, ω) by hand: the virtual work of the equation.
+Gradient gradient_of(const Equation& equation, const PlacedBodies& bodies);
+/// Of an angle, in (-π, π].
+Taylor angle_value(const Angle& angle, const PlacedBodies& bodies);
+/// What is measured, without its target.
+Taylor measured(const Measure& measure, const PlacedBodies& bodies);
+
+}  // namespace jw::reference::general
