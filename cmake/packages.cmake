@@ -27,3 +27,8 @@ target_link_libraries(ImGui::ImGui INTERFACE ${IMGUI_LIBRARY} PkgConfig::stb Pkg
                                              ${CMAKE_DL_LIBS})
 
 find_package(Catch2 2.13 REQUIRED)
+
+# the package's own targets ask for those of other test frameworks, which need not be there
+find_library(RAPIDCHECK_LIBRARY rapidcheck REQUIRED)
+add_library(RapidCheck::RapidCheck UNKNOWN IMPORTED)
+set_target_properties(RapidCheck::RapidCheck PROPERTIES IMPORTED_LOCATION ${RAPIDCHECK_LIBRARY})

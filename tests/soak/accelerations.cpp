@@ -1,0 +1,159 @@
+#include <cstdio>
+
+#include "core/dynamics/tree_equations.hpp"
+#include "tests/soak/motions.hpp"
+#include "tests/soak/property.hpp"
+#include "tests/support/generators/to_model.hpp"
+
+namespace jw::test {
+
+namespace {
+
+namespace general = reference::general;
+
+/// Rounding: the equations of the bodies form Φq M⁻¹ Φqᵀ, which squares the condition. 1e-10 for the products
+/// before that, a hundred times what is measured where the condition is 1.
+double allowed(long double condition) {
+    const auto c = static_cast<double>(condition);
+    return 1e-10 + 1e-14 * c * c;
+}
+
+std::string off_by(const char* what, double difference, double limit) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "accelerations %s differ from the long double reference by %.2g of their size (allowed %.2g)", what,
+        difference, limit);
+    return text;
+}
+
+/// r̈ and ω̇' of a flat rate.
+Motion accelerations_in(const Centroidal& scene, const std::vector<double>& flat_dot) {
+    Motion out = zero_motion(scene.mechanism);
+    State ignored = start_state(scene.mechanism);
+    unpack(flat_dot.data(), moving_bodies_of(scene.mechanism), ignored, out);
+    return out;
+}
+
+/// What joint coordinates say: velocities of the bodies along (q̇, u̇), by differences of sixth order.
+std::vector<double> flat_rates(
+    const MotionEquations& equations, const std::vector<double>& y, const std::vector<double>& y_dot) {
+    double fastest = 1.0;
+    for (const double rate : y_dot) { fastest = std::max(fastest, std::abs(rate)); }
+    const double h = 1e-3 / fastest;
+    std::vector<double> out(at(kNumbersPerBody * equations.bodies()), 0.0);
+    std::vector<double> flat(out.size());
+    for (const auto& [steps, weight] : {std::pair{1, 45.0}, std::pair{2, -9.0}, std::pair{3, 1.0}}) {
+        for (const int sign : {1, -1}) {
+            std::vector<double> there = y;
+            for (std::size_t k = 0; k < y.size(); ++k) { there[k] += sign * steps * h * y_dot[k]; }
+            equations.to_flat(there.data(), flat.data());
+            for (std::size_t k = 0; k < flat.size(); ++k) { out[k] += sign * weight * flat[k] / (60.0 * h); }
+        }
+    }
+    return out;
+}
+
+/// Everything at one state, against the reference there.
+class AtState {
+public:
+    AtState(const Generated& generated, const Centroidal& scene, general::Mechanics& reference)
+        : generated_(generated), scene_(scene), reference_(reference) {}
+
+    Verdict look(double t, const std::vector<double>& flat) {
+        const general::PlacedBodies before = reference_.bodies_at(reference_.start());
+        const general::PlacedBodies placed = placed_of(scene_, flat, before);
+        const reference::VecX y = reference_.state_of(placed, t);
+        const general::Accelerations a = reference_.accelerations_at(y);
+        if (!(a.condition < 1e5L)) { return not_asked("too near to a singular pose"); }
+        // on a branch of more freedoms than the start has, or beside the constraints
+        if (!(a.contradiction < 1e-8L)) { return not_asked("its rows contradict each other"); }
+        expected_ = motion_of(a, placed);
+        size_ = size_of(a, generated_.length);
+        limit_ = allowed(a.condition);
+        t_ = t;
+        return holds();
+    }
+
+    std::string block(const std::vector<double>& flat) const {
+        const auto equations = block_equations(scene_);
+        std::vector<double> rate(flat.size());
+        equations->choose_rows(t_, flat.data());
+        equations->evaluate(t_, flat.data(), rate.data());
+        return judged("of the block equations", accelerations_in(scene_, rate), 0.0);
+    }
+
+    /// Rates of joint coordinates are found by differences: rounding 1e-16 / 1e-3, and for fast scenes more.
+    std::string tree(TreeEquations& tree, const std::vector<double>& y) const {
+        std::vector<double> rate(y.size());
+        tree.evaluate(t_, y.data(), rate.data());
+        return judged("in joint coordinates", accelerations_in(scene_, flat_rates(tree, y, rate)), 1e-8);
+    }
+
+    template <class C>
+    std::string dense(const char* what, const Moment& moment) const {
+        return judged(what, dense_accelerations<C>(scene_, moment, t_), 0.0);
+    }
+
+private:
+    std::string judged(const char* what, const Motion& found, double by_differences) const {
+        const double difference = difference_of(found, expected_, generated_.length) / size_;
+        const double limit = limit_ + by_differences;
+        return difference <= limit ? "" : off_by(what, difference, limit);
+    }
+
+    const Generated& generated_;
+    const Centroidal& scene_;
+    general::Mechanics& reference_;
+    Motion expected_;
+    double size_ = 1.0;
+    double limit_ = 0.0;
+    double t_ = 0.0;
+};
+
+/// The first that is wrong.
+Verdict first_of(const std::vector<std::string>& all) {
+    for (const std::string& wrong : all) {
+        if (!wrong.empty()) { return fails(wrong); }
+    }
+    return holds();
+}
+
+}  // namespace
+
+Verdict accelerations_agree(const Generated& generated) {
+    Centroidal scene = centroidal(generated.mechanism, generated.loads);
+    // turns of springs are counted on from the start, as the reference does
+    count_turns(scene.loads, kinematics_of(start_state(scene.mechanism)));
+    general::Mechanics reference(model_of(generated.mechanism, generated.loads));
+    AtState here(generated, scene, reference);
+    const Moment moment{start_state(scene.mechanism), start_motion(scene.mechanism)};
+    const std::vector<double> flat = flat_of(scene, moment);
+    if (const Verdict asked = here.look(0.0, flat); asked.kind != Verdict::Kind::holds) { return asked; }
+
+    // where the tree is made
+    TreeEquations tree(scene, flat);
+    std::vector<double> y(at(tree.size()));
+    tree.from_flat(flat.data(), y.data());
+    tree.choose_rows(0.0, y.data());
+    const Verdict at_start = first_of(
+        {here.block(flat), here.tree(tree, y), here.dense<OmegaLocal>("in (r, omega')", moment),
+         here.dense<OmegaGlobal>("in (r, omega)", moment),
+         here.dense<TrueEulerParameters>("in (r, p)", moment),
+         here.dense<ModifiedEulerParameters>("in modified (r, p)", moment)});
+    if (at_start.kind == Verdict::Kind::fails) { return at_start; }
+
+    // and away from there
+    Random random(static_cast<unsigned>(generated.recipe.seed));
+    for (double& number : y) { number += random.number(-0.05, 0.05); }
+    const double t = 0.05;
+    for (int iteration = 0; iteration < 6; ++iteration) { tree.project(t, y.data()); }
+    const auto [off, rate_off] = tree.violation(t, y.data());
+    if (!(off + rate_off < 1e-10)) { return holds(); }
+    std::vector<double> away(flat.size());
+    tree.to_flat(y.data(), away.data());
+    if (here.look(t, away).kind != Verdict::Kind::holds) { return holds(); }
+    return first_of({here.block(away), here.tree(tree, y)});
+}
+
+}  // namespace jw::test

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "tests/soak/property.hpp"
+
+/// Asks a property of many mechanisms, and makes the first that fails as small as it gets.
+namespace jw::test {
+
+struct Asked {
+    int count = 100;  ///< mechanisms that it must hold for
+    std::uint64_t seed = 1;
+    double shrink_seconds = 20.0;  ///< then the smallest so far is good enough
+    double seconds = 1e9;          ///< after which no other mechanism is asked [s]
+};
+
+struct Counterexample {
+    Generated generated;
+    std::string why;
+    std::string recipe;
+    int parts_before = 0;  ///< bodies, joints, drivers and loads, before it was made smaller
+};
+
+struct Answer {
+    int held = 0;
+    std::map<std::string, int> not_asked;  ///< by the reason
+    std::optional<Counterexample> wrong;
+};
+
+Answer ask(const Property& property, const Asked& asked);
+
+/// The counterexample as a lesson file. @return its text
+std::string lesson_text_of(const Property& property, const Asked& asked, const Counterexample& wrong);
+
+}  // namespace jw::test

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/dynamics/loads.hpp"
+#include "tests/support/generators/recipe.hpp"
+
+/// From recipes to mechanisms that are assembled and move along their constraints.
+namespace jw::test {
+
+/// A mechanism with loads whose start satisfies Φ = 0 and Φq q̇ = ν to rounding.
+struct Generated {
+    Mechanism mechanism;
+    Loads loads;
+    Recipe recipe;
+    int rank = 0;            ///< of Φq at the start, in long double
+    int freedoms = 0;        ///< 6 per body that moves, less the rank
+    double condition = 1.0;  ///< of the independent rows, in the metric of M
+    double length = 1.0;     ///< size of the scene [m]
+    int left_out = 0;        ///< parts of the recipe that could not be taken
+};
+
+/// Bodies are put anywhere; what joints and drivers need is read off that pose, so that loops close whatever
+/// they are made of. Velocities are the random ones nearest, in the metric of M, to what the constraints
+/// allow, found by the reference solver. A joint or driver that would contradict the others is left out.
+/// @return nothing where the start is singular: equations that repeat others there ask for another
+/// acceleration
+std::optional<Generated> mechanism_of(const Recipe& recipe);
+
+}  // namespace jw::test

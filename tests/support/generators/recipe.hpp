@@ -1,0 +1,73 @@
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+/// A recipe of a mechanism: small numbers only, every combination of them is one. `mechanism_of` cooks it.
+/// What fails is made smaller by leaving out parts of its recipe: numbers that point at a body or a joint do
+/// so modulo how many there are.
+namespace jw::test {
+
+/// How axes and points of the joints lie.
+enum class Family {
+    general,    ///< anywhere
+    planar,     ///< axes across one plane, slides in it: loops close with rows that repeat others
+    concurrent  ///< axes through one point: the same on a sphere
+};
+
+/// A moving body and the joint that it hangs from.
+struct BodyRecipe {
+    int parent = 0;  ///< 0 ground, else a body before it
+    int joint = 0;   ///< joint type, modulo kJointTypes; kFreeBody: none
+    int form = 0;    ///< of p1 and p2
+    int mass_decade = 0;
+    bool offset = false;  ///< its centre of mass lies beside its origin
+    int seed = 0;
+};
+inline constexpr int kFreeBody = -1;
+
+/// A joint between any two bodies: it closes a loop, or is one equation between two arms.
+struct JointRecipe {
+    int type = 0;
+    int i = 0;
+    int j = 0;
+    int form = 0;
+    bool repeats = false;  ///< taken even where it says nothing new
+    int without = 0;       ///< > 0: so-many-th equation is taken out by hand, where the form allows it
+    int seed = 0;
+};
+
+struct DriverRecipe {
+    int quantity = 0;  ///< angle or θ, displacement, distance, coordinate
+    int joint = 0;
+    int i = 0;
+    int j = 0;
+    int function = 0;  ///< polynomial, harmonic, step, all of them
+    int seed = 0;
+};
+
+struct LoadRecipe {
+    int kind = 0;  ///< spring, turning spring, force, torque
+    int i = 0;
+    int j = 0;
+    bool damped = false;
+    int seed = 0;
+};
+
+struct Recipe {
+    Family family = Family::general;
+    int near = 0;  ///< 10^-near of the size is what joints lie beside a line or a pole; 0: they lie anywhere
+    int length_decade = 0;  ///< of the whole scene
+    bool gravity = true;
+    bool at_rest = false;
+    bool drive_all = false;  ///< every joint of the tree that can be driven is
+    int seed = 0;
+    std::vector<BodyRecipe> bodies;
+    std::vector<JointRecipe> joints;
+    std::vector<DriverRecipe> drivers;
+    std::vector<LoadRecipe> loads;
+};
+
+std::ostream& operator<<(std::ostream& out, const Recipe& recipe);
+
+}  // namespace jw::test

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/dynamics/loads.hpp"
+#include "tests/reference/general/model.hpp"
+
+/// A mechanism of core as a model of the general reference solver: the data only. Every joint type is written
+/// out here from the slides; core's table of roles has no part in it.
+namespace jw::test {
+
+/// @throws std::invalid_argument for what a joint type or a form means that is not known here
+reference::general::Model model_of(const Mechanism& mechanism, const Loads& loads);
+
+/// Equations of one joint, in the order of its type; `of` is its index.
+std::vector<reference::general::Equation> equations_of_joint(const Joint& joint, int of);
+reference::general::Equation equation_of_driver(const Mechanism& mechanism, const Driver& driver, int of);
+
+}  // namespace jw::test
