@@ -35,22 +35,33 @@ Motion accelerations_in(const Centroidal& scene, const std::vector<double>& flat
     return out;
 }
 
-/// What joint coordinates say: velocities of the bodies along (q̇, u̇), by differences of sixth order.
+/// What joint coordinates say of the velocities' rates. Velocities of bodies are linear in u, so that u̇ needs
+/// no small step; along q̇ they are differences of sixth order.
 std::vector<double> flat_rates(
-    const MotionEquations& equations, const std::vector<double>& y, const std::vector<double>& y_dot) {
+    const TreeEquations& tree, const std::vector<double>& y, const std::vector<double>& y_dot) {
+    const std::size_t positions = at(tree.joints().positions());
     double fastest = 1.0;
-    for (const double rate : y_dot) { fastest = std::max(fastest, std::abs(rate)); }
+    for (std::size_t k = 0; k < positions; ++k) { fastest = std::max(fastest, std::abs(y_dot[k])); }
     const double h = 1e-3 / fastest;
-    std::vector<double> out(at(kNumbersPerBody * equations.bodies()), 0.0);
+    std::vector<double> out(at(kNumbersPerBody * tree.bodies()), 0.0);
     std::vector<double> flat(out.size());
+    const auto add = [&](const std::vector<double>& there, double weight) {
+        tree.to_flat(there.data(), flat.data());
+        for (std::size_t k = 0; k < flat.size(); ++k) { out[k] += weight * flat[k]; }
+    };
     for (const auto& [steps, weight] : {std::pair{1, 45.0}, std::pair{2, -9.0}, std::pair{3, 1.0}}) {
         for (const int sign : {1, -1}) {
             std::vector<double> there = y;
-            for (std::size_t k = 0; k < y.size(); ++k) { there[k] += sign * steps * h * y_dot[k]; }
-            equations.to_flat(there.data(), flat.data());
-            for (std::size_t k = 0; k < flat.size(); ++k) { out[k] += sign * weight * flat[k] / (60.0 * h); }
+            for (std::size_t k = 0; k < positions; ++k) { there[k] += sign * steps * h * y_dot[k]; }
+            add(there, sign * weight / (60.0 * h));
         }
     }
+    std::vector<double> accelerated = y;
+    for (std::size_t k = positions; k < y.size(); ++k) { accelerated[k] = y_dot[k]; }
+    std::vector<double> at_rest = accelerated;
+    for (std::size_t k = positions; k < y.size(); ++k) { at_rest[k] = 0.0; }
+    add(accelerated, 1.0);
+    add(at_rest, -1.0);
     return out;
 }
 
@@ -65,7 +76,8 @@ public:
         const general::PlacedBodies placed = placed_of(scene_, flat, before);
         const reference::VecX y = reference_.state_of(placed, t);
         const general::Accelerations a = reference_.accelerations_at(y);
-        if (!(a.condition < 1e5L)) { return not_asked("too near to a singular pose"); }
+        // core takes rows whose squared pivot is below 1e-9 for repetitions (docs/dynamics.md)
+        if (!(a.condition < 1e4L)) { return not_asked("too near to a singular pose"); }
         // on a branch of more freedoms than the start has, or beside the constraints
         if (!(a.contradiction < 1e-8L)) { return not_asked("its rows contradict each other"); }
         expected_ = motion_of(a, placed);

@@ -30,5 +30,10 @@ struct Property {
 const std::vector<Property>& properties();
 
 Verdict accelerations_agree(const Generated& generated);
+Verdict methods_converge(const Generated& generated);
+Verdict rank_agrees(const Generated& generated);
+Verdict kinematics_agree(const Generated& generated);
+Verdict assembles_again(const Generated& generated);
+Verdict reactions_balance(const Generated& generated);
 
 }  // namespace jw::test
