@@ -165,45 +165,6 @@ std::optional<Reference> stored_reference(const std::filesystem::path& lesson_fi
     return reference;
 }
 
-Reference own_reference(const Lesson& lesson, const std::stop_token& stop) {
-    Reference reference;
-    reference.times = equal_times(lesson.dynamics->duration, 100);
-    const BodyPoint& tracked = *lesson.dynamics->point;
-    const auto run = [&](double tolerance) {
-        SimulationSettings settings;
-        settings.tolerance = tolerance;
-        settings.most_steps = kMostSteps;
-        Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-        std::vector<std::pair<Vec3, Vec3>> path;
-        const SimulationOutcome outcome =
-            simulation.run(reference.times, [&](double, const std::vector<double>& y) {
-                if (stop.stop_requested()) { throw Stopped(); }
-                path.emplace_back(
-                    simulation.point(y, tracked.body, tracked.point_local),
-                    simulation.point_velocity(y, tracked.body, tracked.point_local));
-            });
-        if (outcome.failure) {
-            throw std::runtime_error(
-                "nothing to compare with: at tolerance " + number_text(tolerance, 2) + " " +
-                failure_text(*outcome.failure, settings));
-        }
-        return path;
-    };
-    const auto best = run(1e-13);
-    const auto check = run(1e-12);
-    double apart = 0.0;
-    for (std::size_t k = 0; k < best.size(); ++k) {
-        apart = std::max(apart, (best[k].first - check[k].first).norm());
-    }
-    for (const auto& [position, velocity] : best) {
-        reference.positions.push_back(position);
-        reference.velocities.push_back(velocity);
-    }
-    reference.origin = "explicit-8 at tolerance 1e-13 (none is stored), " + number_text(apart, 2) +
-                       " m from the same at 1e-12; errors below that say nothing";
-    return reference;
-}
-
 std::optional<double> BenchRun::time_to(double error) const {
     std::optional<double> least;
     for (const BenchPoint& point : points) {

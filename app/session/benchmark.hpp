@@ -27,8 +27,10 @@ struct Reference {
 /// file is not one of those shipped: a copy may have been changed.
 /// @throws std::runtime_error if a row of it does not hold seven numbers
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
-/// By the lesson itself, with the two tightest tolerances; `origin` says how far they are apart.
-/// @throws Stopped if `stop` asks for it; std::runtime_error if one of the two ends early
+/// By two ways that no method of the race takes: the equations of the bodies, extrapolated, and the dense
+/// equations of the slides (for more than 20 bodies those of the bodies again, by another integrator).
+/// `origin` says which, and how many digits the two agree to, or why there is only one.
+/// @throws Stopped if `stop` asks for it; std::runtime_error if both end early
 Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
 
 /// What a run throws that was asked to stop.
