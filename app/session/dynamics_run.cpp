@@ -87,7 +87,7 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
     }
     return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
            number_text(position, 2) + ", accelerations proved to " +
-           number_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints), 2);
+           small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints));
 }
 
 /// Where branches of a loop cross, they do so only as far as its numbers fit.
