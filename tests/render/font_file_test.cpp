@@ -30,7 +30,8 @@ TEST_CASE("the fonts of Debian's packages are whole", "[render][fonts]") {
 }
 
 TEST_CASE(
-    "a font that is cut off is never taken for whole, one with another byte never ends the program", "[render][fonts]") {
+    "a font that is cut off is never taken for whole, one with another byte never ends the program",
+    "[render][fonts]") {
     const TemporaryFolder folder;
     constexpr std::uint32_t seed = 15;
     CAPTURE(seed);
