@@ -7,8 +7,57 @@
 #include "render/render_targets.hpp"
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 namespace jw::render {
+
+namespace {
+
+// of Debian 12, and the name that comes with the headers
+constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so"};
+
+/// OSMesa, loaded when the first picture is drawn: text needs none of it, and brings no compiler of shaders
+/// into memory. A library that is missing or damaged so is an error that can be told.
+struct OsMesa {
+    decltype(&OSMesaCreateContextAttribs) create = nullptr;
+    decltype(&OSMesaDestroyContext) destroy = nullptr;
+    decltype(&OSMesaMakeCurrent) make_current = nullptr;
+    decltype(&OSMesaGetProcAddress) get_function = nullptr;
+
+    /// @throws std::runtime_error with the words of the system's loader
+    static const OsMesa& get() {
+        static const OsMesa library;
+        return library;
+    }
+
+private:
+    OsMesa() {
+        void* library = nullptr;
+        std::string why;
+        for (const char* const name : kLibraries) {
+            if (library == nullptr) { library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL); }
+            if (const char* const words = ::dlerror(); why.empty() && words != nullptr) { why = words; }
+        }
+        if (library == nullptr) { fail("it cannot be loaded: " + why); }
+        find(library, "OSMesaCreateContextAttribs", create);
+        find(library, "OSMesaDestroyContext", destroy);
+        find(library, "OSMesaMakeCurrent", make_current);
+        find(library, "OSMesaGetProcAddress", get_function);
+    }
+
+    [[noreturn]] static void fail(const std::string& why) {
+        throw std::runtime_error(
+            "no OpenGL 3.3 without a window: this needs OSMesa (Debian package libosmesa6), and " + why);
+    }
+
+    template <class Function>
+    static void find(void* library, const char* name, Function& function) {
+        function = reinterpret_cast<Function>(::dlsym(library, name));
+        if (function == nullptr) { fail("the one that is there is too old"); }
+    }
+};
+
+}  // namespace
 
 /// Owns the context; OSMesa wants a colour buffer of its own, which nothing is drawn into.
 struct Offscreen::Context {
@@ -30,7 +79,7 @@ struct Offscreen::Context {
             3,
             0,
             0};
-        handle = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+        handle = OsMesa::get().create(attributes.data(), nullptr);
         if (handle == nullptr) {
             throw std::runtime_error(
                 "no OpenGL 3.3 without a window: OSMesa gives no core profile context (Debian package "
@@ -38,14 +87,14 @@ struct Offscreen::Context {
         }
         make_current();
         gl = load_gl_functions(
-            [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); });
+            [](const char* name) { return reinterpret_cast<void*>(OsMesa::get().get_function(name)); });
     }
-    ~Context() { OSMesaDestroyContext(handle); }
+    ~Context() { OsMesa::get().destroy(handle); }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
     void make_current() {
-        if (OSMesaMakeCurrent(handle, unused.data(), GL_UNSIGNED_BYTE, 16, 16) == GL_FALSE) {
+        if (OsMesa::get().make_current(handle, unused.data(), GL_UNSIGNED_BYTE, 16, 16) == GL_FALSE) {
             throw std::runtime_error("OSMesa cannot make its context current");
         }
     }
@@ -58,7 +107,7 @@ Offscreen::Offscreen(int width, int height, int samples)
 
 Offscreen::~Offscreen() {
     // the targets are deleted in their own context, whichever was current
-    OSMesaMakeCurrent(context_->handle, context_->unused.data(), GL_UNSIGNED_BYTE, 16, 16);
+    OsMesa::get().make_current(context_->handle, context_->unused.data(), GL_UNSIGNED_BYTE, 16, 16);
 }
 
 const GlFunctions& Offscreen::gl() const { return context_->gl; }

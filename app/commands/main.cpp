@@ -1,3 +1,4 @@
+#include <array>
 #include <csignal>
 #include <iostream>
 
@@ -19,12 +20,20 @@ jw::SurfaceReport examine_window() {
         report.remedy = "pictures and text need none; for a window without a screen use xvfb-run";
         return report;
     }
+    // before anything loads them
+    constexpr std::array libraries{
+        jw::Library{"libGLX.so.0", "libglx0"}, jw::Library{"libGL.so.1", "libgl1"},
+        jw::Library{"libGLX_mesa.so.0", "libglx-mesa0"}};
+    jw::SurfaceReport blamed = report;
+    const bool library_is_bad = jw::blame_library(blamed, libraries);
+    // one that is damaged would end the program; without one that is missing another may do
+    if (library_is_bad && blamed.state == jw::SurfaceReport::State::damaged) { return blamed; }
     try {
         jw::with_hidden_window([&](const jw::render::GlFunctions& gl) { jw::examine(gl, report); });
     } catch (const std::exception& error) {
         report.state = jw::SurfaceReport::State::missing;
         report.problem = error.what();
-        jw::blame_library(report);
+        if (library_is_bad) { return blamed; }
     }
     return report;
 }

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <span>
 #include <stdexcept>
 
 #include <dlfcn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
@@ -42,6 +45,8 @@ const std::array<Ball, 5>& balls() {
 }
 
 constexpr std::size_t kSeen = 4;
+// a library that takes longer is not damaged, but something else is wrong [s]
+constexpr unsigned kLoadingTime = 20;
 // the backdrop is paper
 constexpr int kPale = 220;
 
@@ -124,37 +129,58 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report) {
     if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may do"; }
 }
 
-void blame_library(SurfaceReport& report) {
-    struct Library {
-        const char* name;
-        const char* package;
-    };
-    constexpr std::array<Library, 3> libraries{
-        {{"libGLX.so.0", "libglx0"}, {"libGL.so.1", "libgl1"}, {"libGLX_mesa.so.0", "libglx-mesa0"}}};
-    for (const auto& [name, package] : libraries) {
-        if (void* const library = ::dlopen(name, RTLD_LAZY | RTLD_LOCAL); library != nullptr) {
-            ::dlclose(library);
-            continue;
-        }
+LibraryReport examine_library(const char* name) {
+    LibraryReport report;
+    int ends[2]{};
+    if (::pipe(ends) != 0) { return report; }
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(kLoadingTime);
+        ::signal(SIGALRM, SIG_DFL);
+        if (::dlopen(name, RTLD_NOW | RTLD_LOCAL) != nullptr) { ::_exit(0); }
         const char* const words = ::dlerror();
-        const std::string why = words == nullptr ? name : words;
-        // what the system's loader says of a file that is not there; anything else is about one that is
-        if (why.find("No such file") != std::string::npos) {
-            report.state = SurfaceReport::State::missing;
-            report.problem = "the library '" + std::string(name) + "' is not there";
+        const std::string why = words == nullptr ? "" : words;
+        static_cast<void>(!::write(ends[1], why.data(), why.size()));
+        ::_exit(1);
+    }
+    ::close(ends[1]);
+    std::array<char, 1000> words{};
+    const ssize_t count = child > 0 ? ::read(ends[0], words.data(), words.size()) : 0;
+    ::close(ends[0]);
+    int status = 0;
+    if (child < 0 || ::waitpid(child, &status, 0) != child) { return report; }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) { return report; }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) { return report; }
+    report.words.assign(words.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+    // what the system's loader says of a file that is not there; anything else is about one that is
+    const bool absent = report.words.find("No such file") != std::string::npos;
+    report.state = absent ? SurfaceReport::State::missing : SurfaceReport::State::damaged;
+    return report;
+}
+
+bool blame_library(SurfaceReport& report, std::span<const Library> libraries) {
+    for (const auto& [name, package] : libraries) {
+        const LibraryReport library = examine_library(name);
+        if (library.state == SurfaceReport::State::right) { continue; }
+        const std::string what = "the library '" + std::string(name) + "' is ";
+        report.state = library.state;
+        if (library.state == SurfaceReport::State::missing) {
+            report.problem = what + "not there";
             report.packages = package;
         } else {
-            report.state = SurfaceReport::State::damaged;
-            report.problem = "the library '" + std::string(name) + "' is damaged: " + why;
+            report.problem = what + "damaged" + (library.words.empty() ? "" : ": " + library.words);
             report.remedy = "apt-get install --reinstall " + std::string(package);
         }
-        return;
+        return true;
     }
+    return false;
 }
 
 SurfaceReport examine_offscreen() {
     SurfaceReport report;
     report.name = "offscreen";
+    constexpr std::array libraries{Library{"libOSMesa.so.8", "libosmesa6"}};
+    if (blame_library(report, libraries)) { return report; }
     try {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
         examine(offscreen.gl(), report);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "render/gl_functions.hpp"
@@ -34,9 +35,23 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report);
 /// OSMesa.
 SurfaceReport examine_offscreen();
 
-/// Why a window could not be made, as far as it is a library of OpenGL that is missing or damaged: fills in
-/// state, problem, remedy and packages. Otherwise `report` stays as it is.
-void blame_library(SurfaceReport& report);
+/// A shared library that a surface needs, and the Debian package that has it.
+struct Library {
+    const char* name;
+    const char* package;
+};
+
+struct LibraryReport {
+    SurfaceReport::State state = SurfaceReport::State::right;  ///< or missing, or damaged
+    std::string words;  ///< of the system's loader, if it said something
+};
+
+/// Loads a library in another process: one that is cut off ends the process that loads it.
+LibraryReport examine_library(const char* name);
+
+/// Looks for the first library that is missing or damaged, and fills in state, problem, remedy and packages.
+/// @return whether there is one; else `report` stays as it is
+bool blame_library(SurfaceReport& report, std::span<const Library> libraries);
 
 /// Draws a window's test picture and reports; empty where the program has no window.
 using SurfaceDoctor = std::function<SurfaceReport()>;

@@ -19,9 +19,9 @@ struct FolderRule {
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
 constexpr std::array<std::string_view, 7> kLessons{"core/",   "lessons/", "Eigen/",  "toml++/",
                                                    "fcntl.h", "poll.h",   "unistd.h"};
-constexpr std::array<std::string_view, 10> kRender{
-    "render/",      "Eigen/",    "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
-    "libdeflate.h", "stb_image", "imgui.h",        "fcntl.h",     "unistd.h"};
+constexpr std::array<std::string_view, 11> kRender{
+    "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
+    "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
 // of render only plain values: what there is to draw and from where it is looked at
 constexpr std::array<std::string_view, 9> kSession{"app/session/",       "core/",
                                                    "lessons/",           "Eigen/",
