@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
+#include "core/closest_fit.hpp"
 #include "core/newton.hpp"
 #include "core/rank.hpp"
 #include "core/svd.hpp"
@@ -13,7 +12,6 @@ namespace jw {
 
 namespace {
 
-constexpr int kFitIterations = 200;  // damped steps are linear at worst; enough for three digits of the fit
 constexpr double kFlatGradient = 1e-5;  // of |Φq||Φ|: the residual can be lowered no further
 // directions below this part of the largest singular value count as lost where the residual is as large:
 // a loop that misses by its typed digits slides along them without end
@@ -31,59 +29,6 @@ struct Fit {
     double flatness = 0.0;
     double smallest_singular_value = 0.0;
 };
-
-/// Φ and Φq in the scene's units, as functions of the state.
-class ScaledEquations {
-public:
-    ScaledEquations(const System& system, double t)
-        : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
-
-    void look(const State& state) { assembler_.assemble_phi_and_jacobian(state, t_); }
-    const VectorX& raw() const { return assembler_.phi(); }
-    VectorX phi() const { return raw().cwiseQuotient(scaling_.row); }
-    MatrixX jacobian() const {
-        return scaling_.row.cwiseInverse().asDiagonal() * assembler_.jacobian() *
-               scaling_.column.asDiagonal();
-    }
-    /// `state` moved by `delta` in scaled columns, no body turned by more than a Newton step may.
-    State moved(State state, const VectorX& delta) const {
-        VectorX step = delta.cwiseProduct(scaling_.column);
-        const double turn = assembler_.layout().largest_turn(step);
-        if (turn > kLargestTurn) { step *= kLargestTurn / turn; }
-        assembler_.layout().advance(state, step);
-        return state;
-    }
-
-private:
-    Assembler<OmegaLocal> assembler_;
-    Scaling scaling_;
-    double t_;
-};
-
-/// Levenberg-Marquardt: goes down to the closest fit where plain Newton wanders.
-State descended(const System& system, State state, double t) {
-    ScaledEquations equations(system, t);
-    equations.look(state);
-    VectorX phi = equations.phi();
-    MatrixX J = equations.jacobian();
-    double damping = 1e-3;
-    for (int k = 0; k < kFitIterations && damping < 1e12; ++k) {
-        MatrixX normal = J.transpose() * J;
-        normal.diagonal().array() += damping * std::max(1.0, normal.diagonal().maxCoeff());
-        State trial = equations.moved(state, normal.ldlt().solve(-J.transpose() * phi));
-        equations.look(trial);
-        const VectorX trial_phi = equations.phi();
-        if (!trial_phi.allFinite() || trial_phi.norm() >= phi.norm()) {
-            damping *= 4.0;
-            continue;
-        }
-        state = std::move(trial);
-        phi = trial_phi;
-        J = equations.jacobian();
-        damping = std::max(0.3 * damping, 1e-12);
-    }
-    return state;
-}
 
 /// How good and how final the fit at `state` is.
 Fit fit_at(const System& system, State state, double t) {
@@ -105,9 +50,9 @@ Fit fit_at(const System& system, State state, double t) {
     return fit;
 }
 
-Fit closest_fit(const System& system, const State& start, const State& reached, double t) {
+Fit closest_fit_from(const System& system, const State& start, const State& reached, double t) {
     const Fit fit = fit_at(system, reached, t);
-    return fit.flatness < kFlatGradient ? fit : fit_at(system, descended(system, start, t), t);
+    return fit.flatness < kFlatGradient ? fit : fit_at(system, closest_fit(system, start, t), t);
 }
 
 /// True if parts that rest at `fit` come closer once they are pushed: it was no closest fit.
@@ -120,7 +65,7 @@ bool gives_way(const System& system, const Fit& fit, double t) {
     for (Eigen::Index k = 0; k < push.size(); ++k) {
         push(k) = kPush * std::cos(1.0 + 2.4 * static_cast<double>(k));
     }
-    equations.look(descended(system, equations.moved(fit.state, push), t));
+    equations.look(closest_fit(system, equations.moved(fit.state, push), t));
     return equations.phi().norm() < kClearlyLower * fit.phi.norm();
 }
 
@@ -128,7 +73,7 @@ bool gives_way(const System& system, const Fit& fit, double t) {
 
 PositionFailure diagnose(
     const System& system, const State& start, const State& reached, double t, int iterations) {
-    const Fit fit = closest_fit(system, start, reached, t);
+    const Fit fit = closest_fit_from(system, start, reached, t);
     PositionFailure failure;
     Eigen::Index row = 0;
     failure.residual = fit.phi.cwiseAbs().maxCoeff(&row);
@@ -139,6 +84,9 @@ PositionFailure diagnose(
     failure.t = t;
     if (failure.residual > kFloorTolerance && fit.flatness < kFlatGradient) {
         failure.cause = gives_way(system, fit, t) ? FailureCause::singular : FailureCause::cannot_close;
+        if (failure.cause == FailureCause::cannot_close) {
+            failure.contradiction = find_contradiction(system, start, fit.state, t);
+        }
     } else if (fit.smallest_singular_value < kLostSingularValue) {
         failure.cause = FailureCause::singular;
     }

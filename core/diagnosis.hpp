@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/branches.hpp"
+#include "core/contradiction.hpp"
 
 /// Why a position could not be found: what Newton-Raphson cannot tell by itself.
 namespace jw {
@@ -23,6 +24,8 @@ struct PositionFailure {
     int iterations = 0;
     std::optional<WrongBranch> branch;
     double t = 0.0;  ///< time for which the position was sought [s]
+    std::optional<Contradiction> contradiction =
+        std::nullopt;  ///< of what cannot close, where it could be told
 };
 
 /// Diagnosis of a Newton run from `start` that ended at `reached` without converging: is that, or what damped

@@ -122,14 +122,55 @@ double angle_acceleration(
     return axis.s_i.dot(axis.relative(acceleration)) + omega_i.cross(axis.s_i).dot(axis.relative(motion));
 }
 
+namespace {
+
+/// Neither of the bodies can get away from the other.
+bool ties(const Joint& joint) { return joint.type->uses(Role::same_point) || joint.type->uses(Role::length); }
+
+/// Which bodies cannot get away from the fixed ones, whatever their start poses.
+std::vector<bool> tied_bodies(const Mechanism& mechanism) {
+    std::vector<bool> tied;
+    for (const Body& body : mechanism.bodies) { tied.push_back(body.fixed); }
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (const Joint& joint : mechanism.joints) {
+            const std::size_t i = at(joint.body_i);
+            const std::size_t j = at(joint.body_j);
+            if (!ties(joint) || tied[i] == tied[j]) { continue; }
+            tied[i] = tied[j] = true;
+            grown = true;
+        }
+    }
+    return tied;
+}
+
+}  // namespace
+
 double extent(const Mechanism& mechanism) {
     double largest = 0.0;
+    double reach = 0.0;  // of a chain of all that is tied
     for (const Joint& joint : mechanism.joints) {
         const JointGeometry& g = joint.geometry;
         largest = std::max({largest, g.P_i_local.norm(), g.P_j_local.norm(), g.length});
+        if (ties(joint)) { reach += g.P_i_local.norm() + g.P_j_local.norm() + g.length; }
     }
+    const Vec3& origin = mechanism.bodies.front().r;
+    double farthest_fixed = 0.0;
+    double farthest = 0.0;
     for (const Body& body : mechanism.bodies) {
-        largest = std::max(largest, (body.r - mechanism.bodies.front().r).norm());
+        farthest = std::max(farthest, (body.r - origin).norm());
+        if (body.fixed) { farthest_fixed = std::max(farthest_fixed, (body.r - origin).norm()); }
+    }
+    reach += farthest_fixed;
+    if (farthest <= std::max(largest, reach)) {
+        largest = std::max(largest, farthest);
+        return largest > 0.0 ? largest : 1.0;
+    }
+    // a start estimate beyond what its joints can reach says nothing of the size of the mechanism
+    const std::vector<bool> tied = tied_bodies(mechanism);
+    for (std::size_t b = 0; b < tied.size(); ++b) {
+        const double distance = (mechanism.bodies[b].r - origin).norm();
+        largest = std::max(largest, tied[b] ? std::min(distance, reach) : distance);
     }
     return largest > 0.0 ? largest : 1.0;
 }

@@ -65,6 +65,8 @@ void NewtonStepper<C>::start(State state, double t) {
 template <class C>
 NewtonStep NewtonStepper<C>::look() {
     assembler_.assemble_phi_and_jacobian(state_, t_);
+    // rounding of the coordinates as they are now, not of a start far away
+    tolerance_ = std::min(tolerance_, residual_tolerance(*system_, state_));
     NewtonStep step;
     step.iteration = iteration_;
     const VectorX& phi = assembler_.phi();

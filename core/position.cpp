@@ -1,8 +1,40 @@
 #include "core/position.hpp"
 
+#include <cmath>
+
+#include "core/closest_fit.hpp"
+
 namespace jw {
 
 namespace {
+
+// two turns, twenty-five steps of half a radian
+constexpr double kFarForScrew = 12.0;
+
+/// Puts the nut of a screw whose advance is off most to where it says, without a turn: Newton, whose steps
+/// turn bodies by half a radian at most, would have to screw it there.
+/// @return whether a screw is off so far that this is worth a try
+bool slide_screws(const System& system, State& state) {
+    bool any = false;
+    for (const Constraint& c : system.constraints()) {
+        if (c.role != Role::screw_advance || c.rows() == 0) { continue; }
+        const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        const JointGeometry& g = joint.geometry;
+        const auto i = static_cast<std::size_t>(joint.body_i);
+        const auto j = static_cast<std::size_t>(joint.body_j);
+        const Vec3 s_i = rotation_matrix(state.p[i]) * g.s_i_local.normalized();
+        const Vec3 d = state.r[j] + rotation_matrix(state.p[j]) * g.P_j_local - state.r[i] -
+                       rotation_matrix(state.p[i]) * g.P_i_local;
+        const double asked = g.d_0 + g.alpha * (state.theta[static_cast<std::size_t>(c.theta)] - g.theta_0);
+        const double off = s_i.dot(d) - asked;
+        // what Newton itself can screw within its iterations needs no help
+        if (std::abs(off) < kFarForScrew * std::abs(g.alpha)) { continue; }
+        const bool moves_j = !system.mechanism().bodies[j].fixed;
+        state.r[moves_j ? j : i] += (moves_j ? -off : off) * s_i;
+        any = true;
+    }
+    return any;
+}
 
 constexpr int kMostBranches = 4;  // each attempt turns one body; a loop of more is going in circles
 
@@ -18,16 +50,32 @@ PositionOutcome solve_position(
     State guess = state;
     int iterations = 0;
     int choices = 0;
+    bool slid = false;
+    bool damped = false;
+    bool limited = false;  // the last step, so that no body turns too far
     while (true) {
         stepper.start(guess, t);
         while (!stepper.outcome()) {
             const NewtonStep step = stepper.step();
+            if (step.rank > 0) { limited = step.fraction < 1.0; }
             if (observer) { observer(step, stepper.state()); }
         }
         outcome.newton = *stepper.outcome();
         iterations += outcome.newton.iterations;
         outcome.newton.iterations = iterations;
         if (!outcome.newton.converged) {
+            guess = state;
+            if (!slid && slide_screws(system, guess)) {
+                slid = true;
+                continue;
+            }
+            // far from everything the shortest step turns bodies by many turns, and is cut down to next to
+            // nothing; damped steps get near
+            if (limited && !damped) {
+                guess = closest_fit(system, state, t);
+                damped = true;
+                continue;
+            }
             outcome.failure = diagnose(system, state, stepper.state(), t, iterations);
             return outcome;
         }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/assembler.hpp"
+#include "core/least_squares.hpp"
+
+/// The pose that misses the equations least, where none meets them.
+namespace jw {
+
+/// Φ and Φq in the scene's units, as functions of the state. Some rows may be made to weigh more than others.
+class ScaledEquations {
+public:
+    ScaledEquations(const System& system, double t)
+        : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
+    /// @param weights one per row; an equation of weight 100 is met a hundred times as well where not all can
+    /// be
+    ScaledEquations(const System& system, double t, const VectorX& weights) : ScaledEquations(system, t) {
+        if (weights.size() > 0) { scaling_.row = scaling_.row.cwiseQuotient(weights).eval(); }
+    }
+
+    void look(const State& state) { assembler_.assemble_phi_and_jacobian(state, t_); }
+    const VectorX& raw() const { return assembler_.phi(); }
+    VectorX phi() const { return raw().cwiseQuotient(scaling_.row); }
+    MatrixX jacobian() const {
+        return scaling_.row.cwiseInverse().asDiagonal() * assembler_.jacobian() *
+               scaling_.column.asDiagonal();
+    }
+    /// Half the derivative of ‖φ‖² in scaled columns.
+    VectorX gradient() const {
+        return (assembler_.jacobian().transpose() * phi().cwiseQuotient(scaling_.row))
+            .cwiseProduct(scaling_.column);
+    }
+    Eigen::Index columns() const { return scaling_.column.size(); }
+    /// `state` moved by `delta` in scaled columns, no body turned by more than a Newton step may.
+    State moved(State state, const VectorX& delta) const;
+
+private:
+    Assembler<OmegaLocal> assembler_;
+    Scaling scaling_;
+    double t_;
+};
+
+/// Goes down from `state` to where ‖Φ‖, scaled and weighted, is smallest: damped steps (Levenberg-Marquardt),
+/// then, since these creep where the equations contradict each other, Newton's method on the gradient.
+/// @param weights empty: all rows count alike
+State closest_fit(const System& system, State state, double t, const VectorX& weights = {});
+
+}  // namespace jw
