@@ -94,7 +94,8 @@ void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Str
                "nearest to those before, the accelerations the shortest\n";
     }
     if (!consistent) {
-        streams.err << "jointwise: warning: equations contradict each other where 'consistent' is 0\n";
+        streams.err << "jointwise: warning: equations contradict each other where 'consistent' is 0"
+                    << (sweep.contradiction.empty() ? "" : "; " + sweep.contradiction) << '\n';
     }
 }
 

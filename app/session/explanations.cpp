@@ -8,34 +8,6 @@
 
 namespace jw {
 
-namespace {
-
-// scaled; far above the tolerance of Newton, far below a gap that can be seen
-constexpr double kHolds = 1e-6;
-
-std::string cause_text(const System& system, const PositionFailure& failure) {
-    switch (failure.cause) {
-        case FailureCause::cannot_close:
-            return "The parts cannot meet: the closest fit still leaves this gap. Check lengths and points "
-                   "of "
-                   "this joint and of those before it, or what a driver asks for.";
-        case FailureCause::wrong_branch:
-            return "Only solutions on a wrong branch were found" +
-                   (failure.branch ? ": " + branch_text(system, *failure.branch) : "") +
-                   ". Give a start pose nearer to the intended one.";
-        case FailureCause::singular:
-            return "The way there leads through a singular position, where equations lose their "
-                   "independence. "
-                   "Start on the intended side of it, or drive another coordinate.";
-        case FailureCause::no_convergence: break;
-    }
-    return "Newton-Raphson did not settle and no contradiction was found. A start pose nearer to the "
-           "solution "
-           "or a slower driver may help.";
-}
-
-}  // namespace
-
 std::string branch_text(const System& system, const WrongBranch& wrong) {
     const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
     const std::string joint = "joint " + system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
@@ -48,19 +20,6 @@ std::string branch_text(const System& system, const WrongBranch& wrong) {
         case WrongBranch::Kind::screw_angle: break;
     }
     return "θ of " + joint + " is half a turn off the angle between its bodies";
-}
-
-std::string failure_text(const System& system, const PositionFailure& failure) {
-    // of a motion: a pose exists, but not where this one leads
-    if (failure.residual < kHolds) {
-        return "At t = " + number_text(failure.t) +
-               " s the equations can be met only away from the pose that the motion "
-               "leads to. " +
-               cause_text(system, failure);
-    }
-    return row_label(system, failure.row) + " is off by " + small_text(failure.value) +
-           " at t = " + number_text(failure.t) + " s after " + count_text(failure.iterations, "iteration") +
-           " (largest scaled residual " + small_text(failure.residual) + "). " + cause_text(system, failure);
 }
 
 std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms) {

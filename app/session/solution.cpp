@@ -1,8 +1,11 @@
 #include "app/session/solution.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/session/explanations.hpp"
+#include "app/session/labels.hpp"
+#include "app/session/numbers.hpp"
 #include "core/assembler.hpp"
 
 namespace jw {
@@ -85,6 +88,66 @@ SweepRow row_of(const System& system, const MotionFrame& frame, Analysis analysi
     return row;
 }
 
+/// What an equation asks for, as a rate or an acceleration: "91 deg/s" of a driven angle.
+std::string asked_text(const System& system, int row, double value, const std::string& per, double t) {
+    const RowOrigin origin = system.origin(row);
+    if (origin.kind != RowOrigin::Kind::driver) { return number_text(value, 6) + " 1" + per; }
+    const int index = system.drivers()[static_cast<std::size_t>(origin.index)].driver;
+    const Driver& driver = system.mechanism().drivers[static_cast<std::size_t>(index)];
+    if (std::holds_alternative<SquaredDistanceMeasure>(driver.measure)) {
+        return number_text(value / (2.0 * driver.function.at(t).f), 6) + " m" + per;
+    }
+    const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
+                          std::holds_alternative<ThetaMeasure>(driver.measure);
+    return is_angle ? number_text(value * kDegreesPerRadian, 6) + " deg" + per
+                    : number_text(value, 6) + " m" + per;
+}
+
+/// The redundant equation that misses what those that it repeats ask for by most.
+/// @param asked right sides: ν or γ
+std::string contradiction_of(
+    const System& system, const MotionFrame& frame, const VectorX& asked, const std::string& what,
+    const std::string& per) {
+    const RankReport report = rank_of(system, frame.state, frame.t);
+    const RedundantRow* worst = nullptr;
+    double most = 0.0;
+    double implied = 0.0;
+    for (const RedundantRow& redundant : report.redundant_rows) {
+        double sum = 0.0;
+        for (const RedundantRow::Term& term : redundant.terms) { sum += term.coefficient * asked(term.row); }
+        const double miss = std::abs(sum - asked(redundant.row)) / system.row_unit(redundant.row);
+        if (miss <= most) { continue; }
+        worst = &redundant;
+        most = miss;
+        implied = sum;
+    }
+    if (worst == nullptr) { return {}; }
+    std::vector<std::string> owners;
+    for (const RedundantRow::Term& term : worst->terms) {
+        const std::string owner = row_owner(system, term.row);
+        // joints ask for 0: among drivers it is they who contradict each other
+        if (asked(term.row) == 0.0 || std::ranges::find(owners, owner) != owners.end()) { continue; }
+        owners.push_back(owner);
+    }
+    const std::string self = row_owner(system, worst->row);
+    return "at t = " + number_text(frame.t, 6) + " s " + self + " repeats " +
+           (owners.empty() ? "other equations" : listed(owners)) + " and asks for another " + what + ": " +
+           asked_text(system, worst->row, asked(worst->row), per, frame.t) + " instead of " +
+           asked_text(system, worst->row, implied, per, frame.t);
+}
+
+/// Of velocities, or of accelerations where velocities agree.
+std::string contradiction_at(const System& system, const MotionFrame& frame) {
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(frame.state, frame.t);
+    if (!frame.velocity_verdict.consistent) {
+        assembler.assemble_nu(frame.t);
+        return contradiction_of(system, frame, assembler.nu(), "rate", "/s");
+    }
+    assembler.assemble_gamma(frame.state, frame.velocity, frame.t);
+    return contradiction_of(system, frame, assembler.gamma(), "acceleration", "/s²");
+}
+
 }  // namespace
 
 std::vector<double> times_of(const SweepPlan& plan) {
@@ -114,6 +177,9 @@ Sweep solve_sweep(
             return sweep;
         }
         sweep.rows.push_back(row_of(system, tracker.frame(), plan.analysis));
+        if (!sweep.rows.back().consistent && sweep.contradiction.empty()) {
+            sweep.contradiction = contradiction_at(system, tracker.frame());
+        }
         if (progress) { progress(static_cast<double>(k + 1) / static_cast<double>(times.size())); }
     }
     return sweep;

@@ -29,6 +29,9 @@ struct Sweep {
     std::vector<std::string> columns;  ///< "time_s", "crank.x", "crank.e0", "crank.omega_local.x", ...
     std::vector<SweepRow> rows;
     std::string failure;  ///< empty, or why the sweep ended early
+    /// Empty, or which equations contradict each other in velocities or accelerations, where that is so
+    /// first.
+    std::string contradiction;
 };
 
 /// The times of a plan.

@@ -115,4 +115,34 @@ TEST_CASE("rows that contradict each other are reported, never hidden", "[app][s
     CHECK_FALSE(later.err.empty());
 }
 
+TEST_CASE("solve names both drivers that contradict each other, when, and by how much", "[app][solve]") {
+    const auto with_second = [](const char* function) {
+        return std::string(kCrank) +
+               "[[driver]]\nname = \"other\"\njoint = \"pivot\"\nquantity = \"angle\"\npolynomial_deg = " +
+               function + "\n";
+    };
+    const Folder folder;
+    struct Case {
+        const char* function;
+        const char* said;
+    };
+    // the crank is driven with 90 deg/s from 0: at first the angles agree to what Newton cannot tell apart
+    for (const Case& c :
+         {Case{"[0, 91]", "other asks for 9.1° where"}, Case{"[0, 90, 1]", "contradict each other at t = "},
+          Case{"[5, 90]", "other asks for 5° where"}}) {
+        CAPTURE(c.function);
+        const std::string file = folder.file("two.toml", with_second(c.function));
+        const Ran ran = run({"solve", file, "--to", "0.5", "--step", "0.1"});
+        CHECK(ran.status == 3);
+        INFO(ran.err);
+        CHECK(ran.err.find("contradict each other at t = ") != std::string::npos);
+        CHECK(ran.err.find(c.said) != std::string::npos);
+        CHECK(ran.err.find("lengths") == std::string::npos);
+    }
+    const std::string file = folder.file("two.toml", with_second("[0, 91]"));
+    const Ran ran = run({"solve", file, "--analysis", "velocity", "--to", "0.5", "--step", "0.1"});
+    INFO(ran.err);
+    CHECK(ran.err.find("asks for another rate: 91 deg/s instead of 90 deg/s") != std::string::npos);
+}
+
 }  // namespace jw::test
