@@ -100,6 +100,20 @@ void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
     add_springs(loads, bodies, forces);
 }
 
+void begin_turns(Loads& loads, Bodies bodies) {
+    constexpr double half_turn = std::numbers::pi;
+    constexpr double rounding = 1e-9;  // of π typed in degrees, and of a joint that starts half a turn away
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        spring.twist_before = 0.0;
+        if (std::abs(spring.free_angle) <= half_turn + rounding) { continue; }
+        const double angle = measured<Content::motion>(
+                                 spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{})
+                                 .value(0);
+        const double start = angle <= -half_turn + rounding ? angle + 2.0 * half_turn : angle;
+        spring.twist_before = start - spring.free_angle;
+    }
+}
+
 void count_turns(Loads& loads, Bodies bodies) {
     for (RotationalSpring& spring : loads.rotational_springs) {
         spring.twist_before = twist_of(spring, bodies).angle;

@@ -26,6 +26,11 @@ void add_forces(
     const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t,
     std::span<BodyForce> forces);
 
+/// Where the count of turns of rotational springs begins. A free angle within half a turn is an angle of the
+/// joint: the spring is twisted by half a turn at most, whichever way is shorter. One beyond it counts turns:
+/// the spring is twisted by all that lies between it and the angle of the joint in (-π, π].
+void begin_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
 /// Turns of rotational springs are counted on from these poses. To be told of states that lie less than half
 /// a turn of any spring apart.
 void count_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/dynamics/forces.hpp"
 #include "core/joint_freedoms.hpp"
 
 namespace jw {
@@ -71,6 +72,7 @@ Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
     }
     // start estimates too: r + A c and its velocity
     const State start = start_state(mechanism);
+    begin_turns(out.loads, kinematics_of(start));
     const Motion motion = start_motion(mechanism);
     const State moved_start = out.to_centroidal(start);
     const Motion moved_motion = out.to_centroidal(start, motion);

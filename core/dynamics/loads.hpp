@@ -52,10 +52,10 @@ struct RotationalSpring {
     int body_j = 0;
     AngleMeasure angle;
     double stiffness = 0.0;   ///< k [N m/rad]
-    double free_angle = 0.0;  ///< θ0 [rad]
+    double free_angle = 0.0;  ///< θ0 [rad]; beyond half a turn it counts turns, see begin_turns
     double damping = 0.0;     ///< c [N m s/rad]
     /// θ - θ0 where the motion was last [rad]: bodies tell it up to whole turns only, which are counted on
-    /// from here. 0: at the start it lies within half a turn.
+    /// from here. `centroidal` begins the count at the start pose.
     double twist_before = 0.0;
 };
 

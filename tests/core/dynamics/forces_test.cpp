@@ -191,6 +191,36 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "A free angle beyond half a turn counts turns, one within takes the shorter way",
+    "[core][dynamics][forces]") {
+    constexpr double degree = std::numbers::pi / 180.0;
+    struct Case {
+        double free_angle, start, twist;  // [deg]
+    };
+    for (const Case& c :
+         {Case{400.0, 0.0, -400.0}, Case{-400.0, 0.0, 400.0}, Case{400.0, 90.0, -310.0},
+          Case{200.0, -90.0, -290.0}, Case{720.0, 180.0, -540.0}, Case{720.0, -180.0, -540.0},
+          Case{3600.0, 30.0, -3570.0}, Case{170.0, -170.0, 20.0}, Case{-170.0, 100.0, -90.0},
+          Case{180.0, -179.0, 1.0}, Case{40.0, 0.0, -40.0}}) {
+        CAPTURE(c.free_angle, c.start);
+        Loads loads;
+        loads.masses.resize(2);
+        const Vec3 axis = Vec3(0.3, -1.0, 2.0).normalized();
+        const Vec3 u = perpendicular_to(axis);
+        loads.rotational_springs.push_back({0, 1, {axis, u, u}, 2.0, c.free_angle * degree, 0.0});
+        const std::vector<BodyKinematics<OmegaLocal>> bodies{
+            kinematics_at<OmegaLocal>(Vec3::Zero(), Vec4::Unit(0), Vec3::Zero(), Vec3::Zero()),
+            kinematics_at<OmegaLocal>(
+                Vec3::Zero(), euler_parameters_of(axis, c.start * degree), Vec3::Zero(), Vec3::Zero())};
+        begin_turns(loads, bodies);
+        std::vector<BodyForce> forces(2);
+        add_forces(loads, bodies, 0.0, forces);
+        // rounding of 60 rad
+        CHECK((forces[1].n_local + 2.0 * c.twist * degree * axis).norm() < 1e-12);
+    }
+}
+
 TEST_CASE("A body that nothing turns keeps its angular momentum", "[core][dynamics][forces]") {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         test::Random random(seed);
