@@ -147,13 +147,16 @@ double effort_of(const Driver& driver, double lambda, double t) {
 }
 
 void mark_family(Reaction& reaction, const Wrench& member, double length) {
-    const Vec3 force = reaction.axes.transpose() * member.force;
-    const Vec3 torque = reaction.axes.transpose() * member.torque / length;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto c = static_cast<Eigen::Index>(k);
-        reaction.force_unique[k] = reaction.force_unique[k] && std::abs(force(c)) < kTakesPart;
-        reaction.torque_unique[k] = reaction.torque_unique[k] && std::abs(torque(c)) < kTakesPart;
-    }
+    const auto mark = [](std::array<bool, 3>& unique, const Vec3& part) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            unique[k] = unique[k] && std::abs(part(static_cast<Eigen::Index>(k))) < kTakesPart;
+        }
+    };
+    const Vec3 torque = member.torque / length;
+    mark(reaction.force_unique, reaction.axes.transpose() * member.force);
+    mark(reaction.torque_unique, reaction.axes.transpose() * torque);
+    mark(reaction.force_unique_global, member.force);
+    mark(reaction.torque_unique_global, torque);
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ struct Reaction {
     /// Which components along `axes` are the same in every answer.
     std::array<bool, 3> force_unique{true, true, true};
     std::array<bool, 3> torque_unique{true, true, true};
+    /// Which components along the global axes x, y, z are.
+    std::array<bool, 3> force_unique_global{true, true, true};
+    std::array<bool, 3> torque_unique_global{true, true, true};
     /// Of a driver: force or torque with which it pushes what it prescribes, effort times rate is its power
     /// [N, N m].
     double effort = 0.0;
