@@ -33,6 +33,7 @@ ExplicitIntegrator::ExplicitIntegrator(
       table_(&table),
       options_(options),
       scales_(options, equations.scales()),
+      stiffness_(table),
       t_(t),
       y_(std::move(y)),
       y_new_(y_.size()),
@@ -95,6 +96,7 @@ void ExplicitIntegrator::take_step(double h) {
         y_new_ = y_;
         for (std::size_t m = 0; m < s; ++m) { add(y_new_, h * table.a[s][m], m); }
         const RowsVerdict verdict = evaluate(t_ + table.c[s] * h, y_new_, stages_[s]);
+        if (stiffness_.wants(s)) { stiffness_.keep(y_new_); }
         lowest_pivot_ = std::min(lowest_pivot_, verdict.smallest_pivot);
     }
     y_new_ = y_;
@@ -288,6 +290,9 @@ bool ExplicitIntegrator::step(double t_end) {
                                   error * options_.tolerance < kMostErrorThrough &&
                                   correction_ <= most_correction_through(lowest_pivot_, options_.tolerance);
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
+            if (stiffness_.is_watching() && !is_fixed()) {
+                stiffness_.take(h, stages_[stiffness_.stage()], y_new_, y_dot_new_, scales_);
+            }
             accept(ahead.end);
             longest_taken_ = std::max(longest_taken_, h);
             if (singular) { ++counts_.singular_passages; }

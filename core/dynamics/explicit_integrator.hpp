@@ -4,6 +4,7 @@
 
 #include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/runge_kutta.hpp"
+#include "core/dynamics/stiffness.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
 /// Explicit Runge-Kutta methods with steps that follow the error, made for constraints.
@@ -23,6 +24,7 @@ public:
     const std::vector<double>& y() const override { return y_; }
     const std::vector<double>& y_dot() const override { return stages_.front(); }
     const IntegrationCounts& counts() const override { return counts_; }
+    double bound_by_stability() const override { return stiffness_.share(); }
     std::pair<double, std::vector<double>> tried() const override { return {tried_, y_new_}; }
     bool reach(double t_from, const std::vector<double>& from, double t, double* y) override;
     const StateScales* scales() const override { return &scales_; }
@@ -49,6 +51,7 @@ private:
     IntegrationOptions options_;
     IntegrationCounts counts_;
     StateScales scales_;
+    StiffnessTest stiffness_;
     double t_;
     double h_ = 0.0;             ///< to try next [s]
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]

@@ -254,9 +254,10 @@ void Simulation::count_turns_at(const std::vector<double>& y) {
     count_turns(scene_.loads, kinematics_of(unpacked(y).first));
 }
 
-SimulationOutcome Simulation::run(const std::vector<double>& times, const Sampler::Receive& receive) {
+SimulationOutcome Simulation::run(
+    const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch) {
     if (contradiction_) { return {{}, contradiction_, {}}; }
-    for (RotationalSpring& spring : scene_.loads.rotational_springs) { spring.twist_before = 0.0; }
+    if (counts_turns()) { begin_turns(scene_.loads, kinematics_of(unpacked(start_).first)); }
     count_turns_at(start_);
     const double end = times.empty() ? 0.0 : times.back();
     const std::unique_ptr<TimeStepper> integration = stepper(end);
@@ -275,6 +276,11 @@ SimulationOutcome Simulation::run(const std::vector<double>& times, const Sample
             outcome.failure = failure_of_step(*integration, event, end);
             if (!outcome.failure) {
                 outcome.failure = failure_of_proof(certificate, *integration, outcome.residual);
+            }
+            const long steps = integration->counts().steps;
+            if (watch && !outcome.failure && steps % kStepsBetweenLooks == 0 && integration->t() < end &&
+                !watch({integration->t(), end, steps, integration->bound_by_stability()})) {
+                outcome.failure = too_many_steps(*integration);
             }
             if (!outcome.failure || outcome.failure->cause == SimulationFailure::Cause::too_many_steps) {
                 sampler.take(*integration);
@@ -329,9 +335,23 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
     if (!went_on) { return failure_of(integration); }
     if (counts_turns()) { count_turns_at(flat_of(integration.y())); }
     if (integration.t() < end && integration.counts().steps >= settings_.most_steps) {
-        return SimulationFailure{Cause::too_many_steps, integration.t(), {}, 0.0};
+        return too_many_steps(integration);
     }
     return std::nullopt;
+}
+
+SimulationFailure Simulation::too_many_steps(const TimeStepper& stepper) const {
+    constexpr double mostly = 0.5;
+    SimulationFailure failure{SimulationFailure::Cause::too_many_steps, stepper.t(), {}, 0.0};
+    failure.bound_by_stability = stepper.bound_by_stability() > mostly;
+    const std::vector<double> flat = flat_of(stepper.y());
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const double rate = vec3(body_numbers(flat.data(), m) + 10).norm();
+        if (rate <= failure.fastest_rate) { continue; }
+        failure.fastest_rate = rate;
+        failure.fastest = scene_.mechanism.bodies[at(moving_[m])].name;
+    }
+    return failure;
 }
 
 std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {

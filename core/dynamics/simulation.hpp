@@ -55,7 +55,23 @@ struct SimulationFailure {
     /// Of the first three: the joint or driver whose equation is off most; empty if it is that of the forces.
     std::string equation_of;
     double violation = 0.0;  ///< of the first three: by how much, by the size of the equation
+    /// Of too many steps: stability kept them short, not accuracy; an implicit method takes longer ones.
+    bool bound_by_stability = false;
+    std::string fastest = {};   ///< of too many steps: the body that turned fastest
+    double fastest_rate = 0.0;  ///< its |ω| [rad/s]
 };
+
+/// How far a run is, for those who watch it.
+struct RunState {
+    double t = 0.0;    ///< [s]
+    double end = 0.0;  ///< [s]
+    long steps = 0;
+    double bound_by_stability = 0.0;  ///< see TimeStepper
+};
+/// @return false to give up: the run ends as if it had taken too many steps
+using RunWatch = std::function<bool(const RunState&)>;
+/// Steps from one look to the next.
+inline constexpr long kStepsBetweenLooks = 200;
 
 struct SimulationOutcome {
     IntegrationCounts counts;
@@ -74,7 +90,9 @@ public:
 
     /// From the start to the last of `times` (ascending, from 0 on); every time is given to `receive` in
     /// order. None is where the equations contradict each other at the start.
-    [[nodiscard]] SimulationOutcome run(const std::vector<double>& times, const Sampler::Receive& receive);
+    /// @param watch called now and then between steps
+    [[nodiscard]] SimulationOutcome run(
+        const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch = {});
 
     Snapshot snapshot(double t, const std::vector<double>& y) const;
     /// Position of a point of a body as given [m].
@@ -109,6 +127,7 @@ private:
     double tolerance_of_samples() const;
     /// One step towards `event`, and what keeps the run from going on after it.
     std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
+    SimulationFailure too_many_steps(const TimeStepper& stepper) const;
     /// Why no step can be taken from where the stepper is.
     SimulationFailure failure_of(const TimeStepper& stepper) const;
     /// The equation that is off most at a flat state, or whose rate is, as the failure of a cause.

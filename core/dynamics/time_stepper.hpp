@@ -87,6 +87,8 @@ public:
     virtual const std::vector<double>& y() const = 0;
     virtual const std::vector<double>& y_dot() const = 0;
     virtual const IntegrationCounts& counts() const = 0;
+    /// Of the steps taken lately, the share of those that stability kept short, not accuracy: 0 to 1.
+    virtual double bound_by_stability() const { return 0.0; }
     /// Whether the method has a polynomial of its own over the last step.
     virtual bool has_polynomial() const { return false; }
     /// y within the last step by that, on the constraints. @return false if it is not to be had: what was
