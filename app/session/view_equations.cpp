@@ -1,6 +1,8 @@
 #include "app/session/view_equations.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "app/session/labels.hpp"
@@ -40,7 +42,42 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
            "), but not by enough to switch. Condition " + condition_of(dropped, view) + ".";
 }
 
+/// "x and y", "a", of bits.
+std::string components_of(unsigned mask, ParallelForm form) {
+    constexpr std::array pair{"a", "b"};
+    std::vector<std::string> names;
+    for (int k = 0; k < 3; ++k) {
+        if (((mask >> k) & 1U) == 0) { continue; }
+        names.emplace_back(form == ParallelForm::pair ? pair[static_cast<std::size_t>(k)] : axis_name(k));
+    }
+    return listed(names);
+}
+
+/// Of equations that `without` takes out, whatever the form leaves of the others.
+std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view) {
+    const unsigned all = choice.form == ParallelForm::pair ? 0b11U : 0b111U;
+    const unsigned dropped = choice.dropped >= 0 ? 1U << choice.dropped : 0U;
+    const unsigned kept = all & ~(choice.taken_out | dropped);
+    const bool several_out = std::popcount(choice.taken_out) > 1;
+    std::string text = "The lesson takes out the equation" + std::string(several_out ? "s " : " ") +
+                       components_of(choice.taken_out, choice.form);
+    if ((dropped & ~choice.taken_out) != 0) {
+        text += ", and " + components_of(dropped, choice.form) + " is left out besides";
+    }
+    if (kept == 0) { return text + ": none is kept."; }
+    if (std::popcount(kept) == 1) {
+        return text + ": one is kept, " + components_of(kept, choice.form) +
+               ", where two independent ones are needed to keep two directions parallel.";
+    }
+    text += ": two are kept, " + components_of(kept, choice.form);
+    if (!std::isfinite(view.form_condition)) {
+        return text + ", and they have lost rank here: one of them says nothing.";
+    }
+    return text + ", with condition " + number_text(view.form_condition, 3) + ".";
+}
+
 std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
+    if (choice.taken_out != 0) { return reason_of_taken_out(choice, view); }
     switch (choice.form) {
         case ParallelForm::rule: return reason_of_rule(choice, view);
         case ParallelForm::all_three:

@@ -228,4 +228,33 @@ TEST_CASE("text of inspect labels every row and every column", "[app][inspect]")
     }
 }
 
+TEST_CASE("inspect counts the equations of p1 that are kept after some are taken out", "[app][inspect]") {
+    struct Case {
+        const char* form;
+        const char* without;
+        const char* said;
+    };
+    const Folder folder;
+    for (const Case& c :
+         {Case{"all three", "\"p1 x\"", "takes out the equation x: two are kept, y and z"},
+          Case{"all three", "\"p1 x\", \"p1 y\"", "takes out the equations x and y: one is kept, z"},
+          Case{"pair", "\"n1 pair a\"", "takes out the equation a: one is kept, b"},
+          Case{"rule", "\"p1 y\"", "takes out the equation y, and x is left out besides: one is kept, z"}}) {
+        CAPTURE(c.form, c.without);
+        const std::string file = folder.file(
+            "hinge.toml",
+            std::string(
+                "format = 1\ntitle = \"t\"\n[[body]]\nname = \"b\"\n[[joint]]\nname = \"K\"\n"
+                "type = \"revolute\"\nbodies = [\"ground\", \"b\"]\nat = [0, 1, 0]\naxis = [1, 0, 0]\n"
+                "parallel = \"") +
+                c.form + "\"\nwithout = [" + c.without + "]\n");
+        const Ran ran = run({"inspect", file, "--format", "json"});
+        INFO(ran.err);
+        REQUIRE(ran.status == 0);
+        const std::string reason = nlohmann::json::parse(ran.out)["choices"][0]["reason"];
+        INFO(reason);
+        CHECK(reason.find(c.said) != std::string::npos);
+    }
+}
+
 }  // namespace jw::test
