@@ -81,12 +81,14 @@ struct DynamicsPlan {
     Loads loads;
     double duration = 1.0;  ///< [s], > 0, from t = 0
     Method method = Method::explicit_8;
+    bool method_given = false;  ///< the author's choice, not the default
     Treatment treatment = Treatment::projection;
     double tolerance = 1e-6;         ///< of adaptive methods, > 0
     double step = 1e-3;              ///< of the others [s], > 0
     std::optional<BodyPoint> point;  ///< whose path is compared and plotted
     /// Trusted position of the point at the end [m]; digits as far as they are trusted.
     std::optional<Vec3> point_at_end;
+    SourceSpan point_at_end_span;  ///< in the lesson file, for messages
 };
 
 /// A joint or a driver that is added in one step.

@@ -17,6 +17,7 @@ std::vector<std::string> words_of(const Names& names) {
 void read_method(Fields& fields, DynamicsPlan& plan) {
     if (const auto method = fields.word("method", words_of(kMethods))) {
         plan.method = kMethods[*method].method;
+        plan.method_given = true;
     }
     if (const auto treatment = fields.word("treatment", words_of(kTreatments))) {
         plan.treatment = kTreatments[*treatment].treatment;
@@ -58,6 +59,7 @@ void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
             at_end->span, "'point_at_end' without 'point'; expected the point that it is the end of");
     } else if (at_end) {
         plan.point_at_end = at_end->value;
+        plan.point_at_end_span = at_end->span;
     }
 }
 

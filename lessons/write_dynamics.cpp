@@ -15,7 +15,7 @@ void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) 
     lines.table("[dynamics]");
     if (!plan.loads.gravity.isZero(0.0)) { lines.key("gravity", plan.loads.gravity, "m/s²"); }
     lines.key("duration", plan.duration, "s");
-    if (plan.method != usual.method) {
+    if (plan.method_given || plan.method != usual.method) {
         lines.key("method", string_text(std::string(entry_of(plan.method).name)));
     }
     if (plan.treatment != usual.treatment) {

@@ -21,6 +21,7 @@ struct SimulateOptions {
     std::vector<std::string> tries;
     std::optional<double> duration;
     std::optional<int> samples;
+    std::optional<double> most_steps;
     DynamicsOptions dynamics;
     bool reactions = false;
     std::string output = "csv";
@@ -30,6 +31,18 @@ DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson
     DynamicsRequest request = request_of(lesson);
     apply(options.dynamics, request.settings);
     request.reactions = options.reactions;
+    // what fixes the numbers that are integrated, or how constraints are kept, fixes the kind of method
+    request.method_chosen = request.method_chosen || !options.dynamics.method.empty() ||
+                            !options.dynamics.coordinates.empty() || drifts(request.settings.treatment);
+    const bool adaptive = entry_of(request.settings.method).adaptive;
+    if (adaptive) { request.settings.most_steps = kMostStepsUnasked; }
+    if (options.most_steps) {
+        if (!(*options.most_steps >= 1.0 && *options.most_steps <= 1e12)) {
+            throw bad_option(
+                "simulate", "--most-steps is " + short_number(*options.most_steps) + "; expected 1 to 1e12");
+        }
+        request.settings.most_steps = static_cast<long>(*options.most_steps);
+    }
     request.duration = options.duration.value_or(request.duration);
     request.samples = options.samples.value_or(request.samples);
     if (!std::isfinite(request.duration) || request.duration <= 0.0) {
@@ -68,6 +81,7 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
          {{"forces", table.outcome.residual.forces},
           {"constraint_accelerations", table.outcome.residual.constraints}}},
         {"not_unique", table.not_unique},
+        {"pace_note", table.pace_note.empty() ? Json() : Json(table.pace_note)},
         {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
         {"fit_note", table.fit_note.empty() ? Json() : Json(table.fit_note)},
         {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
@@ -84,9 +98,16 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
                 ": error: this lesson has no [dynamics]; expected masses and a table [dynamics]\n"
                 "hint: docs/writing-a-lesson.md, or 'jointwise solve' for its kinematics");
     }
-    const DynamicsRequest request = request_for(options, lesson);
+    DynamicsRequest request = request_for(options, lesson);
     DynamicsTable table;
+    // what is known while it runs is said while it runs
+    request.tell = [&](const std::string& note) {
+        streams.err << (streams.err_is_terminal ? "\r\033[K" : "") << "jointwise: note: " << note << '\n'
+                    << std::flush;
+    };
     try {
+        ProgressBar bar(streams, "simulating");
+        request.progress = [&](double fraction) { bar.show(fraction); };
         table = simulate(lesson, request);
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
@@ -99,9 +120,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
         streams.out << csv_of(table.columns, table.rows);
     }
     streams.err << "jointwise: " << table.summary << '\n';
-    for (const std::string& note : {table.start_note, table.fit_note}) {
-        if (!note.empty()) { streams.err << "jointwise: note: " << note << '\n'; }
-    }
+    if (!table.fit_note.empty()) { streams.err << "jointwise: note: " << table.fit_note << '\n'; }
     for (const std::string& name : table.not_unique) {
         streams.err << "jointwise: note: the reaction in '" << name
                     << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";
@@ -123,6 +142,11 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--samples", options->samples, "equal intervals of the table; default 100")
         ->type_name("N");
     add_dynamics_options(*command, options->dynamics);
+    command
+        ->add_option(
+            "--most-steps", options->most_steps,
+            "steps after which an adaptive method gives up; default one million")
+        ->type_name("N");
     command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
     command->add_option("--output", options->output, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))

@@ -38,9 +38,10 @@ Result loop_with_a_tilted_axis() {
         "rows that repeat others are left out unseen; the run reaches its end as if all were well, with a "
         "pin "
         "that is not closed.";
-    result.ours = contradiction ? "nothing is simulated: \"" +
-                                      failure_text(*outcome.failure, SimulationSettings{}) + "\"."
-                                : "it is simulated.";
+    result.ours = contradiction
+                      ? "nothing is simulated: \"" +
+                            failure_text(*outcome.failure, SimulationSettings{}, lesson.mechanism) + "\"."
+                      : "it is simulated.";
     result.measurements = {
         of_both("reports success", arrived, exactly(1), outcome.failure ? 0.0 : 1.0, exactly(0)),
         of_naive("largest |Φ| at the end", equations->violation(1.0, y.data()).first, at_least(1e-2)),

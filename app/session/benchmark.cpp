@@ -99,7 +99,7 @@ BenchPoint bench_point(
         spent += again;
     }
     if (first.outcome.failure) {
-        point.failure = failure_text(*first.outcome.failure, settings);
+        point.failure = failure_text(*first.outcome.failure, settings, lesson.mechanism);
         point.position = point.velocity = point.energy = point.violation = kNotKnown;
         return point;
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/session/dynamics_run.hpp"
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
@@ -276,7 +277,58 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
     } else {
         std::visit([&](const auto& fact) { judge(fact, pose, result); }, claim.fact);
     }
-    result.claim = &claim;
+    result.span = claim.span;
+    result.why = claim.why;
+    return result;
+}
+
+/// Where the lesson's point is after its duration. @return why there is no such place, or nothing
+std::string find_end(const Lesson& lesson, double tolerance, Vec3& end) {
+    const DynamicsPlan& plan = *lesson.dynamics;
+    SimulationSettings settings;
+    const MethodName& method = entry_of(plan.method);
+    settings.method = method.kind == MethodKind::radau ? plan.method : Method::explicit_8;
+    settings.tolerance = tolerance;
+    settings.most_steps = kMostStepsUnasked;
+    Simulation simulation(lesson.mechanism, plan.loads, settings);
+    const SimulationOutcome outcome =
+        simulation.run({0.0, plan.duration}, [&](double, const std::vector<double>& y) {
+            end = simulation.point(y, plan.point->body, plan.point->point_local);
+        });
+    return outcome.failure ? failure_text(*outcome.failure, settings, lesson.mechanism) : std::string();
+}
+
+/// A claim that a trusted computation has made about the end of the motion. Two tolerances say how far the
+/// own computation can be trusted.
+ClaimResult judged_end(const Lesson& lesson) {
+    constexpr double loose = 1e-8;
+    constexpr double tight = 1e-10;
+    constexpr double far =
+        1e-6;  // of the scene: more than both leave open, less than a wrong digit that matters
+    const DynamicsPlan& plan = *lesson.dynamics;
+    const double allowed = far * extent(lesson.mechanism);
+    ClaimResult result;
+    result.span = plan.point_at_end_span;
+    result.moment = "at " + number_text(plan.duration, 6) + " s";
+    result.subject = "point_at_end";
+    result.expected = vector_text(*plan.point_at_end, 10) + " m ± " + number_text(allowed, 3);
+    Vec3 rough = Vec3::Zero();
+    Vec3 end = Vec3::Zero();
+    for (const auto& [tolerance, place] : {std::pair{loose, &rough}, std::pair{tight, &end}}) {
+        const std::string failure = find_end(lesson, tolerance, *place);
+        if (failure.empty()) { continue; }
+        result.found = failure;
+        return result;
+    }
+    const double uncertain = (end - rough).norm();
+    const double off = (end - *plan.point_at_end).norm();
+    result.found = vector_text(end, 10) + " m, off by " + small_text(off);
+    if (uncertain > allowed) {
+        result.found += "; two runs of different tolerance are " + small_text(uncertain) +
+                        " m apart there, so this cannot be proved";
+        return result;
+    }
+    result.holds = off <= allowed;
     return result;
 }
 
@@ -290,6 +342,9 @@ std::vector<ClaimResult> check_claims(const Lesson& lesson) {
     for (const Claim& claim : lesson.claims) {
         results.push_back(judged(claim, poses.at(claim.when)));
         results.back().moment = text_of(claim.when, lesson);
+    }
+    if (lesson.dynamics && lesson.dynamics->point && lesson.dynamics->point_at_end) {
+        results.push_back(judged_end(lesson));
     }
     return results;
 }

@@ -9,7 +9,8 @@
 namespace jw {
 
 struct ClaimResult {
-    const Claim* claim = nullptr;
+    SourceSpan span;  ///< of the claim in the lesson file
+    std::string why;  ///< the author's words
     bool holds = false;
     std::string moment;    ///< "after D", "at 0.25 s", "as given"
     std::string subject;   ///< "rank", "slider.x", "condition"
@@ -17,8 +18,9 @@ struct ClaimResult {
     std::string found;     ///< "17", or why it could not be found
 };
 
-/// One result per claim, in the order of the file. The numerics failing is a claim that does not hold, unless
-/// the claim is `closes = false`. `lesson` must outlive the results.
+/// One result per claim, in the order of the file, and one more for the `point_at_end` of a lesson of
+/// dynamics. The numerics failing is a claim that does not hold, unless the claim is `closes = false`.
+/// `lesson` must outlive the results.
 std::vector<ClaimResult> check_claims(const Lesson& lesson);
 
 }  // namespace jw

@@ -56,17 +56,26 @@ std::vector<double> row_of(const Snapshot& snapshot, const Mechanism& mechanism)
 void add_reactions(
     const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
     const bool first = table.rows.empty();
+    std::vector<std::string> mark_columns;
+    std::vector<double> marks;  // 1: the same in every answer
     for (const Reaction& reaction : found.reactions) {
         const std::string name = name_of(reaction, mechanism);
         if (first) {
             add_columns(table.columns, name + ".force.");
             add_columns(table.columns, name + ".torque.");
+            add_columns(mark_columns, name + ".force.unique.");
+            add_columns(mark_columns, name + ".torque.unique.");
         }
         row.insert(row.end(), reaction.wrench.force.begin(), reaction.wrench.force.end());
         row.insert(row.end(), reaction.wrench.torque.begin(), reaction.wrench.torque.end());
+        marks.insert(marks.end(), reaction.force_unique_global.begin(), reaction.force_unique_global.end());
+        marks.insert(marks.end(), reaction.torque_unique_global.begin(), reaction.torque_unique_global.end());
         const bool known = std::ranges::find(table.not_unique, name) != table.not_unique.end();
         if (!reaction.unique() && !known) { table.not_unique.push_back(name); }
     }
+    // behind all numbers, whose columns stay where they were
+    table.columns.insert(table.columns.end(), mark_columns.begin(), mark_columns.end());
+    row.insert(row.end(), marks.begin(), marks.end());
 }
 
 std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
@@ -101,6 +110,65 @@ std::string fit_note(const DynamicsTable& table, std::size_t kinetic) {
            "on folded; numbers with 12 digits and more keep it on its branch";
 }
 
+constexpr const char* kNearest = " do not fit the joints, nearest ones that do are used: ";
+
+/// Bodies whose start poses are moved, those that are moved most first.
+std::string pose_note(const Mechanism& given, const Snapshot& start) {
+    constexpr double typed = 1e-6;  // seven digits of a pose that was computed leave this open
+    constexpr std::size_t most_named = 4;
+    const double length = extent(given);
+    std::vector<std::pair<double, std::string>> moved;
+    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+        const Body& body = given.bodies[b];
+        const double way = (start.state.r[b] - body.r).norm();
+        const double turn = turn_local_between(body.p.normalized(), start.state.p[b]).norm();
+        const double by = std::max(way / length, turn);
+        if (!(by > typed)) { continue; }
+        std::vector<std::string> parts;
+        if (way > typed * length) { parts.push_back(number_text(way, 3) + " m"); }
+        if (turn > typed) { parts.push_back(number_text(turn * kDegreesPerRadian, 3) + "°"); }
+        moved.emplace_back(by, "body " + in_quotes(body.name) + " begins " + listed(parts));
+    }
+    if (moved.empty()) { return {}; }
+    std::ranges::stable_sort(moved, std::greater{}, &std::pair<double, std::string>::first);
+    std::vector<std::string> texts;
+    for (const auto& [by, text] : moved) {
+        if (texts.size() < most_named) { texts.push_back(text); }
+    }
+    const std::size_t more = moved.size() - texts.size();
+    return "the start poses" + (kNearest + listed(texts)) + " from where the file has it" +
+           (more > 0 ? " (and " + std::to_string(more) + " more, by less)" : "");
+}
+
+/// Of the body whose start velocity is changed most; one that was not given is nobody's wish.
+std::string speed_note(const Mechanism& given, const Snapshot& start) {
+    constexpr double typed = 1e-4;  // what four digits leave open is no news
+    const double length = extent(given);
+    double fastest = 0.0;
+    for (const Body& body : given.bodies) {
+        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
+    }
+    double most = typed * fastest;
+    std::string text;
+    const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
+                             const std::string& unit, const std::string& hint) {
+        const double off = (found - wanted).norm();
+        if (wanted.norm() == 0.0 || !(off / size > most)) { return; }
+        most = off / size;
+        text = "body " + in_quotes(body.name) + " was given " + number_text(wanted.norm(), 4) + unit +
+               " and begins with " + number_text(found.norm(), 4) + unit + ", " + number_text(off, 2) + unit +
+               " off" + hint;
+    };
+    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+        const Body& body = given.bodies[b];
+        compare(
+            body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s",
+            " (a joint that is not in its origin asks for a 'velocity' besides)");
+        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", "");
+    }
+    return text.empty() ? text : "the start velocities" + (kNearest + text);
+}
+
 /// Shortly before, as long as that is after the start: at the end itself there may be no pose.
 std::string look_at(double t) {
     if (t <= 0.0) { return "look at that pose with 'jointwise inspect'"; }
@@ -108,15 +176,100 @@ std::string look_at(double t) {
 }
 
 /// @param violation by the size of the scene
-std::string what_contradicts(double violation) {
+/// @param name of the joint or driver that misses what it repeats
+std::string what_contradicts(double violation, const Mechanism& mechanism, const std::string& name) {
+    const bool is_driver =
+        std::ranges::find(mechanism.drivers, name, &Driver::name) != mechanism.drivers.end();
+    if (is_driver && mechanism.drivers.size() > 1) {
+        return "drivers that ask for different things cannot be followed together: leave one out, or make "
+               "their "
+               "functions agree";
+    }
     constexpr double typed = 1e-3;
     if (violation > typed) {
-        return "joints of a loop whose axes or points do not fit, or drivers that lead apart, cannot be kept "
-               "together";
+        return "joints of a loop whose axes or points do not fit" +
+               std::string(mechanism.drivers.empty() ? "" : ", or drivers that lead apart,") +
+               " cannot be kept together";
     }
     return "points and axes of a loop want all their digits, or joints that ask for less (a spherical and a "
            "cylindrical one in the place of two revolutes)";
 }
+
+/// What keeps the steps short, and what helps.
+std::string why_so_many(const SimulationFailure& failure, const SimulationSettings& settings) {
+    const MethodName& method = entry_of(settings.method);
+    if (failure.bound_by_stability) {
+        return "stability kept them short, not accuracy: the scene is stiff (springs, dampers or light "
+               "bodies "
+               "that settle in no time); implicit-5 takes longer ones";
+    }
+    if (!method.adaptive) { return "a longer step or a shorter duration takes fewer"; }
+    std::string text = "accuracy kept them short";
+    if (failure.fastest_rate > 0.0) {
+        text += ": body " + in_quotes(failure.fastest) + " turns at " + number_text(failure.fastest_rate, 3) +
+                " rad/s there";
+    }
+    return text +
+           "; a shorter duration or a larger tolerance takes fewer, and start poses that do not fit "
+           "stretch springs to forces that nobody meant";
+}
+
+/// Watches a run: where it will take long it says so once, with what helps; where stability makes a method
+/// crawl that nobody chose, it gives up.
+class Pace {
+public:
+    Pace(const DynamicsRequest& request, std::string& note) : request_(&request), note_(&note) {}
+
+    bool gave_way() const { return gave_way_; }
+
+    bool look(const RunState& run) {
+        if (request_->progress) { request_->progress(run.t / run.end); }
+        // the pace over the last looks counts: a run may begin slowly
+        if (run.steps % (kLooks * kStepsBetweenLooks) != 0) { return true; }
+        const double way = run.t - t_before_;
+        t_before_ = run.t;
+        if (!(way > 0.0)) { return true; }
+        const double needed = static_cast<double>(run.steps) +
+                              (run.end - run.t) * static_cast<double>(kLooks * kStepsBetweenLooks) / way;
+        const bool stiff = run.bound_by_stability > kMostly;
+        if (stiff && needed > kCrawls && !request_->method_chosen) {
+            gave_way_ = true;
+            return false;
+        }
+        if (said_ || !(needed > (stiff ? kCrawls : static_cast<double>(request_->settings.most_steps)))) {
+            return true;
+        }
+        said_ = true;
+        say(run, needed, stiff);
+        return true;
+    }
+
+private:
+    static constexpr long kLooks = 10;
+    static constexpr double kMostly = 0.5;
+    static constexpr double kCrawls = 5e4;  // an implicit method is some tens of times as dear a step
+
+    void say(const RunState& run, double needed, bool stiff) {
+        const std::string method(entry_of(request_->settings.method).name);
+        std::string text = "at t = " + number_text(run.t, 3) + " s of " + number_text(run.end, 3) + " s " +
+                           method + " has taken " + std::to_string(run.steps) +
+                           " steps; at this pace it takes " + number_text(needed, 2) + " in all";
+        if (static_cast<double>(request_->settings.most_steps) < needed) {
+            text += ", and is given up after " + std::to_string(request_->settings.most_steps);
+        }
+        if (stiff) {
+            text += "; stability keeps the steps short, not accuracy: --method implicit-5 takes longer ones";
+        }
+        *note_ = text;
+        if (request_->tell) { request_->tell(text); }
+    }
+
+    const DynamicsRequest* request_;
+    std::string* note_;
+    double t_before_ = 0.0;
+    bool said_ = false;
+    bool gave_way_ = false;
+};
 
 }  // namespace
 
@@ -129,6 +282,7 @@ DynamicsRequest request_of(const Lesson& lesson) {
     request.settings.tolerance = plan.tolerance;
     request.settings.step = plan.step;
     request.duration = plan.duration;
+    request.method_chosen = plan.method_given;
     return request;
 }
 
@@ -139,34 +293,8 @@ std::vector<double> equal_times(double duration, int intervals) {
 }
 
 std::string start_note(const Mechanism& given, const Snapshot& start) {
-    // what three or four digits leave open is no news
-    constexpr double typed = 1e-2;
-    const double length = extent(given);
-    double fastest = 0.0;
-    for (const Body& body : given.bodies) {
-        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
-    }
-    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
-        const Body& body = given.bodies[b];
-        const Vec3& r_dot = start.velocity.r_dot[b];
-        const Vec3& omega = start.velocity.omega_local[b];
-        const std::string who = "body " + in_quotes(body.name);
-        if (const double way = (start.state.r[b] - body.r).norm(); way > typed * length) {
-            return "the start poses do not fit the joints, nearest ones that do are used: " + who +
-                   " begins " + number_text(way, 3) + " m from where the file has it";
-        }
-        const std::string fit = "the start velocities do not fit the joints, nearest ones that do are used: ";
-        if (body.omega_local.norm() > 0.0 && (omega - body.omega_local).norm() > typed * fastest) {
-            return fit + who + " was given " + number_text(body.omega_local.norm(), 4) +
-                   " rad/s and begins with " + number_text(omega.norm(), 4) +
-                   " rad/s (a joint that is not in its origin asks for a 'velocity' besides)";
-        }
-        if (body.r_dot.norm() > 0.0 && (r_dot - body.r_dot).norm() > typed * fastest * length) {
-            return fit + who + " was given " + number_text(body.r_dot.norm(), 4) + " m/s and begins with " +
-                   number_text(r_dot.norm(), 4) + " m/s";
-        }
-    }
-    return {};
+    const std::string pose = pose_note(given, start);
+    return pose.empty() ? speed_note(given, start) : pose;
 }
 
 Mechanism placed_at(const Mechanism& mechanism, const State& state) {
@@ -178,19 +306,24 @@ Mechanism placed_at(const Mechanism& mechanism, const State& state) {
     return placed;
 }
 
-std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings) {
+std::string failure_text(
+    const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism) {
     const std::string where = "the simulation ends at t = " + number_text(failure.t, 6) + " s: ";
     switch (failure.cause) {
         case SimulationFailure::Cause::contradiction:
             return where + "equations of " + in_quotes(failure.equation_of) +
                    " repeat those of other joints, but miss them by " + number_text(failure.violation, 2) +
-                   " of the scene's size; " + what_contradicts(failure.violation) + "; " + look_at(failure.t);
+                   " of the scene's size; " +
+                   what_contradicts(failure.violation, mechanism, failure.equation_of) + "; " +
+                   look_at(failure.t);
         case SimulationFailure::Cause::out_of_reach:
             return where + "equations of " + in_quotes(failure.equation_of) +
                    " cannot be met there (off by " + number_text(failure.violation, 2) +
-                   " of the scene's size): a reach ends, a driver leads where the mechanism cannot follow, "
-                   "or it "
-                   "is locked; " +
+                   " of the scene's size): " +
+                   (mechanism.drivers.empty()
+                        ? "a reach ends there, or the mechanism is locked; "
+                        : "a driver leads where the mechanism cannot follow, a reach ends, or it is "
+                          "locked; ") +
                    look_at(failure.t);
         case SimulationFailure::Cause::not_proven:
             return where + "accelerations do not satisfy " +
@@ -206,10 +339,8 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
                    "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "
                    "helps, for stiff springs implicit-5";
         case SimulationFailure::Cause::too_many_steps:
-            return where + std::to_string(settings.most_steps) +
-                   " steps were not enough; a stiff scene (springs or dampers that settle in no time) needs "
-                   "implicit-5, one that moves fast a larger tolerance or step, a singular position another "
-                   "start";
+            return where + std::to_string(settings.most_steps) + " steps were not enough; " +
+                   why_so_many(failure, settings);
         case SimulationFailure::Cause::step_too_small: break;
     }
     if (entry_of(settings.method).kind == MethodKind::radau) {
@@ -224,26 +355,60 @@ std::string failure_text(const SimulationFailure& failure, const SimulationSetti
            look_at(failure.t);
 }
 
-DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
+namespace {
+
+/// One run by the method of `request`. @return whether the method gave way to an implicit one
+bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, request.settings);
-    DynamicsTable table;
     table.columns = columns_of(lesson);
-    const std::size_t kinetic = table.columns.size() - 5;
+    table.rows.clear();
+    table.not_unique.clear();
+    const bool noted = !table.start_note.empty();
+    Pace pace(request, table.pace_note);
+    const auto receive = [&](double t, const std::vector<double>& y) {
+        const Snapshot now = simulation.snapshot(t, y);
+        if (t == 0.0) {
+            table.start_note = start_note(lesson.mechanism, now);
+            if (!noted && !table.start_note.empty() && request.tell) { request.tell(table.start_note); }
+        }
+        std::vector<double> row = row_of(now, lesson.mechanism);
+        if (request.reactions) {
+            const Reactions found = reactions_from_body_frames(
+                simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
+            add_reactions(found, lesson.mechanism, table, row);
+        }
+        table.rows.push_back(std::move(row));
+    };
     table.outcome = simulation.run(
-        equal_times(request.duration, request.samples), [&](double t, const std::vector<double>& y) {
-            const Snapshot now = simulation.snapshot(t, y);
-            if (t == 0.0) { table.start_note = start_note(lesson.mechanism, now); }
-            std::vector<double> row = row_of(now, lesson.mechanism);
-            if (request.reactions) {
-                const Reactions found = reactions_from_body_frames(
-                    simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
-                add_reactions(found, lesson.mechanism, table, row);
-            }
-            table.rows.push_back(std::move(row));
-        });
+        equal_times(request.duration, request.samples), receive,
+        [&](const RunState& run) { return pace.look(run); });
+    return pace.gave_way();
+}
+
+}  // namespace
+
+DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
+    DynamicsTable table;
+    const std::size_t kinetic = columns_of(lesson).size() - 5;
+    DynamicsRequest used = request;
+    if (run_once(lesson, used, table)) {
+        const std::string method(entry_of(used.settings.method).name);
+        used.settings.method = Method::implicit_5;
+        used.settings.dense.reset();
+        used.method_chosen = true;
+        const long steps = table.outcome.counts.steps;
+        table.pace_note = "the scene is stiff: stability kept the steps of " + method +
+                          " short, not accuracy (" + std::to_string(steps) +
+                          " of them to t = " + number_text(table.outcome.failure->t, 3) +
+                          " s); implicit-5 was taken instead, --method " + method + " keeps it";
+        if (request.tell) { request.tell(table.pace_note); }
+        run_once(lesson, used, table);
+    }
     table.summary = summary_of(table, kinetic);
     table.fit_note = fit_note(table, kinetic);
-    if (table.outcome.failure) { table.failure = failure_text(*table.outcome.failure, request.settings); }
+    if (table.outcome.failure) {
+        table.failure = failure_text(*table.outcome.failure, used.settings, lesson.mechanism);
+    }
     return table;
 }
 

@@ -16,7 +16,15 @@ struct DynamicsRequest {
     double duration = 1.0;  ///< [s]
     int samples = 100;      ///< equal intervals
     bool reactions = false;
+    /// Somebody chose the method. If nobody did, one that stability would make crawl gives way to implicit-5.
+    bool method_chosen = false;
+    /// Called as soon as it is known: a note on the start, or that the run will take long and what helps.
+    std::function<void(const std::string& note)> tell = {};
+    std::function<void(double fraction)> progress = {};
 };
+
+/// Steps that `simulate` takes unless it is allowed more: minutes, not hours.
+inline constexpr long kMostStepsUnasked = 1'000'000;
 /// @throws std::invalid_argument if the lesson has no [dynamics]
 DynamicsRequest request_of(const Lesson& lesson);
 
@@ -28,6 +36,7 @@ struct DynamicsTable {
     std::string summary;     ///< steps, evaluations, drift in words
     std::string failure;     ///< what went wrong, where and why; empty if nothing did
     std::string start_note;  ///< see start_note
+    std::string pace_note;   ///< that the run would take long, or that another method was taken
     std::string fit_note;    ///< that a loop does not quite fit, where that decides about its branch
     /// Joints whose reactions are one of many answers; only if reactions were asked for.
     std::vector<std::string> not_unique;
@@ -46,6 +55,7 @@ Mechanism placed_at(const Mechanism& mechanism, const State& state);
 std::string start_note(const Mechanism& given, const Snapshot& start);
 
 /// Why a simulation ended early, with what to do about it.
-std::string failure_text(const SimulationFailure& failure, const SimulationSettings& settings);
+std::string failure_text(
+    const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism);
 
 }  // namespace jw

@@ -110,8 +110,8 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
 }
 
 /// "62.25°" of what a driver prescribes.
-std::string measure_text(const Driver& driver, double value) {
-    constexpr int digits = 7;  // of two that differ little
+/// @param digits 7: of two that differ little
+std::string measure_text(const Driver& driver, double value, int digits = 7) {
     const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
                           std::holds_alternative<ThetaMeasure>(driver.measure);
     if (is_angle) { return number_text(value * kDegreesPerRadian, digits) + "°"; }
@@ -126,7 +126,7 @@ std::string drivers_text(const System& system, const PositionFailure& failure) {
     const std::string when = " at t = " + number_text(failure.t) + " s";
     const std::string asks = measure_text(last, c.asked);
     const std::string finds = measure_text(last, c.found);
-    const std::string apart = measure_text(last, c.gap);
+    const std::string apart = measure_text(last, c.gap, 3);
     if (c.drivers.size() == 1) {
         return "Driver " + last.name + " leads where the mechanism cannot follow" + when + ": it asks for " +
                asks + ", and the nearest that can be reached is " + finds + ", " + apart +

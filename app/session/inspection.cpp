@@ -101,7 +101,8 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
             inspection.velocity = snapshot.velocity;
         });
     if (outcome.failure) {
-        throw PoseNotReached(lesson.file_name + ": " + failure_text(*outcome.failure, settings));
+        throw PoseNotReached(
+            lesson.file_name + ": " + failure_text(*outcome.failure, settings, lesson.mechanism));
     }
 }
 

@@ -250,7 +250,8 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
     const std::vector<double> times = equal_times(plan.to, intervals);
-    const auto centroidal = std::make_shared<Centroidal>(simulation.scene());
+    auto centroidal = std::make_shared<const Centroidal>(simulation.scene());
+    const bool counts_turns = !centroidal->loads.rotational_springs.empty();
     System system = *system_;
     std::shared_ptr<const System> shared = system_;
     const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
@@ -267,6 +268,8 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         step.velocity = snapshot.velocity;
         step.acceleration = simulation.acceleration_as_given(t, y);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
+        // springs that have been wound up know their turns from the run alone
+        if (counts_turns) { centroidal = std::make_shared<const Centroidal>(simulation.scene()); }
         step.centroidal = centroidal;
         step.centroidal_acceleration = simulation.acceleration(t, y);
         steps_.push_back(std::move(step));
@@ -282,7 +285,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         start.velocity = start_motion(assembled);
         start.acceleration = zero_motion(assembled);
     }
-    steps_.back().ended = failure_text(*outcome.failure, request.settings);
+    steps_.back().ended = failure_text(*outcome.failure, request.settings, lesson_->mechanism);
 }
 
 }  // namespace jw

@@ -1,10 +1,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/dynamics_run.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {
@@ -82,6 +84,118 @@ TEST_CASE("simulate --reactions adds forces and names what is not unique", "[app
     CHECK(lines[0].find(".force.x") != std::string::npos);
     CHECK(std::ranges::count(lines[0], ',') == std::ranges::count(lines[1], ','));
     CHECK(ran.err.find("is not unique") != std::string::npos);
+}
+
+TEST_CASE("simulate --reactions marks every number that other answers share", "[app][dynamics]") {
+    const Ran ran = run(
+        {"simulate", lesson_path("dynamics/four-bar-1.toml"), "--reactions", "--samples", "2", "--duration",
+         "0.1", "--output", "json"});
+    REQUIRE(ran.status == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    const auto columns = json["columns"].get<std::vector<std::string>>();
+    const auto column = [&](const std::string& name) {
+        const auto found = std::ranges::find(columns, name);
+        REQUIRE(found != columns.end());
+        return static_cast<std::size_t>(found - columns.begin());
+    };
+    const std::string joint = json["not_unique"][0];
+    for (const auto& row : json["rows"]) {
+        REQUIRE(row.size() == columns.size());
+        // in the plane of a planar loop everything is determined, across it nothing is
+        CHECK(row[column(joint + ".force.unique.x")] == 1.0);
+        CHECK(row[column(joint + ".force.unique.y")] == 1.0);
+        CHECK(row[column(joint + ".force.unique.z")] == 0.0);
+        CHECK(row[column(joint + ".torque.unique.x")] == 0.0);
+    }
+    // what was there before stands where it stood
+    CHECK(column(joint + ".force.unique.x") > column(joint + ".torque.z"));
+    CHECK(columns.back().find(".torque.unique.z") != std::string::npos);
+}
+
+TEST_CASE("A spring wound up by more than a turn swings as its formula says", "[app][dynamics]") {
+    const Folder folder;
+    for (const double free_deg : {400.0, -1000.0}) {
+        const std::string file = folder.file(
+            "wound.toml",
+            "format = 1\ntitle = \"t\"\n[[body]]\nname = \"wheel\"\nmass = 1\ninertia = [1, 1, 1.5]\n"
+            "[[joint]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"ground\", \"wheel\"]\nat = [0, 0, "
+            "0]\n"
+            "axis = [0, 0, 1]\n[dynamics]\nduration = 3\n[[rotational_spring]]\njoint = \"hinge\"\n"
+            "stiffness = 6\nfree_angle_deg = " +
+                std::to_string(free_deg) + "\n");
+        for (const char* method : {"explicit-8", "explicit-5", "implicit-5"}) {
+            CAPTURE(free_deg, method);
+            const Ran ran = run(
+                {"simulate", file, "--method", method, "--tolerance", "1e-10", "--samples", "30", "--output",
+                 "json"});
+            REQUIRE(ran.status == 0);
+            const auto json = nlohmann::json::parse(ran.out);
+            const auto columns = json["columns"].get<std::vector<std::string>>();
+            const auto column = [&](const char* name) {
+                return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
+            };
+            const double way = free_deg * std::acos(-1.0) / 180.0;
+            const double frequency = 2.0;  // root of 6 / 1.5
+            for (const auto& row : json["rows"]) {
+                const double t = row[0].get<double>();
+                // hundreds of steps of 1e-10, by the size of the motion
+                const double allowed = 1e-7 * std::abs(way);
+                CHECK(
+                    row[column("wheel.omega_local.z")].get<double>() ==
+                    Approx(way * frequency * std::sin(frequency * t)).margin(allowed));
+                CHECK(
+                    row[column("potential_J")].get<double>() ==
+                    Approx(3.0 * std::pow(way * std::cos(frequency * t), 2))
+                        .margin(20.0 * allowed * std::abs(way)));
+            }
+        }
+    }
+}
+
+TEST_CASE("check proves where a motion by forces ends, and finds a wrong digit", "[app][dynamics]") {
+    const Ran right = run({"check", kPendulum});
+    CHECK(right.status == 0);
+    CHECK(right.out.find("holds  at 10 s") != std::string::npos);
+    CHECK(right.out.find("point_at_end") != std::string::npos);
+    std::string text = bytes_of(kPendulum);
+    const std::string end = "point_at_end = [-0.29585";
+    const std::size_t where = text.find(end);
+    REQUIRE(where != std::string::npos);
+    text.replace(where, end.size(), "point_at_end = [-0.29586");
+    const Folder folder;
+    const Ran wrong = run({"check", folder.file("wrong.toml", text)});
+    CHECK(wrong.status == 1);
+    CHECK(wrong.out.find("FAILS  at 10 s") != std::string::npos);
+    CHECK(wrong.out.find("off by 1.0e-05") != std::string::npos);
+}
+
+TEST_CASE("simulate names every start pose that it moves, however little", "[app][dynamics]") {
+    const std::string exact = bytes_of(kPendulum);
+    const Folder folder;
+    CHECK(run({"simulate", kPendulum, "--duration", "0.1"}).err.find("start poses") == std::string::npos);
+    const std::size_t body = exact.find("name = \"ball\"");
+    REQUIRE(body != std::string::npos);
+    const std::size_t begin = exact.find("position", body);
+    REQUIRE(begin != std::string::npos);
+    const std::size_t end = exact.find('\n', begin);
+    for (const char* position : {"[-1, 0.003, 0]", "[-1.00001, 0, 0]", "[-1.3, 0, 0]"}) {
+        CAPTURE(position);
+        std::string moved = exact;
+        moved.replace(begin, end - begin, std::string("position = ") + position);
+        const Ran ran = run({"simulate", folder.file("moved.toml", moved), "--duration", "0.1"});
+        CHECK(ran.err.find("start poses do not fit the joints") != std::string::npos);
+        CHECK(ran.err.find("body 'ball' begins") != std::string::npos);
+    }
+}
+
+TEST_CASE("A motion that ends without drivers is not blamed on one", "[app][dynamics]") {
+    SimulationFailure failure;
+    failure.cause = SimulationFailure::Cause::out_of_reach;
+    failure.equation_of = "hinge";
+    Mechanism mechanism;
+    CHECK(failure_text(failure, {}, mechanism).find("driver") == std::string::npos);
+    mechanism.drivers.emplace_back();
+    CHECK(failure_text(failure, {}, mechanism).find("a driver leads") != std::string::npos);
 }
 
 TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[app][dynamics]") {
