@@ -109,24 +109,27 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
     return text + "Check lengths, points and axes of " + (names.size() == 1 ? "it" : "these joints") + ".";
 }
 
-/// "62.25°" of what a driver prescribes.
-/// @param digits 7: of two that differ little
-std::string measure_text(const Driver& driver, double value, int digits = 7) {
+/// "62.25°" of what a driver prescribes, to a hundredth of the gap: the fit that found it is no better.
+std::string measure_text(const Driver& driver, double value, double gap) {
+    constexpr int digits = 9;  // of two that differ little
     const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
                           std::holds_alternative<ThetaMeasure>(driver.measure);
-    if (is_angle) { return number_text(value * kDegreesPerRadian, digits) + "°"; }
+    const double factor = is_angle ? kDegreesPerRadian : 1.0;
+    const double step = 0.01 * std::pow(10.0, std::floor(std::log10(std::max(factor * gap, 1e-300))));
+    const std::string number = number_text(step * std::round(factor * value / step), digits);
+    if (is_angle) { return number + "°"; }
     const auto* coordinate = std::get_if<CoordinateMeasure>(&driver.measure);
     const bool is_number = coordinate != nullptr && coordinate->coordinate >= 3;
-    return number_text(value, digits) + (is_number ? "" : " m");
+    return number + (is_number ? "" : " m");
 }
 
 std::string drivers_text(const System& system, const PositionFailure& failure) {
     const Contradiction& c = *failure.contradiction;
     const Driver& last = driver_at(system, c.drivers.back());
     const std::string when = " at t = " + number_text(failure.t) + " s";
-    const std::string asks = measure_text(last, c.asked);
-    const std::string finds = measure_text(last, c.found);
-    const std::string apart = measure_text(last, c.gap, 3);
+    const std::string asks = measure_text(last, c.asked, c.gap);
+    const std::string finds = measure_text(last, c.found, c.gap);
+    const std::string apart = measure_text(last, c.gap, c.gap);
     if (c.drivers.size() == 1) {
         return "Driver " + last.name + " leads where the mechanism cannot follow" + when + ": it asks for " +
                asks + ", and the nearest that can be reached is " + finds + ", " + apart +
