@@ -99,7 +99,7 @@ ReferenceWay by_run(
     const SimulationOutcome outcome =
         simulation.run(times, [&](double, const std::vector<double>& y) { record(y); });
     if (outcome.failure) {
-        way.failure = "at tolerance 1e-12 " + failure_text(*outcome.failure, settings);
+        way.failure = "at tolerance 1e-12 " + failure_text(*outcome.failure, settings, lesson.mechanism);
     } else {
         way.path = std::move(record.path);
     }
