@@ -32,15 +32,15 @@ void ask_of_first_seeds(const std::string& name, int count) {
 }  // namespace
 
 TEST_CASE("The rank of generated mechanisms is that of a QR in long double", "[soak]") {
-    ask_of_first_seeds("rank", 100);
+    ask_of_first_seeds("rank", 1000);
 }
 
 TEST_CASE("Velocities and accelerations of driven mechanisms are those of the reference", "[soak]") {
-    ask_of_first_seeds("kinematics", 100);
+    ask_of_first_seeds("kinematics", 1000);
 }
 
 TEST_CASE("Generated mechanisms that are pushed off come back onto the constraints", "[soak]") {
-    ask_of_first_seeds("assembly", 100);
+    ask_of_first_seeds("assembly", 1000);
 }
 
 TEST_CASE("Accelerations are the same in all forms of the equations and in long double", "[soak]") {
