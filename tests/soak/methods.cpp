@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "core/dynamics/simulation.hpp"
@@ -122,6 +123,13 @@ Apart apart(
 
 Verdict methods_converge(const Generated& generated) {
     if (!(generated.condition < 1e3)) { return not_asked("it begins near a singular pose"); }
+    const auto dropped_by_hand = [](const Joint& joint) {
+        return joint.parallel_form == ParallelForm::drop_x || joint.parallel_form == ParallelForm::drop_y ||
+               joint.parallel_form == ParallelForm::drop_z;
+    };
+    if (std::ranges::any_of(generated.mechanism.joints, dropped_by_hand)) {
+        return not_asked("two rows that are kept by hand may lose their rank on the way");
+    }
     const std::vector<double> times = times_of(generated);
     const Expected expected = expected_of(generated, times);
     if (!expected.refused.empty()) { return not_asked(expected.refused); }
