@@ -32,3 +32,5 @@ find_package(Catch2 2.13 REQUIRED)
 find_library(RAPIDCHECK_LIBRARY rapidcheck REQUIRED)
 add_library(RapidCheck::RapidCheck UNKNOWN IMPORTED)
 set_target_properties(RapidCheck::RapidCheck PROPERTIES IMPORTED_LOCATION ${RAPIDCHECK_LIBRARY})
+# tests only: what the program computes does not depend on which LAPACK a machine has
+pkg_check_modules(lapacke REQUIRED IMPORTED_TARGET lapacke)

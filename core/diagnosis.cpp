@@ -5,8 +5,8 @@
 
 #include "core/closest_fit.hpp"
 #include "core/newton.hpp"
+#include "core/numerics/svd.hpp"
 #include "core/rank.hpp"
-#include "core/svd.hpp"
 
 namespace jw {
 
@@ -37,11 +37,15 @@ Fit fit_at(const System& system, State state, double t) {
     equations.look(state);
     Fit fit{std::move(state), equations.phi(), equations.raw(), 1.0, 0.0};
     if (!fit.phi.allFinite()) { return fit; }
-    const Eigen::BDCSVD<MatrixX> svd(equations.jacobian(), Eigen::ComputeThinU);
-    const VectorX& sigma = svd.singularValues();
+    const Svd svd = svd_of(equations.jacobian());
+    if (!svd.sound) {
+        fit.smallest_singular_value = 1.0;  // nothing can be said of it
+        return fit;
+    }
+    const VectorX& sigma = svd.sigma;
     const double slack = std::min(kErrorFactor * fit.phi.cwiseAbs().maxCoeff(), kLargestSlack);
     const VectorX gradient = (sigma.array() > slack * sigma(0))
-                                 .select(sigma.cwiseProduct(svd.matrixU().transpose() * fit.phi), 0.0);
+                                 .select(sigma.cwiseProduct(svd.U.transpose() * fit.phi), 0.0);
     fit.flatness = gradient.norm() / std::max(sigma(0) * fit.phi.norm(), 1e-300);
     // smallest among those that should not vanish: redundancy aside, the last ratio that is no rounding
     for (const double s : sigma) {

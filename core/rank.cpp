@@ -7,7 +7,7 @@
 
 #include "core/assembler.hpp"
 #include "core/least_squares.hpp"
-#include "core/svd.hpp"
+#include "core/numerics/svd.hpp"
 
 namespace jw {
 
@@ -154,10 +154,7 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
 
 }  // namespace
 
-VectorX singular_values_of(const MatrixX& matrix) {
-    if (matrix.size() == 0) { return {}; }
-    return Eigen::BDCSVD<MatrixX>(matrix).singularValues();
-}
+VectorX singular_values_of(const MatrixX& matrix) { return svd_of(matrix).sigma; }
 
 RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi) {
     RankReport report;
@@ -179,8 +176,8 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
     }
 
     const MatrixX scaled = scaling.row.cwiseInverse().asDiagonal() * jacobian * scaling.column.asDiagonal();
-    const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
-    report.singular_values = svd.singularValues();
+    const Svd svd = svd_of(scaled);
+    report.singular_values = svd.sigma;
     report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
     report.assembled = report.residual <= kAssembledResidual;
 
@@ -206,7 +203,7 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
             redundant_rows_of(system, scaled, scaling, report.rank, std::sqrt(last * next));
     }
     if (report.dof > 0) {
-        report.free_motions = readable_basis(svd.matrixV().rightCols(report.dof), scaling.column);
+        report.free_motions = readable_basis(svd.V.rightCols(report.dof), scaling.column);
     }
     return report;
 }

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/dynamics/constraint_rounding.hpp"
-#include "core/svd.hpp"
+#include "core/numerics/svd.hpp"
 
 /// What the block equations do besides accelerations: back onto the constraints, choice of rows, freedoms.
 namespace jw {
@@ -218,11 +218,9 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
     if (nodes_.empty()) { return upper.solve(MatrixX::Identity(columns, columns)); }
     const MatrixX scaled =
         root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();
-    const Eigen::BDCSVD<MatrixX> svd(scaled, Eigen::ComputeFullV);
-    const double largest = svd.singularValues().size() > 0 ? svd.singularValues()(0) : 0.0;
-    Eigen::Index rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()(rank) > kFree * largest) { ++rank; }
-    return upper.solve(svd.matrixV().rightCols(columns - rank));
+    const Svd svd = svd_of(scaled);
+    const double largest = svd.sigma.size() > 0 ? svd.sigma(0) : 0.0;
+    return upper.solve(svd.V.rightCols(columns - svd.rank(kFree * largest)));
 }
 
 template double BlockEquations<3>::largest(const std::vector<double>&, bool) const;

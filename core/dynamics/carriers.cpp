@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/body_kinematics.hpp"
+#include "core/numerics/svd.hpp"
 #include "core/rank.hpp"
-#include "core/svd.hpp"
 
 namespace jw {
 
@@ -111,14 +111,11 @@ Carrier carrier_of(const Link& link, const Vec3& point, const Situation& situati
     // rows of any size count alike
     const VectorX size = pulls.wrench.colwise().norm().transpose();
     const VectorX inverse = (size.array() > 0.0).select(size.cwiseInverse(), 0.0);
-    const Eigen::JacobiSVD<MatrixX> svd(
-        pulls.wrench * inverse.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const VectorX& sigma = svd.singularValues();
-    Eigen::Index rank = 0;
-    while (rank < sigma.size() && sigma(rank) > kRankThreshold) { ++rank; }
+    const Svd svd = svd_of(pulls.wrench * inverse.asDiagonal());
+    const Eigen::Index rank = svd.rank(kRankThreshold);
     const MatrixX lambda =
-        inverse.asDiagonal() * svd.matrixV().leftCols(rank) * sigma.head(rank).cwiseInverse().asDiagonal();
-    return {svd.matrixU().leftCols(rank), pulls.equilibrium * lambda, lambda, pulls.violation};
+        inverse.asDiagonal() * svd.V.leftCols(rank) * svd.sigma.head(rank).cwiseInverse().asDiagonal();
+    return {svd.U.leftCols(rank), pulls.equilibrium * lambda, lambda, pulls.violation};
 }
 
 }  // namespace jw

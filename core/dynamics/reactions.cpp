@@ -6,7 +6,7 @@
 #include "core/dynamics/carriers.hpp"
 #include "core/dynamics/forces.hpp"
 #include "core/dynamics/saddle_point.hpp"
-#include "core/svd.hpp"
+#include "core/numerics/svd.hpp"
 
 namespace jw {
 
@@ -115,15 +115,12 @@ Bracing::Bracing(const Situation& s) : length_(s.length) {
 
 MatrixX Bracing::answers(const VectorX& needed) const {
     if (equilibrium_.cols() == 0) { return MatrixX(0, 1); }
-    const Eigen::BDCSVD<MatrixX> svd(equilibrium_, Eigen::ComputeThinU | Eigen::ComputeFullV);
-    const VectorX& sigma = svd.singularValues();
-    const double threshold = rank_threshold(violation_) * sigma(0);
-    Eigen::Index rank = 0;
-    while (rank < sigma.size() && sigma(rank) > threshold) { ++rank; }
-    const MatrixX& V = svd.matrixV();
-    const VectorX components = svd.matrixU().leftCols(rank).transpose() * needed;
+    const Svd svd = svd_of(equilibrium_);
+    const Eigen::Index rank = svd.rank(rank_threshold(violation_) * svd.sigma(0));
+    const MatrixX& V = svd.V;
+    const VectorX components = svd.U.leftCols(rank).transpose() * needed;
     MatrixX out(V.rows(), 1 + V.cols() - rank);
-    out << V.leftCols(rank) * components.cwiseQuotient(sigma.head(rank)), V.rightCols(V.cols() - rank);
+    out << V.leftCols(rank) * components.cwiseQuotient(svd.sigma.head(rank)), V.rightCols(V.cols() - rank);
     return out;
 }
 
