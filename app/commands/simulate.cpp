@@ -82,6 +82,8 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
           {"constraint_accelerations", table.outcome.residual.constraints}}},
         {"not_unique", table.not_unique},
         {"pace_note", table.pace_note.empty() ? Json() : Json(table.pace_note)},
+        {"reaction_residual", table.reaction_residual ? number(*table.reaction_residual) : Json()},
+        {"reaction_bound", table.reaction_residual ? number(table.reaction_bound) : Json()},
         {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
         {"fit_note", table.fit_note.empty() ? Json() : Json(table.fit_note)},
         {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
@@ -121,6 +123,9 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     }
     streams.err << "jointwise: " << table.summary << '\n';
     if (!table.fit_note.empty()) { streams.err << "jointwise: note: " << table.fit_note << '\n'; }
+    if (!table.reaction_note.empty()) {
+        streams.err << "jointwise: warning: " << table.reaction_note << '\n';
+    }
     for (const std::string& name : table.not_unique) {
         streams.err << "jointwise: note: the reaction in '" << name
                     << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";

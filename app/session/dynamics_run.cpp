@@ -78,6 +78,18 @@ void add_reactions(
     row.insert(row.end(), marks.begin(), marks.end());
 }
 
+/// The equilibrium of every body, beside the reactions that should give it.
+void add_residual(const Reactions& found, double t, DynamicsTable& table) {
+    if (!table.reaction_residual || found.residual > *table.reaction_residual) {
+        table.reaction_residual = found.residual;
+        table.reaction_bound = found.bound;
+    }
+    if (found.holds() || !table.reaction_note.empty()) { return; }
+    table.reaction_note =
+        "at t = " + number_text(t, 6) + " s the reactions leave " + small_text(found.residual) +
+        " of the forces on the bodies unexplained, where rounding explains " + small_text(found.bound);
+}
+
 std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
     const IntegrationCounts& c = table.outcome.counts;
     std::string text = std::to_string(c.steps) + " steps, " + std::to_string(c.rejected) + " rejected, " +
@@ -363,6 +375,8 @@ bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTabl
     table.columns = columns_of(lesson);
     table.rows.clear();
     table.not_unique.clear();
+    table.reaction_residual.reset();
+    table.reaction_note.clear();
     const bool noted = !table.start_note.empty();
     Pace pace(request, table.pace_note);
     const auto receive = [&](double t, const std::vector<double>& y) {
@@ -376,6 +390,7 @@ bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTabl
             const Reactions found = reactions_from_body_frames(
                 simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
             add_reactions(found, lesson.mechanism, table, row);
+            add_residual(found, t, table);
         }
         table.rows.push_back(std::move(row));
     };

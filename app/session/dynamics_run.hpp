@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct DynamicsTable {
     std::string fit_note;    ///< that a loop does not quite fit, where that decides about its branch
     /// Joints whose reactions are one of many answers; only if reactions were asked for.
     std::vector<std::string> not_unique;
+    /// What of M q̈ − Q no reaction explains, by |M q̈| + |Q|: the largest of all rows, and how large it may be
+    /// there; only if reactions were asked for.
+    std::optional<double> reaction_residual;
+    double reaction_bound = 0.0;
+    std::string reaction_note;  ///< that it is larger than that, and where first; mostly empty
 };
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);

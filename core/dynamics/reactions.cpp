@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/dynamics/carriers.hpp"
 #include "core/dynamics/forces.hpp"
 #include "core/dynamics/saddle_point.hpp"
 #include "core/numerics/svd.hpp"
+#include "core/rank.hpp"
 
 namespace jw {
 
@@ -17,6 +19,9 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// A component belongs to the family if it takes part by more than this: far above the error of a null
 /// vector, which is the error of the state over the smallest singular value.
 constexpr double kTakesPart = 1e-6;
+
+// accelerations are solved for by factors of Φq M⁻¹ Φqᵀ, whose condition is that of Φq squared
+constexpr double kRoundings = 1e5;
 
 /// M q̈ - Q of every moving body: forces, then torques about the centre of mass over ℓ, global.
 struct Needed {
@@ -81,6 +86,7 @@ public:
     /// x = (smallest answer, then the family).
     MatrixX answers(const VectorX& needed) const;
     double residual(const VectorX& x, const Needed& needed) const;
+    double bound() const;
     Wrench wrench(std::size_t link, const VectorX& x) const;
     double first_lambda(std::size_t link, const VectorX& x) const;
 
@@ -128,6 +134,10 @@ double Bracing::residual(const VectorX& x, const Needed& needed) const {
     return needed.size > 0.0 ? (equilibrium_ * x - needed.wrenches).norm() / needed.size : 0.0;
 }
 
+double Bracing::bound() const {
+    return kRoundings * std::numeric_limits<double>::epsilon() + kErrorFactor * violation_;
+}
+
 Wrench Bracing::wrench(std::size_t link, const VectorX& x) const {
     const Vec6 six = carriers_[link].wrench * part(link, x);
     return {six.head<3>(), length_ * six.tail<3>()};
@@ -171,7 +181,7 @@ Reactions find_reactions(
     const Needed needed = needed_wrenches(situation, velocity, acceleration);
     const MatrixX answers = bracing.answers(needed.wrenches);
     const VectorX smallest = answers.col(0);
-    Reactions out{bracing.reactions(), {}, bracing.residual(smallest, needed)};
+    Reactions out{bracing.reactions(), {}, bracing.residual(smallest, needed), bracing.bound()};
     out.family.resize(at(static_cast<int>(answers.cols())) - 1);
     for (std::size_t n = 0; n < out.reactions.size(); ++n) {
         Reaction& reaction = out.reactions[n];

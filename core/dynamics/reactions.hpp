@@ -48,8 +48,12 @@ struct Reactions {
     /// What of M q̈ - Q no reaction explains, by |M q̈| + |Q|: 0 for accelerations that obey the equations of
     /// motion.
     double residual = 0.0;
+    /// Of `residual`: rounding of accelerations and wrenches, and what a violation of the constraints leaves.
+    /// More says that the accelerations do not obey the equations of motion.
+    double bound = 0.0;
 
     bool unique() const { return family.empty(); }
+    bool holds() const { return residual <= bound; }
 };
 
 /// From the wrenches M q̈ - Q that the joints must have put on every body, whichever way the accelerations

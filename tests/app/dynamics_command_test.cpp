@@ -198,6 +198,22 @@ TEST_CASE("A motion that ends without drivers is not blamed on one", "[app][dyna
     CHECK(failure_text(failure, {}, mechanism).find("a driver leads") != std::string::npos);
 }
 
+TEST_CASE("simulate --reactions says what of the forces no reaction explains", "[app][dynamics]") {
+    const auto simulated = [](const char* reactions) {
+        std::vector<std::string> arguments{
+            "simulate", lesson_path("dynamics/four-bar-1.toml"), "--samples", "4", "--output", "json"};
+        if (*reactions != 0) { arguments.emplace_back(reactions); }
+        const Ran ran = run(arguments);
+        REQUIRE(ran.status == 0);
+        CHECK(ran.err.find("unexplained") == std::string::npos);
+        return nlohmann::json::parse(ran.out);
+    };
+    const nlohmann::json with = simulated("--reactions");
+    CHECK(with["reaction_residual"] <= with["reaction_bound"]);
+    CHECK(with["reaction_bound"] < 1e-9);
+    CHECK(simulated("")["reaction_residual"].is_null());
+}
+
 TEST_CASE("simulate refuses what it cannot do, with status 2 and a way out", "[app][dynamics]") {
     const auto refused = [](std::vector<std::string> arguments, const std::string& word) {
         arguments.insert(arguments.begin(), "simulate");
