@@ -7,6 +7,7 @@
 #include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
+#include "app/session/numbers.hpp"
 #include "app/session/solution.hpp"
 
 namespace jw {
@@ -62,11 +63,17 @@ void write_json(
     const Lesson& lesson = tried.lesson;
     Json rows = Json::array();
     for (const SweepRow& row : sweep.rows) {
-        rows.push_back(
-            {{"values", row.values},
-             {"unique", row.unique},
-             {"consistent", row.consistent},
-             {"change_point", row.change_point}});
+        Json entry{
+            {"values", row.values},
+            {"unique", row.unique},
+            {"consistent", row.consistent},
+            {"change_point", row.change_point},
+            {"position_residual", json_of(row.residuals.position)}};
+        if (options.analysis != "position") { entry["velocity_residual"] = json_of(row.residuals.velocity); }
+        if (options.analysis == "acceleration") {
+            entry["acceleration_residual"] = json_of(row.residuals.acceleration);
+        }
+        rows.push_back(std::move(entry));
     }
     Json json{
         {"format", "jointwise solve"},
@@ -80,11 +87,29 @@ void write_json(
     out << json.dump(1) << '\n';
 }
 
+/// The first row whose answer misses its equations by more than rounding, where nothing else has said so.
+void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& streams) {
+    const auto say = [&](const char* what, EquationResidual KinematicResiduals::*part) {
+        for (const SweepRow& row : sweep.rows) {
+            const EquationResidual& found = row.residuals.*part;
+            if (found.holds() || row.change_point || !row.consistent) { continue; }
+            streams.err << "jointwise: warning: at t = " << number_text(row.values.front()) << " s " << what
+                        << " miss their equations by " << small_text(found.residual)
+                        << ", where rounding explains " << small_text(found.bound) << '\n';
+            return;
+        }
+    };
+    say("positions", &KinematicResiduals::position);
+    if (analysis != Analysis::position) { say("velocities", &KinematicResiduals::velocity); }
+    if (analysis == Analysis::acceleration) { say("accelerations", &KinematicResiduals::acceleration); }
+}
+
 void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Streams& streams) {
     if (lesson.dynamics && !lesson.motion) {
         streams.err << "jointwise: note: masses and forces play no part here; 'jointwise simulate "
                     << lesson.file_name << "' moves it by them\n";
     }
+    warn_of_residuals(sweep, analysis, streams);
     if (analysis == Analysis::position) { return; }
     const bool unique = std::ranges::all_of(sweep.rows, &SweepRow::unique);
     const bool consistent = std::ranges::all_of(sweep.rows, &SweepRow::consistent);

@@ -22,6 +22,9 @@ void evaluate(Inspection& inspection) {
         inspection.nu = assembler.nu();
         inspection.gamma = assembler.gamma();
     });
+    const System& system = *inspection.system;
+    inspection.residuals = residuals_of(
+        system, inspection.state, inspection.velocity, zero_motion(system.mechanism()), inspection.t);
     inspection.singular_values = singular_values_of(inspection.jacobian);
     inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/session/story.hpp"
+#include "core/kinematic_residuals.hpp"
 
 /// Every number of a system at one moment, in the coordinates that were asked for.
 namespace jw {
@@ -20,6 +21,7 @@ struct Inspection {
     MatrixX jacobian;
     VectorX nu;
     VectorX gamma;
+    KinematicResiduals residuals;  ///< of the pose and of `velocity`; accelerations are not part of it
     VectorX singular_values;  ///< of `jacobian` as it stands
     RankReport rank;          ///< kinematic, whatever the coordinates
 };

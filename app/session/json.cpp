@@ -158,6 +158,10 @@ Json json_of(const Mechanism& mechanism, const State& state, const Motion& veloc
     return list;
 }
 
+Json json_of(const EquationResidual& residual) {
+    return {{"value", number(residual.residual)}, {"bound", number(residual.bound)}};
+}
+
 Json json_of(const RankReport& report, const System& system) {
     Json redundant = Json::array();
     for (const RedundantRow& row : report.redundant_rows) {

@@ -18,6 +18,8 @@ inline constexpr int kJsonVersion = 1;
 Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
 Json json_of(const RankReport& report, const System& system);
+/// `value` and the `bound` that rounding puts on it.
+Json json_of(const EquationResidual& residual);
 /// Bodies with positions and velocities, in the order of the lesson.
 Json json_of(const Mechanism& mechanism, const State& state, const Motion& velocity);
 

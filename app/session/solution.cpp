@@ -78,6 +78,7 @@ SweepRow row_of(const System& system, const MotionFrame& frame, Analysis analysi
     assembler.assemble_phi_and_jacobian(frame.state, frame.t);
     row.values.push_back(assembler.phi().size() > 0 ? assembler.phi().cwiseAbs().maxCoeff() : 0.0);
 
+    row.residuals = residuals_of(system, frame.state, frame.velocity, frame.acceleration, frame.t);
     row.change_point = frame.change_point;
     if (analysis == Analysis::position) { return row; }
     row.unique = frame.velocity_verdict.unique;

@@ -23,6 +23,7 @@ struct SweepRow {
     bool unique = true;          ///< velocities (and accelerations) are determined by the equations
     bool consistent = true;      ///< no equation contradicts the others
     bool change_point = false;
+    KinematicResiduals residuals;  ///< as far as the analysis goes; the rest is of no meaning
 };
 
 struct Sweep {

@@ -74,6 +74,22 @@ TEST_CASE("the last time of a sweep is the one asked for", "[app][solve]") {
     CHECK(json["columns"].size() == json["rows"][0]["values"].size());
 }
 
+TEST_CASE("every row of solve says what its answers miss", "[app][solve]") {
+    const Ran ran =
+        run({"solve", lesson_path("loops/four-bar.toml"), "--analysis", "acceleration", "--format", "json"});
+    REQUIRE(ran.status == 0);
+    CHECK(ran.err.find("warning") == std::string::npos);
+    const nlohmann::json j = nlohmann::json::parse(ran.out);
+    REQUIRE(j["rows"].size() > 1);
+    for (const auto& row : j["rows"]) {
+        for (const char* key : {"position_residual", "velocity_residual", "acceleration_residual"}) {
+            CAPTURE(key, row.dump());
+            CHECK(row[key]["value"] <= row[key]["bound"]);
+            CHECK(row[key]["bound"] < 1e-9);  // 1e4 roundings of numbers up to some hundreds
+        }
+    }
+}
+
 TEST_CASE("an under-driven scene says that its velocities are not unique", "[app][solve]") {
     const Folder folder;
     const std::string file = folder.file("undriven.toml", kUndriven);
