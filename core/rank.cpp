@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kRounding = 1e-15;       // singular values below this part of the largest are rounding
 constexpr double kNegligibleTerm = 1e-9;  // of the largest coefficient; far above rounding, far below meaning
+constexpr double kNegligibleEntry = 1e-12;  // of a free motion: rounding of its elimination
+// the eliminations behind combinations and free motions add errors of their own, a few times that of the
+// values
+constexpr double kRoundings = 10.0;
 
 /// Equations of one joint or one driver: rows that stay together when dependence is told.
 struct Group {
@@ -89,8 +93,13 @@ private:
     std::vector<int> dependent_;
 };
 
+/// @param tolerance of what a row adds to those before it
+/// @param vanishing the largest singular value that counts as zero, with its error. A combination with
+///        coefficients c is a left null vector of length √(1 + |c|²): it leaves no more than `vanishing`
+///        times that
 std::vector<RedundantRow> redundant_rows_of(
-    const System& system, const MatrixX& scaled, const Scaling& scaling, int rank, double tolerance) {
+    const System& system, const MatrixX& scaled, const Scaling& scaling, int rank, double tolerance,
+    double vanishing) {
     OrderedElimination elimination(scaled, rank, tolerance);
     for (const Group& group : groups_of(system)) { elimination.add_group(group); }
     elimination.complete();
@@ -106,18 +115,24 @@ std::vector<RedundantRow> redundant_rows_of(
 
     std::vector<RedundantRow> redundant;
     for (const int row : elimination.dependent()) {
-        RedundantRow entry{row, {}, 0.0};
+        RedundantRow entry{row, {}, 0.0, 0.0};
         // a row that is rounding all over says 0 = 0 and repeats no other
         if (!kept.empty() && scaled.row(row).norm() > tolerance) {
-            const VectorX coefficients = qr.solve(scaled.row(row).transpose());
-            entry.misfit = (basis * coefficients - scaled.row(row).transpose()).cwiseAbs().maxCoeff();
-            const double negligible =
-                std::max(kNegligibleTerm * coefficients.cwiseAbs().maxCoeff(), entry.misfit);
+            VectorX coefficients = qr.solve(scaled.row(row).transpose());
+            const double worst = (basis * coefficients - scaled.row(row).transpose()).cwiseAbs().maxCoeff();
+            const double negligible = std::max(kNegligibleTerm * coefficients.cwiseAbs().maxCoeff(), worst);
             for (std::size_t k = 0; k < kept.size(); ++k) {
-                const double c = coefficients(static_cast<Eigen::Index>(k));
-                if (std::abs(c) <= negligible) { continue; }
+                double& c = coefficients(static_cast<Eigen::Index>(k));
+                if (std::abs(c) <= negligible) {
+                    c = 0.0;
+                    continue;
+                }
                 entry.terms.push_back({kept[k], c * scaling.row(row) / scaling.row(kept[k])});
             }
+            // of what is told, not of what was solved for
+            entry.misfit = (basis * coefficients - scaled.row(row).transpose()).norm();
+            const double left_out = negligible * std::sqrt(static_cast<double>(kept.size()));
+            entry.bound = kRoundings * (vanishing * std::hypot(1.0, coefficients.norm()) + left_out);
         }
         redundant.push_back(std::move(entry));
     }
@@ -140,16 +155,50 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
     }
     std::vector<FreeMotion> motions;
     for (Eigen::Index k = 0; k < count; ++k) {
-        VectorX motion = basis.col(k).cwiseProduct(column_scale);
+        // in the scene's units: of metres beside radians the size of the scene would decide
+        const double negligible = kNegligibleEntry * basis.col(k).cwiseAbs().maxCoeff();
+        VectorX motion = (basis.col(k).array().abs() < negligible).select(0.0, basis.col(k));
+        motion = motion.cwiseProduct(column_scale).eval();
         Eigen::Index largest = 0;
         motion.cwiseAbs().maxCoeff(&largest);
         motion /= motion(largest);
-        for (double& entry : motion) {
-            if (std::abs(entry) < 1e-12) { entry = 0.0; }  // rounding of the elimination
-        }
         motions.push_back(std::move(motion));
     }
     return motions;
+}
+
+/// Puts a free motion into the equations again.
+FreeMotionProof proof_of(
+    const FreeMotion& motion, const MatrixX& scaled, const VectorX& column_scale, double vanishing) {
+    const VectorX v = motion.cwiseQuotient(column_scale);
+    const double size = v.norm();
+    // entries that were set to zero were up to that part of the largest
+    const double left_out = kNegligibleEntry * scaled.norm();
+    return {(scaled * v).norm() / size, kRoundings * (vanishing + left_out)};
+}
+
+/// The verdict, its margin, and whether it can be told at all.
+void judge(RankReport& report, const Svd& svd) {
+    const VectorX& sigma = report.singular_values = svd.sigma;
+    report.singular_value_error = svd.error;
+    report.sound = svd.sound;
+    const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
+    // rows are of size 1: a matrix that is all rounding has no rank
+    report.threshold = std::max(kRankThreshold, error) * std::max(1.0, sigma(0));
+    report.rank = static_cast<int>(svd.rank(report.threshold));
+    report.dof = report.columns - report.rank;
+
+    const Eigen::Index r = report.rank;
+    const double floor = kRounding * sigma(0);
+    const double last = r > 0 ? sigma(r - 1) : sigma(0);
+    const double next = r < sigma.size() ? std::max(sigma(r), floor) : floor;
+    report.largest_gap = last / next;
+    report.near_singular = r > 1 && sigma(r - 1) < kNearSingularRatio * sigma(r - 2);
+
+    report.pose_error = r > 0 ? error / last : 0.0;
+    const bool counts = r == 0 || last - report.pose_error - svd.error > report.threshold;
+    const bool vanishes = r == sigma.size() || sigma(r) + svd.error <= report.threshold;
+    report.decided = svd.sound && counts && vanishes;
 }
 
 }  // namespace
@@ -171,39 +220,34 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
         if (report.columns > 0) {
             report.free_motions =
                 readable_basis(MatrixX::Identity(report.columns, report.columns), scaling.column);
+            report.free_motion_proofs.resize(report.free_motions.size());
         }
         return report;
     }
 
     const MatrixX scaled = scaling.row.cwiseInverse().asDiagonal() * jacobian * scaling.column.asDiagonal();
     const Svd svd = svd_of(scaled);
-    report.singular_values = svd.sigma;
     report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
     report.assembled = report.residual <= kAssembledResidual;
 
-    // verdict
+    judge(report, svd);
+
     const VectorX& sigma = report.singular_values;
-    const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
-    // rows are of size 1: a matrix that is all rounding has no rank
-    report.threshold = std::max(kRankThreshold, error) * std::max(1.0, sigma(0));
-    while (report.rank < sigma.size() && sigma(report.rank) > report.threshold) { ++report.rank; }
-    report.dof = report.columns - report.rank;
-
-    // margin of the verdict
     const auto r = static_cast<Eigen::Index>(report.rank);
-    const double floor = kRounding * sigma(0);
-    const double last = r > 0 ? sigma(r - 1) : sigma(0);
-    const double next = r < sigma.size() ? std::max(sigma(r), floor) : floor;
-    report.largest_gap = last / next;
-    report.near_singular = r > 1 && sigma(r - 1) < kNearSingularRatio * sigma(r - 2);
-
+    const double vanishing = (r < sigma.size() ? sigma(r) : 0.0) + svd.error;
     if (report.redundant() > 0) {
         // between the last singular value that counts and the first that does not
+        const double floor = kRounding * sigma(0);
+        const double last = r > 0 ? sigma(r - 1) : sigma(0);
+        const double next = r < sigma.size() ? std::max(sigma(r), floor) : floor;
         report.redundant_rows =
-            redundant_rows_of(system, scaled, scaling, report.rank, std::sqrt(last * next));
+            redundant_rows_of(system, scaled, scaling, report.rank, std::sqrt(last * next), vanishing);
     }
     if (report.dof > 0) {
         report.free_motions = readable_basis(svd.V.rightCols(report.dof), scaling.column);
+        for (const FreeMotion& motion : report.free_motions) {
+            report.free_motion_proofs.push_back(proof_of(motion, scaled, scaling.column, vanishing));
+        }
     }
     return report;
 }

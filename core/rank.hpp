@@ -26,11 +26,20 @@ struct RedundantRow {
     };
     int row = 0;
     std::vector<Term> terms;  ///< row = Σ coefficient * Φq row, terms below 1e-9 of the largest left out
-    double misfit = 0.0;      ///< largest entry of the difference, scaled
+    double misfit = 0.0;      ///< norm of the difference from the terms that are left, scaled
+    double bound = 0.0;  ///< of `misfit`: what the singular values that count as zero leave, and rounding
 };
 
 /// A direction of free motion: scaled so that its largest entry is 1. Columns of (r, ω') and θ.
 using FreeMotion = VectorX;
+
+/// ‖Φq v‖ / ‖v‖ of a free motion v, scaled, and how large it may be: the largest singular value that counts
+/// as zero, and rounding.
+struct FreeMotionProof {
+    double residual = 0.0;
+    double bound = 0.0;
+    bool holds() const { return residual <= bound; }
+};
 
 struct RankReport {
     int rows = 0;
@@ -39,14 +48,23 @@ struct RankReport {
     int dof = 0;  ///< columns - rank
     int mobility_by_counting =
         0;  ///< Grübler: columns minus the equations that the joint types promise, less those taken out
-    VectorX singular_values;     ///< of the matrix in the scene's unit of length, largest first
-    double threshold = 0.0;      ///< absolute; singular values up to it count as zero
+    VectorX singular_values;            ///< of the matrix in the scene's unit of length, largest first
+    double threshold = 0.0;             ///< absolute; singular values up to it count as zero
+    double singular_value_error = 0.0;  ///< none of them is off by more than this (Svd::error)
+    bool sound = true;                  ///< false: the decomposition did not pass its check (Svd::sound)
+    /// What the residual leaves open about σ_r, the last that counts: a position is known to about
+    /// residual / σ_r, and Φq changes by as much.
+    double pose_error = 0.0;
+    /// False: the rank cannot be told. σ_r is within its error of the threshold, or σ_(r+1) is, or the
+    /// decomposition does not pass its check.
+    bool decided = true;
     double residual = 0.0;       ///< largest |Φ|, scaled
     double largest_gap = 0.0;    ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
     bool assembled = true;       ///< false: residual so large that only the matrix is described
     bool near_singular = false;  ///< σ_r is small against σ_(r-1)
     std::vector<RedundantRow> redundant_rows;
     std::vector<FreeMotion> free_motions;
+    std::vector<FreeMotionProof> free_motion_proofs;  ///< one per free motion
 
     int redundant() const { return rows - rank; }
 };

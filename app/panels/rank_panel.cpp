@@ -123,6 +123,7 @@ float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) 
             "Not assembled: the largest |Φ| is " + small_text(rank.residual) +
                 ". Which rows are redundant is decided once the equations hold.");
     }
+    for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(), doubt); }
     if (rank.near_singular) {
         height += warning(
             canvas, below(),

@@ -220,11 +220,18 @@ void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
 }
 
 void judge(const CountClaim& claim, const Pose& pose, ClaimResult& result) {
-    const int found = count_of(rank_of(*pose.system, pose.state, pose.t), claim.count);
+    const RankReport report = rank_of(*pose.system, pose.state, pose.t);
+    const int found = count_of(report, claim.count);
+    const bool of_rank =
+        claim.count == Count::rank || claim.count == Count::dof || claim.count == Count::redundant;
     result.subject = name_of(claim.count);
     result.expected = std::to_string(claim.value);
     result.found = std::to_string(found);
     result.holds = found == claim.value;
+    if (of_rank && !report.decided) {
+        result.found += "; " + undecided_text(report);
+        result.holds = false;
+    }
 }
 
 void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {

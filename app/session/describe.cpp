@@ -92,6 +92,7 @@ std::string rank_text(const View& view, int width) {
     if (rank.near_singular) {
         text += "  The smallest one that counts is small against the others: near a singular position.\n";
     }
+    for (const std::string& doubt : rank.doubts) { text += "  " + wrapped(doubt, width - 2, 2) + '\n'; }
     for (const std::string& combination : rank.combinations) {
         text += "  redundant: " + wrapped(combination, width - 13, 13) + '\n';
     }

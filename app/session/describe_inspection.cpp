@@ -123,6 +123,13 @@ std::string rank_lines(const Inspection& inspection, int width) {
     text += "  " +
             wrapped("singular values of Φq above: " + values_text(inspection.singular_values), width - 2, 4) +
             '\n';
+    if (!inspection.sound) {
+        text += "  The singular values of Φq do not pass their check: they may be off by " +
+                small_text(inspection.singular_value_error) + ".\n";
+    }
+    for (const std::string& doubt : doubts_of(system, rank)) {
+        text += "  " + wrapped(doubt, width - 2, 2) + '\n';
+    }
     for (const RedundantRow& row : rank.redundant_rows) {
         text += "  redundant: " + wrapped(combination_text(system, row), width - 13, 13) + '\n';
     }

@@ -61,6 +61,41 @@ std::string free_motion_text(const System& system, const FreeMotion& motion) {
     return text;
 }
 
+std::string undecided_text(const RankReport& report) {
+    if (report.decided) { return {}; }
+    if (!report.sound) {
+        return "The rank cannot be told: the singular values do not pass their check and may be off by " +
+               small_text(report.singular_value_error) + ".";
+    }
+    const auto last = static_cast<Eigen::Index>(report.rank) - 1;
+    const bool may_vanish =
+        last >= 0 &&
+        report.singular_values(last) - report.pose_error - report.singular_value_error <= report.threshold;
+    const Eigen::Index doubtful = may_vanish ? last : last + 1;
+    return "The rank cannot be told: a singular value of " + small_text(report.singular_values(doubtful)) +
+           " may be zero or not, since the pose (largest |Φ| " + small_text(report.residual) +
+           ") decides it only to " + small_text(std::max(report.threshold, report.pose_error)) + ".";
+}
+
+std::vector<std::string> doubts_of(const System& system, const RankReport& report) {
+    std::vector<std::string> doubts;
+    if (!report.decided) { doubts.push_back(undecided_text(report)); }
+    for (const RedundantRow& row : report.redundant_rows) {
+        if (row.misfit <= row.bound) { continue; }
+        doubts.push_back(
+            "The combination for " + row_label(system, row.row) + " misses by " + small_text(row.misfit) +
+            ", where rounding explains " + small_text(row.bound) + ".");
+    }
+    for (std::size_t k = 0; k < report.free_motion_proofs.size(); ++k) {
+        const FreeMotionProof& proof = report.free_motion_proofs[k];
+        if (proof.holds()) { continue; }
+        doubts.push_back(
+            "Free motion " + std::to_string(k + 1) + " changes the equations by " +
+            small_text(proof.residual) + ", where rounding explains " + small_text(proof.bound) + ".");
+    }
+    return doubts;
+}
+
 std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions) {
     std::vector<std::string> texts;
     std::vector<bool> held(system.mechanism().bodies.size(), false);

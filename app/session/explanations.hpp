@@ -21,6 +21,13 @@ std::string combination_text(const System& system, const RedundantRow& redundant
 /// "rod: ω′x 1 (it turns on its own)", or the bodies and columns that take part.
 std::string free_motion_text(const System& system, const FreeMotion& motion);
 
+/// Why the rank cannot be told; empty if it can.
+std::string undecided_text(const RankReport& report);
+
+/// What of a verdict is not proved, one sentence each: the rank, combinations that miss, motions that are not
+/// free. None if all is well.
+std::vector<std::string> doubts_of(const System& system, const RankReport& report);
+
 /// One per free motion, but a single one for bodies that no equation holds.
 std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions);
 

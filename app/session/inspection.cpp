@@ -5,6 +5,7 @@
 #include "app/session/numbers.hpp"
 #include "app/session/sentences.hpp"
 #include "core/assembler.hpp"
+#include "core/numerics/svd.hpp"
 
 namespace jw {
 
@@ -22,10 +23,13 @@ void evaluate(Inspection& inspection) {
         inspection.nu = assembler.nu();
         inspection.gamma = assembler.gamma();
     });
+    const Svd svd = svd_of(inspection.jacobian);
+    inspection.singular_values = svd.sigma;
+    inspection.singular_value_error = svd.error;
+    inspection.sound = svd.sound;
     const System& system = *inspection.system;
     inspection.residuals = residuals_of(
         system, inspection.state, inspection.velocity, zero_motion(system.mechanism()), inspection.t);
-    inspection.singular_values = singular_values_of(inspection.jacobian);
     inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
 }
 

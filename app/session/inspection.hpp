@@ -21,9 +21,11 @@ struct Inspection {
     MatrixX jacobian;
     VectorX nu;
     VectorX gamma;
-    KinematicResiduals residuals;  ///< of the pose and of `velocity`; accelerations are not part of it
-    VectorX singular_values;  ///< of `jacobian` as it stands
-    RankReport rank;          ///< kinematic, whatever the coordinates
+    VectorX singular_values;            ///< of `jacobian` as it stands
+    double singular_value_error = 0.0;  ///< none of them is off by more than this
+    bool sound = true;                  ///< false: they did not pass their check
+    KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
+    RankReport rank;                    ///< kinematic, whatever the coordinates
 };
 
 /// At a step of the story; γ belongs to the file's velocities before the motion and to the motion's in it.

@@ -100,6 +100,9 @@ Json json_of(const View& view, const Step& step) {
           {"residual", number(view.rank.residual)},
           {"assembled", view.rank.assembled},
           {"near_singular", view.rank.near_singular},
+          {"singular_value_error", number(view.rank.singular_value_error)},
+          {"decided", view.rank.decided},
+          {"doubts", view.rank.doubts},
           {"redundant_rows", view.rank.redundant_rows},
           {"combinations", view.rank.combinations},
           {"free_motions", view.rank.free_motions}}},
@@ -176,12 +179,17 @@ Json json_of(const RankReport& report, const System& system) {
             {{"row", row.row},
              {"label", row_label(system, row.row)},
              {"terms", terms},
-             {"misfit", row.misfit}});
+             {"misfit", row.misfit},
+             {"bound", row.bound}});
     }
     Json motions = Json::array();
-    for (const FreeMotion& motion : report.free_motions) {
+    for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
+        const FreeMotion& motion = report.free_motions[k];
         motions.push_back(
-            {{"text", free_motion_text(system, motion)}, {"columns", json_of(VectorX(motion))}});
+            {{"text", free_motion_text(system, motion)},
+             {"columns", json_of(VectorX(motion))},
+             {"residual", number(report.free_motion_proofs[k].residual)},
+             {"bound", number(report.free_motion_proofs[k].bound)}});
     }
     return {
         {"rows", report.rows},
@@ -196,6 +204,10 @@ Json json_of(const RankReport& report, const System& system) {
         {"gap", number(report.largest_gap)},
         {"assembled", report.assembled},
         {"near_singular", report.near_singular},
+        {"singular_value_error", number(report.singular_value_error)},
+        {"pose_error", number(report.pose_error)},
+        {"decided", report.decided},
+        {"doubts", doubts_of(system, report)},
         {"redundant_rows", redundant},
         {"free_motions", motions}};
 }

@@ -227,6 +227,8 @@ Json json_of(const Inspection& inspection, const Lesson& lesson) {
         {"nu", json_of(inspection.nu)},
         {"gamma", json_of(inspection.gamma)},
         {"singular_values", json_of(inspection.singular_values)},
+        {"singular_value_error", number(inspection.singular_value_error)},
+        {"singular_values_sound", inspection.sound},
         {"position_residual", json_of(inspection.residuals.position)},
         {"velocity_residual", json_of(inspection.residuals.velocity)},
         {"rank", json_of(inspection.rank, system)},

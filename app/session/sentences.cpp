@@ -191,7 +191,8 @@ std::string assembled_sentence(
                        ", the rank grows by " + std::to_string(rank.rank - before) + " (" +
                        std::to_string(before) + " → " + std::to_string(rank.rank) + ")";
     if (repeating > 0) { text += ": " + repetition_text(*step.system, rank, repeating); }
-    return text + ". " + freedoms_text(rank.dof) + " " + closing_text(step);
+    text += ". " + freedoms_text(rank.dof) + " " + closing_text(step);
+    return rank.decided ? text : text + " " + undecided_text(rank);
 }
 
 /// Of the arrows that stand for them.
@@ -236,6 +237,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
                 "nearest to those before, the accelerations the shortest";
     }
     text += ".";
+    if (!rank.decided) { text += " " + undecided_text(rank); }
     if (const auto reactions = reactions_of(step)) { text += reactions_text(m, *reactions); }
     if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
     if (!step.note.empty()) { text += " Note: " + step.note + "."; }

@@ -59,6 +59,9 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     view.residual = report.residual;
     view.assembled = report.assembled;
     view.near_singular = report.near_singular;
+    view.singular_value_error = report.singular_value_error;
+    view.decided = report.decided;
+    view.doubts = doubts_of(system, report);
     for (const RedundantRow& r : report.redundant_rows) {
         view.redundant_rows.push_back(row_label(system, r.row));
         view.combinations.push_back(combination_text(system, r));

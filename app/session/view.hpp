@@ -72,6 +72,9 @@ struct RankView {
     double residual = 0.0;
     bool assembled = true;
     bool near_singular = false;
+    double singular_value_error = 0.0;        ///< none of them is off by more than this
+    bool decided = true;                      ///< false: the rank cannot be told; `doubts` says why
+    std::vector<std::string> doubts;          ///< what is not proved, one sentence each; mostly empty
     std::vector<std::string> redundant_rows;  ///< labels
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
     std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."

@@ -215,6 +215,27 @@ TEST_CASE("the four coordinate choices tell the same velocity of Φ and the same
     }
 }
 
+TEST_CASE("inspect says how far its numbers can be off", "[app][inspect]") {
+    const Ran ran = run({"inspect", lesson_path("loops/four-bar.toml"), "--time", "0.5", "--format", "json"});
+    REQUIRE(ran.status == 0);
+    const json j = json::parse(ran.out);
+    CHECK(j["singular_values_sound"] == true);
+    CHECK(j["singular_value_error"] < 1e-12);  // n² roundings
+    for (const char* key : {"position_residual", "velocity_residual"}) {
+        CAPTURE(key);
+        CHECK(j[key]["value"] <= j[key]["bound"]);
+        CHECK(j[key]["bound"] < 1e-10);
+    }
+    const json& rank = j["rank"];
+    CHECK(rank["decided"] == true);
+    CHECK(rank["doubts"].empty());
+    CHECK(rank["singular_value_error"] < 1e-12);
+    CHECK(rank["pose_error"] < 1e-9);
+    REQUIRE(rank["redundant_rows"].size() > 0);
+    for (const json& row : rank["redundant_rows"]) { CHECK(row["misfit"] <= row["bound"]); }
+    for (const json& motion : rank["free_motions"]) { CHECK(motion["residual"] <= motion["bound"]); }
+}
+
 TEST_CASE("text of inspect labels every row and every column", "[app][inspect]") {
     const Folder folder;
     const std::string file = folder.file("crank.toml", kCrank);
