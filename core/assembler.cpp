@@ -91,7 +91,7 @@ Assembler<C>::Assembler(const System& system, bool normalisation_rows)
       normalisation_rows_(C::kNormalised && normalisation_rows),
       bodies_(system.mechanism().bodies.size()),
       phi_(VectorX::Zero(system.rows(normalisation_rows_))),
-      jacobian_(MatrixX::Zero(phi_.size(), layout_.columns())),
+      sparse_{layout_.columns(), kColumnsPerBody<C>, std::vector<SparseRow>(at(phi_.size()))},
       nu_(VectorX::Zero(phi_.size())),
       gamma_(VectorX::Zero(phi_.size())) {}
 
@@ -118,31 +118,45 @@ void Assembler<C>::write_rows(
     constexpr int width = kColumnsPerBody<C>;
     const int column_i = system_->body_column(body_i, C::kAngular);
     const int column_j = system_->body_column(body_j, C::kAngular);
+    const auto copy = [](const auto& from, auto& to) {
+        for (int k = 0; k < width; ++k) { to[at(k)] = from(k); }
+    };
     int row = first_row;
     for (int component = 0; component < J::kDim; ++component) {
         if (((left_out >> component) & 1U) != 0) { continue; }
         phi_(row) = jet.value(component);
+        SparseRow& entries = row_at(row);
+        entries = SparseRow{};
         if constexpr ((J::kSides & kBodyI) != 0) {
-            if (column_i >= 0) {
-                jacobian_.template block<1, width>(row, column_i) = jet.block_i.row(component);
-            }
+            entries.first_column[0] = column_i;
+            copy(jet.block_i.row(component), entries.block[0]);
         }
         if constexpr ((J::kSides & kBodyJ) != 0) {
-            if (column_j >= 0) {
-                jacobian_.template block<1, width>(row, column_j) = jet.block_j.row(component);
-            }
+            entries.first_column[1] = column_j;
+            copy(jet.block_j.row(component), entries.block[1]);
         }
         if constexpr ((J::kSides & kTheta) != 0) {
-            jacobian_(row, system_->theta_column(theta, C::kAngular)) = jet.block_theta(component);
+            entries.theta_column = system_->theta_column(theta, C::kAngular);
+            entries.theta = jet.block_theta(component);
         }
         ++row;
     }
 }
 
 template <class C>
+const MatrixX& Assembler<C>::jacobian() const {
+    if (jacobian_is_old_) {
+        jacobian_.resize(phi_.size(), layout_.columns());
+        sparse_.write(jacobian_);
+        jacobian_is_old_ = false;
+    }
+    return jacobian_;
+}
+
+template <class C>
 void Assembler<C>::assemble_phi_and_jacobian(const State& state, double t) {
     set_bodies<Content::jacobian>(state, nullptr);
-    jacobian_.setZero();
+    jacobian_is_old_ = true;
     const auto body = [&](int b) -> const BodyKinematics<C>& { return bodies_[at(b)]; };
 
     for (const Constraint& c : system_->constraints()) {
@@ -171,7 +185,10 @@ void Assembler<C>::assemble_phi_and_jacobian(const State& state, double t) {
         int row = system_->rows();
         for (const int b : system_->moving_bodies()) {
             phi_(row) = body(b).p.squaredNorm() - 1.0;
-            jacobian_.template block<1, 4>(row, system_->body_column(b, 4) + 3) = 2.0 * body(b).p.transpose();
+            SparseRow& entries = row_at(row);
+            entries = SparseRow{};
+            entries.first_column[0] = system_->body_column(b, 4);
+            for (int k = 0; k < 4; ++k) { entries.block[0][at(k + 3)] = 2.0 * body(b).p(k); }
             ++row;
         }
     }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/numerics/sparse_rows.hpp"
 #include "core/system.hpp"
 
 /// Numbers of a system at a state: Φ, Φq and, only when asked, the right sides of velocity and acceleration.
@@ -29,9 +30,9 @@ private:
     const System* system_;
 };
 
-/// Assembles into matrices that are allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in
+/// Assembles into memory that is allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in
 /// the (r, p) choices unless they are left out. Columns: 7 or 6 per moving body, then the artificial
-/// coordinates.
+/// coordinates. Φq is held as its few entries per row; whoever asks for `jacobian()` gets all of its zeros.
 template <class C>
 class Assembler {
 public:
@@ -49,13 +50,17 @@ public:
     void assemble_gamma(const State& state, const Motion& motion, double t);
 
     const VectorX& phi() const { return phi_; }
-    const MatrixX& jacobian() const { return jacobian_; }
+    /// Φq, its entries alone.
+    const SparseRows& sparse_jacobian() const { return sparse_; }
+    /// Φq [rows x columns]; the first call of all allocates it.
+    const MatrixX& jacobian() const;
     const VectorX& nu() const { return nu_; }
     const VectorX& gamma() const { return gamma_; }
 
 private:
     template <Content K>
     void set_bodies(const State& state, const Motion* motion);
+    SparseRow& row_at(int row) { return sparse_.rows[static_cast<std::size_t>(row)]; }
     template <class J>
     void write_rows(const J& jet, int body_i, int body_j, int theta, unsigned left_out, int first_row);
 
@@ -64,7 +69,9 @@ private:
     bool normalisation_rows_;
     std::vector<BodyKinematics<C>> bodies_;
     VectorX phi_;
-    MatrixX jacobian_;
+    SparseRows sparse_;
+    mutable MatrixX jacobian_;
+    mutable bool jacobian_is_old_ = true;
     VectorX nu_;
     VectorX gamma_;
 };

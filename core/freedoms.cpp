@@ -121,7 +121,7 @@ private:
     /// ω' is carried along in the body.
     void keep_free_part(const State& state, VectorX& direction) {
         assembler_.assemble_phi_and_jacobian(state, t_);
-        least_squares_.compute(assembler_.jacobian());
+        least_squares_.compute(assembler_.sparse_jacobian());
         least_squares_.keep_free_part(reliable_rank(least_squares_, newton_.outcome()->residual), direction);
     }
 

@@ -22,7 +22,7 @@ void Kinematics<C>::set_state(const State& state, double t) {
     state_ = state;
     t_ = t;
     assembler_.assemble_phi_and_jacobian(state_, t_);
-    least_squares_.compute(assembler_.jacobian());
+    least_squares_.compute(assembler_.sparse_jacobian());
     // as for singular values: a redundant row has a pivot, and contradicts, by about the position error
     const VectorX& phi = assembler_.phi();
     const double residual = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
@@ -53,12 +53,20 @@ void Kinematics<C>::leave_out_weakest() {
 }
 
 template <class C>
+VectorX Kinematics<C>::product(const VectorX& x) const {
+    if (!least_squares_.is_sparse()) { return assembler_.jacobian() * x; }
+    VectorX out;
+    assembler_.sparse_jacobian().multiply(x, out);
+    return out;
+}
+
+template <class C>
 LinearVerdict Kinematics<C>::verdict_of(const VectorX& x, const VectorX& b) {
     LinearVerdict verdict;
     verdict.rank = rank_;
     verdict.unique = rank_ == static_cast<int>(scaling_.column.size());
     if (b.size() == 0) { return verdict; }
-    miss_ = (assembler_.jacobian() * x - b).cwiseQuotient(scaling_.row);
+    miss_ = (product(x) - b).cwiseQuotient(scaling_.row);
     Eigen::Index worst = 0;
     const double largest = miss_.cwiseAbs().maxCoeff(&worst);
     const double size = std::max(1.0, b.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff());
@@ -72,7 +80,11 @@ template <class C>
 VelocityOutcome Kinematics<C>::solve_velocity(const Motion& reference) {
     assembler_.assemble_nu(t_);
     const VectorX x_reference = assembler_.layout().columns_of(state_, reference);
-    right_side_ = assembler_.nu() - assembler_.jacobian() * x_reference;
+    if (least_squares_.is_sparse()) {
+        right_side_ = assembler_.nu() - product(x_reference);
+    } else {
+        right_side_ = assembler_.nu() - assembler_.jacobian() * x_reference;
+    }
     least_squares_.solve(right_side_, rank_, solution_);
     solution_ += x_reference;
     return {assembler_.layout().motion_of(state_, solution_), verdict_of(solution_, assembler_.nu())};

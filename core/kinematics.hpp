@@ -50,6 +50,8 @@ public:
     Assembler<C>& assembler() { return assembler_; }
 
 private:
+    /// Φq x
+    VectorX product(const VectorX& x) const;
     LinearVerdict verdict_of(const VectorX& x, const VectorX& b);
 
     const System* system_;

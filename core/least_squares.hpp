@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/QR>
 
 #include "core/assembler.hpp"
+#include "core/numerics/sparse_qr.hpp"
 
 /// Rank-revealing least squares for Φq x = b: redundant rows do no harm, missing rows give the shortest x.
 namespace jw {
@@ -18,19 +20,26 @@ struct Scaling {
 template <class C>
 Scaling scaling_of(const System& system, bool normalisation_rows = true);
 
+/// Up to so many columns (ten bodies) a dense factorisation is as quick as a sparse one, and pivots over all
+/// rows.
+inline constexpr int kMostDenseColumns = 60;
+
 /// Φqᵀ P = Q R with column pivoting picks the independent equations first; the others are W times those.
-/// Works in place after the first use: nothing is allocated as long as the size stays.
+/// Works in place after the first use: nothing is allocated as long as the size stays. Of more than
+/// kMostDenseColumns columns the factors are sparse (numerics/sparse_qr.hpp): pivots are chosen within a
+/// joint then, and work grows with the bodies instead of their cube.
 class LeastSquares {
 public:
     explicit LeastSquares(Scaling scaling);
 
     /// Factors `jacobian` (rows x columns as in the scaling).
-    void compute(const MatrixX& jacobian);
+    void compute(const SparseRows& jacobian);
+    bool is_sparse() const { return sparse_ != nullptr; }
 
     /// Equations whose part independent of the ones before is above `relative_threshold` of the largest.
     int rank(double relative_threshold) const;
 
-    /// Pivot k over the largest pivot, k < min(rows, columns): falls to 0 as rank is lost.
+    /// Pivot k over the largest pivot, largest first, k < min(rows, columns): falls to 0 as rank is lost.
     double relative_pivot(int k) const;
 
     /// Shortest x (in scaled unknowns) among those with the smallest |Φq x - b| (scaled rows), taking the
@@ -48,8 +57,15 @@ public:
 private:
     void reflect(Eigen::Index k);
     void solve_lower(int rank, VectorX& c) const;
+    void factor_sparsely(double threshold) const;
+    void reach_rank(int rank) const;
+    void solve_sparsely(const VectorX& b, VectorX& x);
+    void spread_inconsistency(VectorX& c);
 
     Scaling scaling_;
+    SparseRows rows_;                     ///< the sparse matrix, to be factored with other thresholds
+    std::unique_ptr<SparseQr> sparse_;    ///< none where the factors are dense
+    mutable std::vector<double> pivots_;  ///< of `sparse_`, largest first
     MatrixX transposed_;
     Eigen::ColPivHouseholderQR<MatrixX> qr_;
     VectorX c_;

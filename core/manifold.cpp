@@ -90,7 +90,7 @@ Vec3 Dragger::point(const State& state) const {
 void Dragger::factor() {
     system_->choose_rows(state_);
     assembler_.assemble_phi_and_jacobian(state_, t_);
-    least_squares_.compute(assembler_.jacobian());
+    least_squares_.compute(assembler_.sparse_jacobian());
     const VectorX& phi = assembler_.phi();
     residual_ = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
     rank_ = reliable_rank(least_squares_, residual_);
@@ -106,7 +106,11 @@ void Dragger::keep_free_part(VectorX& scaled) {
 /// it a free motion at the present state.
 void Dragger::slope_at(const State& state, VectorX& slope) {
     assembler_.assemble_phi_and_jacobian(state, t_);
-    slope.noalias() = -assembler_.jacobian().transpose() * multipliers_;
+    if (least_squares_.is_sparse()) {
+        slope = -assembler_.sparse_jacobian().transposed_times(multipliers_);
+    } else {
+        slope.noalias() = -assembler_.jacobian().transpose() * multipliers_;
+    }
     const auto b = static_cast<std::size_t>(body_);
     const int column = system_->body_column(body_, 3);
     const Mat3 A = rotation_matrix(state.p[b]);

@@ -116,7 +116,7 @@ double NewtonStepper<C>::residual_norm_after(double fraction) {
 
 template <class C>
 int NewtonStepper<C>::solve_for_delta(double residual) {
-    least_squares_.compute(assembler_.jacobian());
+    least_squares_.compute(assembler_.sparse_jacobian());
     right_side_ = -assembler_.phi();
 
     // off the solution redundant rows look independent by about the residual: leave them out if the rest
@@ -126,7 +126,8 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     const int tied_rank = least_squares_.rank(tied);
     least_squares_.solve(right_side_, tied_rank, delta_);
     if (tied_rank == full_rank) { return full_rank; }
-    linear_residual_.noalias() = assembler_.jacobian().lazyProduct(delta_) - right_side_;
+    assembler_.sparse_jacobian().multiply(delta_, linear_residual_);
+    linear_residual_ -= right_side_;
     const double rest = linear_residual_.cwiseQuotient(scaling_.row).norm();
     const double now = right_side_.cwiseQuotient(scaling_.row).norm();
     if (rest <= kPromisedRest * now) { return tied_rank; }

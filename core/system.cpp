@@ -164,12 +164,21 @@ bool System::choose_rows(const State& state) {
 }
 
 void System::inherit_rows(const System& other) {
+    // constraints of a joint stand together
+    std::vector<std::size_t> first_of_joint(mechanism_->joints.size(), other.constraints_.size());
+    for (std::size_t k = other.constraints_.size(); k-- > 0;) {
+        first_of_joint[at(other.constraints_[k].joint)] = k;
+    }
     for (Constraint& c : constraints_) {
         const Joint& joint = mechanism_->joints[static_cast<std::size_t>(c.joint)];
         if (!is_parallel(c.role) || joint.parallel_form != ParallelForm::rule) { continue; }
-        const auto same = std::ranges::find_if(
-            other.constraints_, [&](const Constraint& o) { return o.joint == c.joint && o.role == c.role; });
-        if (same != other.constraints_.end() && same->dropped >= 0) { c.dropped = same->dropped; }
+        std::size_t k = first_of_joint[at(c.joint)];
+        for (; k < other.constraints_.size() && other.constraints_[k].joint == c.joint; ++k) {
+            const Constraint& same = other.constraints_[k];
+            if (same.role != c.role) { continue; }
+            if (same.dropped >= 0) { c.dropped = same.dropped; }
+            break;
+        }
     }
     number_rows();
 }

@@ -81,7 +81,7 @@ TEST_CASE("The free part of a motion is its projection on the null space", "[cor
         const Scaling scaling = scaling_of<OmegaLocal>(system);
         const MatrixX jacobian = test::jacobian_of<OmegaLocal>(mechanism);
         LeastSquares least_squares(scaling);
-        least_squares.compute(jacobian);
+        least_squares.compute(test::sparse_jacobian_of<OmegaLocal>(mechanism));
         const int rank = least_squares.rank(1e-9);
         const Eigen::JacobiSVD<MatrixX> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
         const MatrixX null = svd.matrixV().rightCols(jacobian.cols() - rank);

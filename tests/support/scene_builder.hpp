@@ -116,11 +116,18 @@ inline RankReport rank_of(const Mechanism& mechanism, double t = 0.0) {
 
 /// Φq of all equations at the start pose in a coordinate choice, with its normalisation rows.
 template <class C>
-MatrixX jacobian_of(const Mechanism& mechanism) {
+SparseRows sparse_jacobian_of(const Mechanism& mechanism) {
     const System system(mechanism, everything(mechanism));
     Assembler<C> assembler(system);
     assembler.assemble_phi_and_jacobian(start_state(mechanism), 0.0);
-    return assembler.jacobian();
+    return assembler.sparse_jacobian();
+}
+template <class C>
+MatrixX jacobian_of(const Mechanism& mechanism) {
+    const SparseRows sparse = sparse_jacobian_of<C>(mechanism);
+    MatrixX jacobian(static_cast<Eigen::Index>(sparse.rows.size()), sparse.columns);
+    sparse.write(jacobian);
+    return jacobian;
 }
 
 }  // namespace jw::test
