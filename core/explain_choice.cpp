@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/assembler.hpp"
+#include "core/least_squares.hpp"
 #include "core/rank.hpp"
 
 namespace jw {
@@ -21,14 +22,27 @@ double condition_of_rows(const MatrixX& rows) {
     return sigma(0) / sigma(directions - 1);
 }
 
+/// Leaves the two bodies of the only joint: the conditions of its rows need no others.
+void keep_bodies_of_joint(Mechanism& alone, State& state) {
+    Joint& joint = alone.joints.front();
+    const auto i = at(joint.body_i);
+    const auto j = at(joint.body_j);
+    alone.bodies = {alone.bodies[i], alone.bodies[j]};
+    state.r = {state.r[i], state.r[j]};
+    state.p = {state.p[i], state.p[j]};
+    joint.body_i = 0;
+    joint.body_j = 1;
+}
+
 /// All rows of one p1 / p2 constraint in a form, (r, ω') columns of its moving bodies in the scene's unit.
 MatrixX complete_rows(const System& system, const Constraint& c, const State& state, ParallelForm form) {
-    Mechanism alone = system.mechanism();
-    alone.joints = {alone.joints[static_cast<std::size_t>(c.joint)]};
-    alone.drivers.clear();
+    Mechanism alone;
+    alone.bodies = system.mechanism().bodies;
+    alone.joints = {system.mechanism().joints[static_cast<std::size_t>(c.joint)]};
     alone.joints[0].parallel_form = form;
     alone.joints[0].without.clear();
     State local = state;
+    if (system.columns(3) > kMostDenseColumns) { keep_bodies_of_joint(alone, local); }
     local.theta.assign(static_cast<std::size_t>(alone.thetas_count()), 0.0);
     const System system_alone(alone, everything(alone));
     Assembler<OmegaLocal> assembler(system_alone);

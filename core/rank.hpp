@@ -65,8 +65,16 @@ struct RankReport {
     std::vector<RedundantRow> redundant_rows;
     std::vector<FreeMotion> free_motions;
     std::vector<FreeMotionProof> free_motion_proofs;  ///< one per free motion
+    /// False for large matrices (large_rank.hpp): singular values and free motions were not computed, the
+    /// first and the last singular value that counts were estimated.
+    bool has_spectrum = true;
+    double estimated_first = 0.0;
+    double estimated_last = 0.0;
 
     int redundant() const { return rows - rank; }
+    /// σ_1 and σ_r; 0 where the rank is 0.
+    double first_value() const;
+    double last_value() const;
 };
 
 /// @param jacobian the (r, ω') matrix at a state [rows x columns], as Assembler<OmegaLocal> gives it

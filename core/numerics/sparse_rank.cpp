@@ -1,0 +1,141 @@
+#include "core/numerics/sparse_rank.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+
+namespace jw {
+
+namespace {
+
+// of the largest coefficient; far above rounding, far below meaning
+constexpr double kNegligibleTerm = 1e-9;
+// iterations: the largest value is wanted to a per cent, the smallest ones to tell them apart by a thousand
+constexpr int kPowerSteps = 30;
+constexpr int kInverseSteps = 20;
+// backward error of reflections: a few roundings per column of a front, of fronts of some tens
+constexpr double kRounding = 100.0 * std::numeric_limits<double>::epsilon();
+
+/// A start without the symmetries of a mechanism: no two entries alike.
+VectorX any_vector(Eigen::Index size, double phase) {
+    VectorX v(size);
+    for (Eigen::Index k = 0; k < size; ++k) { v(k) = std::cos(phase + 2.4 * static_cast<double>(k)); }
+    return v.normalized();
+}
+
+double largest_singular_value(const SparseRows& rows, const VectorX& row, const VectorX& column) {
+    if (rows.rows.empty() || rows.columns == 0) { return 0.0; }
+    VectorX x = any_vector(rows.columns, 1.0);
+    VectorX image;
+    double value = 0.0;
+    for (int k = 0; k < kPowerSteps; ++k) {
+        rows.multiply(x.cwiseProduct(column), image);
+        image = image.cwiseQuotient(row);
+        value = image.norm();
+        x = rows.transposed_times(image.cwiseQuotient(row)).cwiseProduct(column);
+        const double norm = x.norm();
+        if (norm == 0.0) { return 0.0; }
+        x /= norm;
+    }
+    return value;
+}
+
+/// (R_P R_Pᵀ)⁻¹ v, for v on the rows that count.
+VectorX inverse_product(const SparseQr& qr, const VectorX& v) {
+    VectorX out = v;
+    qr.solve_upper(out);
+    qr.solve_lower(out);
+    for (const int row : qr.repeating()) { out(row) = 0.0; }
+    return out;
+}
+
+/// The two smallest singular values of R_P, by inverse iteration on three vectors.
+std::array<double, 2> smallest_singular_values(const SparseQr& qr, Eigen::Index rows) {
+    const Eigen::Index count = std::min<Eigen::Index>(3, qr.rank());
+    MatrixX basis(rows, count);
+    for (Eigen::Index k = 0; k < count; ++k) { basis.col(k) = any_vector(rows, static_cast<double>(k)); }
+    for (const int row : qr.repeating()) { basis.row(row).setZero(); }
+    std::array<double, 2> values{0.0, 0.0};
+    for (int step = 0; step < kInverseSteps; ++step) {
+        const Eigen::HouseholderQR<MatrixX> orthogonal(basis);
+        const MatrixX Q = orthogonal.householderQ() * MatrixX::Identity(rows, count);
+        for (Eigen::Index k = 0; k < count; ++k) { basis.col(k) = inverse_product(qr, Q.col(k)); }
+        VectorX sizes = basis.colwise().norm();
+        std::ranges::sort(sizes, std::greater<>());
+        for (std::size_t k = 0; k < 2 && static_cast<Eigen::Index>(k) < count; ++k) {
+            values[k] = 1.0 / std::sqrt(sizes(static_cast<Eigen::Index>(k)));
+        }
+    }
+    return values;
+}
+
+SparseCombination combination_of(
+    const SparseQr& qr, const SparseRows& rows, const VectorX& row, const VectorX& column, int repeating) {
+    VectorX v = VectorX::Zero(static_cast<Eigen::Index>(rows.rows.size()));
+    v(repeating) = -1.0;
+    qr.solve_upper(v);
+    v(repeating) = 0.0;
+    for (const int other : qr.repeating()) { v(other) = 0.0; }
+
+    // what the combination misses
+    VectorX difference = rows.transposed_times(v.cwiseQuotient(row));
+    rows.for_each_entry(
+        rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
+    SparseCombination combination{repeating, {}, {}, difference.cwiseProduct(column).cwiseAbs().maxCoeff()};
+    const double negligible = std::max(kNegligibleTerm * v.cwiseAbs().maxCoeff(), combination.misfit);
+    for (Eigen::Index k = 0; k < v.size(); ++k) {
+        if (std::abs(v(k)) <= negligible) { continue; }
+        combination.rows.push_back(static_cast<int>(k));
+        combination.coefficients.push_back(v(k));
+    }
+    return combination;
+}
+
+double scaled_size(const SparseRows& rows, const VectorX& row, const VectorX& column, int r) {
+    double sum = 0.0;
+    rows.for_each_entry(
+        rows.rows[at(r)], [&](int c, double value) { sum += value * column(c) * value * column(c); });
+    return std::sqrt(sum) / row(r);
+}
+
+}  // namespace
+
+SparseRank sparse_rank_of(
+    const SparseRows& rows, const VectorX& row, const VectorX& column, std::vector<int> group_of_row,
+    double relative_threshold) {
+    SparseRank result;
+    result.largest = largest_singular_value(rows, row, column);
+    result.threshold = relative_threshold * std::max(1.0, result.largest);
+    double largest_row = 0.0;
+    for (int r = 0; r < static_cast<int>(rows.rows.size()); ++r) {
+        largest_row = std::max(largest_row, scaled_size(rows, row, column, r));
+    }
+    SparseQr qr(std::move(group_of_row));
+    qr.compute(rows, row, column, largest_row > 0.0 ? result.threshold / largest_row : 0.0);
+
+    result.rank = qr.rank();
+    const double rounding = kRounding * largest_row * std::sqrt(static_cast<double>(rows.rows.size()));
+    result.next_at_most = qr.left_over() + rounding;
+    if (result.rank > 0) {
+        result.last_at_least = 1.0 / qr.inverse_norm() - rounding;
+        const auto smallest = smallest_singular_values(qr, static_cast<Eigen::Index>(rows.rows.size()));
+        result.last = smallest[0];
+        result.last_but_one = result.rank > 1 ? smallest[1] : 0.0;
+    }
+    result.repeating = qr.repeating();
+    std::ranges::sort(result.repeating);
+    for (const int repeating : result.repeating) {
+        // a row that is rounding all over says 0 = 0 and repeats no other
+        if (result.rank == 0 || scaled_size(rows, row, column, repeating) <= result.threshold) {
+            result.combinations.push_back({repeating, {}, {}, 0.0});
+        } else {
+            result.combinations.push_back(combination_of(qr, rows, row, column, repeating));
+        }
+    }
+    return result;
+}
+
+}  // namespace jw
