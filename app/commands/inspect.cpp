@@ -19,6 +19,7 @@ struct InspectOptions {
     std::optional<int> step;
     std::optional<double> time;
     bool as_given = false;
+    bool spectrum = false;
     std::string coordinates;
     std::string format = "text";
 };
@@ -34,15 +35,18 @@ CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
 
 Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     const CoordinateChoice choice = choice_of(options.coordinates, lesson);
-    if (options.as_given) { return inspect_as_given(lesson, choice); }
+    const Spectrum spectrum = options.spectrum ? Spectrum::always : Spectrum::of_small;
+    if (options.as_given) { return inspect_as_given(lesson, choice, spectrum); }
     if (options.time) {
         if (!std::isfinite(*options.time)) {
             throw CommandError(
                 Exit::bad_input, "jointwise: error: --time is not finite; expected a time in s");
         }
-        return inspect_time(lesson, *options.time, choice);
+        return inspect_time(lesson, *options.time, choice, spectrum);
     }
-    const Story story(lesson, poses_only(options.step.has_value()));
+    StoryOptions how = options.step ? poses_only(true) : last_pose_only();
+    how.last_step = options.step.value_or(-1);
+    const Story story(lesson, how);
     const int last = static_cast<int>(story.steps().size()) - 1;
     if (!options.step) {
         if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
@@ -52,7 +56,7 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
             Exit::bad_input, "jointwise: error: --step " + std::to_string(*options.step) +
                                  ": the lesson has steps 0 to " + std::to_string(last));
     }
-    return inspect_step(story, options.step.value_or(last), choice);
+    return inspect_step(story, options.step.value_or(last), choice, spectrum);
 }
 
 Exit inspect(const InspectOptions& options, const Streams& streams) {
@@ -86,6 +90,10 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         command->add_flag("--as-given", options->as_given, "the state in the file, nothing assembled");
     step->excludes(time)->excludes(given);
     time->excludes(given);
+    command->add_flag(
+        "--spectrum", options->spectrum,
+        "singular values and free motions of more than 300 columns, too; takes up to minutes, Ctrl-C ends "
+        "it");
     command
         ->add_option(
             "--coordinates", options->coordinates,

@@ -42,6 +42,7 @@ Exit step(const StepOptions& options, const Streams& streams) {
     ProgressBar bar(streams, "following the motion");
     StoryOptions how;
     how.progress = [&](double fraction) { bar.show(fraction); };
+    how.last_step = options.until;
     const Story story(lesson, how);
     const int last = static_cast<int>(story.steps().size()) - 1;
     const int until = options.until < 0 ? last : options.until;
@@ -62,7 +63,7 @@ Exit step(const StepOptions& options, const Streams& streams) {
     if (!lesson.source.empty()) { streams.out << lesson.source << '\n'; }
     streams.out << tried_text(tried.done) << '\n';
     for (const int k : told_steps(story, until)) {
-        streams.out << describe(view_of(story, k), kWidth) << '\n';
+        streams.out << describe(view_of(story, k, ViewParts::without_matrix), kWidth) << '\n';
     }
     return exit;
 }

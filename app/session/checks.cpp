@@ -12,6 +12,7 @@
 #include "app/session/quantities.hpp"
 #include "app/session/sentences.hpp"
 #include "app/session/story.hpp"
+#include "core/assembler.hpp"
 
 namespace jw {
 
@@ -46,8 +47,9 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
 /// Poses of all moments that are asked for, each found once.
 class Poses {
 public:
-    Poses(const Lesson& lesson, bool with_motion) : lesson_(&lesson), story_(lesson, poses_only()) {
-        if (with_motion) { follow_motion(); }
+    explicit Poses(const Lesson& lesson) : lesson_(&lesson), story_(lesson, what_claims_need(lesson)) {
+        const auto is_of_motion = [](const Claim& c) { return std::holds_alternative<AtTime>(c.when); };
+        if (std::ranges::any_of(lesson.claims, is_of_motion)) { follow_motion(); }
     }
 
     Pose at(const Moment& moment) const {
@@ -57,6 +59,21 @@ public:
     }
 
 private:
+    /// As many joints and drivers as the claims speak of.
+    static StoryOptions what_claims_need(const Lesson& lesson) {
+        StoryOptions options = poses_only();
+        options.additions = 0;
+        for (const Claim& claim : lesson.claims) {
+            if (const auto* after = std::get_if<AfterAddition>(&claim.when)) {
+                options.additions = std::max(options.additions, after->count);
+            }
+            if (std::holds_alternative<AtTime>(claim.when)) {
+                options.additions = static_cast<int>(lesson.order.size());
+            }
+        }
+        return options;
+    }
+
     Pose as_given() const {
         Pose pose;
         pose.state = start_state(lesson_->mechanism);
@@ -91,8 +108,10 @@ private:
         }
         // the lesson's own intervals as well: a claim must not depend on how many others there are
         const MotionPlan& plan = *lesson_->motion;
+        const double last = *std::ranges::max_element(times);
         for (int k = 0; k <= plan.steps; ++k) {
-            times.push_back(plan.from + (plan.to - plan.from) * k / plan.steps);
+            const double t = plan.from + (plan.to - plan.from) * k / plan.steps;
+            if (t < last) { times.push_back(t); }
         }
         std::ranges::sort(times);
         const Pose start = after(static_cast<int>(lesson_->order.size()));
@@ -246,14 +265,27 @@ void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {
     }
 }
 
-void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
-    const RankReport report = rank_of(*pose.system, pose.state, pose.t);
-    double found = report.residual;
-    result.subject = "residual";
-    if (claim.bound != Bound::residual_below) {
-        result.subject = "condition";
-        found = report.rank > 0 ? report.singular_values(0) / report.singular_values(report.rank - 1) : 1.0;
+/// Largest |Φ| in the scene's units, as in RankReport.
+double residual_of(const Pose& pose) {
+    Assembler<OmegaLocal> assembler(*pose.system);
+    assembler.assemble_phi_and_jacobian(pose.state, pose.t);
+    double largest = 0.0;
+    for (int row = 0; row < pose.system->rows(); ++row) {
+        largest = std::max(largest, std::abs(assembler.phi()(row) / pose.system->row_unit(row)));
     }
+    return largest;
+}
+
+/// σ_1 / σ_r; an estimate is no proof, so of large systems, too, by singular values.
+double condition_of(const Pose& pose) {
+    const RankReport report = rank_of(*pose.system, pose.state, pose.t, true);
+    return report.rank > 0 ? report.first_value() / report.last_value() : 1.0;
+}
+
+void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
+    const bool residual = claim.bound == Bound::residual_below;
+    const double found = residual ? residual_of(pose) : condition_of(pose);
+    result.subject = residual ? "residual" : "condition";
     const bool above = claim.bound == Bound::condition_above;
     result.expected = (above ? "above " : "below ") + number_text(claim.limit, 6);
     result.found = number_text(found, 6);
@@ -261,7 +293,7 @@ void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
 }
 
 void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
-    const RankReport report = rank_of(*pose.system, pose.state, pose.t);
+    const RankReport report = rank_of(*pose.system, pose.state, pose.t, true);  // with free motions
     const bool found = pose.change_point || report.near_singular || rank_grows_nearby(pose, report);
     result.subject = "change point";
     result.expected = claim.value ? "yes" : "no";
@@ -342,9 +374,7 @@ ClaimResult judged_end(const Lesson& lesson) {
 }  // namespace
 
 std::vector<ClaimResult> check_claims(const Lesson& lesson) {
-    const bool with_motion = std::ranges::any_of(
-        lesson.claims, [](const Claim& c) { return std::holds_alternative<AtTime>(c.when); });
-    const Poses poses(lesson, with_motion);
+    const Poses poses(lesson);
     std::vector<ClaimResult> results;
     for (const Claim& claim : lesson.claims) {
         results.push_back(judged(claim, poses.at(claim.when)));

@@ -47,28 +47,54 @@ std::string right_sides(const Inspection& inspection, const std::vector<std::str
     return text;
 }
 
+/// An entry of a column that is not zero.
+struct Entry {
+    std::size_t row = 0;
+    double value = 0.0;
+};
+
+std::vector<std::vector<Entry>> columns_of(const SparseRows& jacobian) {
+    std::vector<std::vector<Entry>> columns(static_cast<std::size_t>(jacobian.columns));
+    for (std::size_t row = 0; row < jacobian.rows.size(); ++row) {
+        jacobian.for_each_entry(jacobian.rows[row], [&](int column, double value) {
+            if (value != 0.0) { columns[static_cast<std::size_t>(column)].push_back({row, value}); }
+        });
+    }
+    return columns;
+}
+
+/// Rows with an entry in one of the columns from `first` to before `end`, ascending.
+std::vector<std::size_t> rows_of(
+    const std::vector<std::vector<Entry>>& columns, std::size_t first, std::size_t end) {
+    std::vector<std::size_t> rows;
+    for (std::size_t k = first; k < end; ++k) {
+        for (const Entry& entry : columns[k]) { rows.push_back(entry.row); }
+    }
+    std::ranges::sort(rows);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
 /// Φq in blocks of columns that fit the width, owner by owner, without the rows that are zero there.
 std::string matrix_text(
     const Inspection& inspection, const std::vector<std::string>& labels, int widest, int width) {
     const std::vector<ColumnName> names = column_names(*inspection.system, inspection.choice);
     const auto fitting = static_cast<std::size_t>(std::max(1, (width - widest - 5) / kEntryWidth));
+    const std::vector<std::vector<Entry>> columns = columns_of(inspection.jacobian);
     std::string text;
     for (std::size_t first = 0; first < names.size();) {
         std::size_t end = first;
         while (end < names.size() && end - first < fitting && names[end].owner == names[first].owner) {
             ++end;
         }
-        const auto block = inspection.jacobian.middleCols(
-            static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end - first));
         text += "\n  Φq, columns of " + names[first].owner + "\n  " + padded("", widest + 3);
         for (std::size_t k = first; k < end; ++k) { text += padded(names[k].symbol, kEntryWidth, true); }
         text += '\n';
-        for (std::size_t row = 0; row < labels.size(); ++row) {
-            if ((block.row(static_cast<Eigen::Index>(row)).array() == 0.0).all()) { continue; }
+        for (const std::size_t row : rows_of(columns, first, end)) {
             text += "  " + padded(std::to_string(row), 3) + padded(labels[row], widest);
             for (std::size_t k = first; k < end; ++k) {
-                const double value =
-                    inspection.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+                const auto entry = std::ranges::find(columns[k], row, &Entry::row);
+                const double value = entry == columns[k].end() ? 0.0 : entry->value;
                 text += padded(entry_text(value), kEntryWidth, true);
             }
             text += '\n';
@@ -102,6 +128,22 @@ std::string choices_text(const Inspection& inspection, int width) {
     return text;
 }
 
+std::string redundant_lines(const Inspection& inspection, int width) {
+    std::string text;
+    for (const RedundantRow& row : inspection.rank.redundant_rows) {
+        text += "  redundant: " + wrapped(combination_text(*inspection.system, row), width - 13, 13) + '\n';
+    }
+    return text;
+}
+
+/// Of a large system: how sure the rank is, and how to get the rest.
+std::string without_spectrum_text(const RankReport& rank) {
+    return "largest singular value about " + number_text(rank.first_value(), 3) +
+           ", last one that counts about " + small_text(rank.last_value()) + "; zero up to " +
+           small_text(rank.threshold) +
+           ". The others and the free motions of so many columns take long: --spectrum computes them.";
+}
+
 std::string rank_lines(const Inspection& inspection, int width) {
     const RankReport& rank = inspection.rank;
     const System& system = *inspection.system;
@@ -113,6 +155,10 @@ std::string rank_lines(const Inspection& inspection, int width) {
     if (!rank.assembled) {
         text += "  The largest scaled residual is " + small_text(rank.residual) +
                 ": not assembled, so this is the rank of the matrix only.\n";
+    }
+    if (!rank.has_spectrum) {
+        return text + "  " + wrapped(without_spectrum_text(rank), width - 2, 4) + '\n' +
+               redundant_lines(inspection, width);
     }
     text += "  " +
             wrapped(
@@ -130,9 +176,7 @@ std::string rank_lines(const Inspection& inspection, int width) {
     for (const std::string& doubt : doubts_of(system, rank)) {
         text += "  " + wrapped(doubt, width - 2, 2) + '\n';
     }
-    for (const RedundantRow& row : rank.redundant_rows) {
-        text += "  redundant: " + wrapped(combination_text(system, row), width - 13, 13) + '\n';
-    }
+    text += redundant_lines(inspection, width);
     for (const std::string& motion : free_motion_texts(system, rank.free_motions)) {
         text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
     }

@@ -21,9 +21,7 @@ bool is_in(const std::vector<Addition>& order, const Addition& addition) {
 
 Effect effect_of(const RankReport& report) {
     Effect effect{report.rows, report.rank, report.dof, 0.0};
-    if (report.rank > 0) {
-        effect.condition = report.singular_values(0) / report.singular_values(report.rank - 1);
-    }
+    if (report.rank > 0) { effect.condition = report.first_value() / report.last_value(); }
     return effect;
 }
 
@@ -183,11 +181,11 @@ ExperimentGroup Laboratory::coordinates() const {
         Experiment e{
             text_of(SetCoordinates{choice}, session_), session_.lesson().coordinates == choice, false, {}};
         const Inspection inspection = inspect_step(session_.story(), step, choice);
-        const auto rows = static_cast<int>(inspection.jacobian.rows());
+        const auto rows = static_cast<int>(inspection.phi.size());
         // a row pᵀp - 1 per moving body is independent of all others
         const int rank = report_.rank + rows - step_.system->rows();
         e.effect = Effect{rows, rank, report_.dof, 0.0};
-        if (rank > 0) {
+        if (rank > 0 && inspection.singular_values.size() >= rank) {
             e.effect->condition = inspection.singular_values(0) / inspection.singular_values(rank - 1);
         }
         group.experiments.push_back(std::move(e));

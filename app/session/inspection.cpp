@@ -5,32 +5,40 @@
 #include "app/session/numbers.hpp"
 #include "app/session/sentences.hpp"
 #include "core/assembler.hpp"
+#include "core/large_rank.hpp"
 #include "core/numerics/svd.hpp"
 
 namespace jw {
 
 namespace {
 
+MatrixX dense(const SparseRows& rows) {
+    MatrixX matrix(static_cast<Eigen::Index>(rows.rows.size()), rows.columns);
+    rows.write(matrix);
+    return matrix;
+}
+
 /// Fills in the numbers of system, state, velocity and t.
-void evaluate(Inspection& inspection) {
+void evaluate(Inspection& inspection, Spectrum spectrum) {
     with_choice(inspection.choice, [&](auto c) {
         Assembler<decltype(c)> assembler(*inspection.system);
         assembler.assemble_phi_and_jacobian(inspection.state, inspection.t);
         assembler.assemble_nu(inspection.t);
         assembler.assemble_gamma(inspection.state, inspection.velocity, inspection.t);
         inspection.phi = assembler.phi();
-        inspection.jacobian = assembler.jacobian();
+        inspection.jacobian = assembler.sparse_jacobian();
         inspection.nu = assembler.nu();
         inspection.gamma = assembler.gamma();
     });
-    const Svd svd = svd_of(inspection.jacobian);
-    inspection.singular_values = svd.sigma;
-    inspection.singular_value_error = svd.error;
-    inspection.sound = svd.sound;
     const System& system = *inspection.system;
     inspection.residuals = residuals_of(
         system, inspection.state, inspection.velocity, zero_motion(system.mechanism()), inspection.t);
-    inspection.rank = rank_of(*inspection.system, inspection.state, inspection.t);
+    inspection.rank = rank_of(system, inspection.state, inspection.t, spectrum == Spectrum::always);
+    if (!inspection.rank.has_spectrum) { return; }
+    const Svd svd = svd_of(dense(inspection.jacobian));
+    inspection.singular_values = svd.sigma;
+    inspection.singular_value_error = svd.error;
+    inspection.sound = svd.sound;
 }
 
 /// More than the length of the motion before or after it: there the lesson makes no promise, and a pose that
@@ -63,7 +71,11 @@ PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
     return PoseNotReached(lesson.file_name + ": " + text + ": " + failure_text(failed));
 }
 
-Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) {
+bool is_shown_dense(const Inspection& inspection) {
+    return inspection.system->columns(3) <= kMostColumnsWithSpectrum;
+}
+
+Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, Spectrum spectrum) {
     const Step& step = story.steps().at(static_cast<std::size_t>(index));
     Inspection inspection;
     inspection.moment = "step " + std::to_string(index);
@@ -73,11 +85,11 @@ Inspection inspect_step(const Story& story, int index, CoordinateChoice choice) 
     inspection.state = step.state;
     inspection.velocity = step.velocity;
     inspection.t = step.t;
-    evaluate(inspection);
+    evaluate(inspection, spectrum);
     return inspection;
 }
 
-Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
+Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice, Spectrum spectrum) {
     Inspection inspection;
     inspection.moment = "as given";
     inspection.choice = choice;
@@ -88,7 +100,7 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice) {
         lesson.mechanism, selection_of(lesson, static_cast<int>(lesson.order.size())));
     system->choose_rows(inspection.state);
     inspection.system = system;
-    evaluate(inspection);
+    evaluate(inspection, spectrum);
     return inspection;
 }
 
@@ -129,8 +141,8 @@ void follow_to(const Lesson& lesson, const State& start, System& system, Inspect
 
 }  // namespace
 
-Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice) {
-    const Story story(lesson, poses_only());
+Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice, Spectrum spectrum) {
+    const Story story(lesson, last_pose_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
     Inspection inspection;
@@ -145,7 +157,7 @@ Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice)
         follow_to(lesson, last.state, *system, inspection);
     }
     inspection.system = std::move(system);
-    evaluate(inspection);
+    evaluate(inspection, spectrum);
     return inspection;
 }
 

@@ -18,27 +18,39 @@ struct Inspection {
     Motion velocity;  ///< that γ belongs to
     double t = 0.0;
     VectorX phi;
-    MatrixX jacobian;
+    SparseRows jacobian;
     VectorX nu;
     VectorX gamma;
-    VectorX singular_values;            ///< of `jacobian` as it stands
+    VectorX singular_values;            ///< of `jacobian` as it stands; empty where `rank` has no spectrum
     double singular_value_error = 0.0;  ///< none of them is off by more than this
     bool sound = true;                  ///< false: they did not pass their check
     KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
     RankReport rank;                    ///< kinematic, whatever the coordinates
 };
 
+/// Whether singular values and free motions are computed.
+enum class Spectrum {
+    of_small,  ///< up to kMostColumnsWithSpectrum columns (large_rank.hpp)
+    always,    ///< whatever that takes: a minute for 500 bodies
+};
+
+/// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
+bool is_shown_dense(const Inspection& inspection);
+
 /// At a step of the story; γ belongs to the file's velocities before the motion and to the motion's in it.
 /// @throws std::out_of_range if there is no such step
-Inspection inspect_step(const Story& story, int index, CoordinateChoice choice);
+Inspection inspect_step(
+    const Story& story, int index, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
 /// The state of the file, all joints and drivers present, nothing assembled; γ belongs to the file's
 /// velocities.
-Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice);
+Inspection inspect_as_given(
+    const Lesson& lesson, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
 /// Assembled, and followed through the motion to time `t`.
 /// @throws PoseNotReached
-Inspection inspect_time(const Lesson& lesson, double t, CoordinateChoice choice);
+Inspection inspect_time(
+    const Lesson& lesson, double t, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
 /// The numerics could not find a pose; `what()` says why.
 class PoseNotReached : public std::runtime_error {

@@ -95,7 +95,7 @@ Json json_of(const View& view, const Step& step) {
           {"dof", view.rank.dof},
           {"redundant", view.rank.rows - view.rank.rank},
           {"mobility_by_counting", view.rank.mobility_by_counting},
-          {"singular_values", view.rank.singular_values},
+          {"singular_values", view.rank.has_spectrum ? Json(view.rank.singular_values) : Json()},
           {"threshold", number(view.rank.threshold)},
           {"residual", number(view.rank.residual)},
           {"assembled", view.rank.assembled},
@@ -105,7 +105,7 @@ Json json_of(const View& view, const Step& step) {
           {"doubts", view.rank.doubts},
           {"redundant_rows", view.rank.redundant_rows},
           {"combinations", view.rank.combinations},
-          {"free_motions", view.rank.free_motions}}},
+          {"free_motions", view.rank.has_spectrum ? Json(view.rank.free_motions) : Json()}}},
         {"newton", list_of(view.newton)},
         {"quantities", list_of(view.quantities)},
         {"note", text_or_null(view.velocity_note)},
@@ -198,7 +198,7 @@ Json json_of(const RankReport& report, const System& system) {
         {"dof", report.dof},
         {"redundant", report.redundant()},
         {"mobility_by_counting", report.mobility_by_counting},
-        {"singular_values", json_of(report.singular_values)},
+        {"singular_values", report.has_spectrum ? json_of(report.singular_values) : Json()},
         {"threshold", number(report.threshold)},
         {"residual", number(report.residual)},
         {"gap", number(report.largest_gap)},
@@ -209,13 +209,14 @@ Json json_of(const RankReport& report, const System& system) {
         {"decided", report.decided},
         {"doubts", doubts_of(system, report)},
         {"redundant_rows", redundant},
-        {"free_motions", motions}};
+        {"free_motions", report.has_spectrum ? motions : Json()}};
 }
 
 Json json_of(const Story& story, int until) {
     Json steps = Json::array();
     for (int k = 0; k <= until; ++k) {
-        steps.push_back(json_of(view_of(story, k), story.steps()[static_cast<std::size_t>(k)]));
+        steps.push_back(json_of(
+            view_of(story, k, ViewParts::without_matrix), story.steps()[static_cast<std::size_t>(k)]));
     }
     const Lesson& lesson = story.lesson();
     return {

@@ -199,6 +199,33 @@ Json thetas_of(const System& system, const State& state, const Motion& velocity)
     return list;
 }
 
+/// All rows with all of their zeros; of large systems the entries that are not zero, as three lists.
+Json jacobian_of(const Inspection& inspection) {
+    const SparseRows& jacobian = inspection.jacobian;
+    if (is_shown_dense(inspection)) {
+        MatrixX dense(inspection.phi.size(), jacobian.columns);
+        jacobian.write(dense);
+        return json_of(dense);
+    }
+    Json row = Json::array();
+    Json column = Json::array();
+    Json value = Json::array();
+    for (std::size_t r = 0; r < jacobian.rows.size(); ++r) {
+        jacobian.for_each_entry(jacobian.rows[r], [&](int c, double entry) {
+            if (entry == 0.0) { return; }
+            row.push_back(r);
+            column.push_back(c);
+            value.push_back(number(entry));
+        });
+    }
+    return {
+        {"rows", jacobian.rows.size()},
+        {"columns", jacobian.columns},
+        {"row", std::move(row)},
+        {"column", std::move(column)},
+        {"value", std::move(value)}};
+}
+
 }  // namespace
 
 Json json_of(const Inspection& inspection, const Lesson& lesson) {
@@ -223,10 +250,10 @@ Json json_of(const Inspection& inspection, const Lesson& lesson) {
         {"rows", rows_of(inspection)},
         {"columns", columns},
         {"phi", json_of(inspection.phi)},
-        {"jacobian", json_of(inspection.jacobian)},
+        {"jacobian", jacobian_of(inspection)},
         {"nu", json_of(inspection.nu)},
         {"gamma", json_of(inspection.gamma)},
-        {"singular_values", json_of(inspection.singular_values)},
+        {"singular_values", inspection.rank.has_spectrum ? json_of(inspection.singular_values) : Json()},
         {"singular_value_error", number(inspection.singular_value_error)},
         {"singular_values_sound", inspection.sound},
         {"position_residual", json_of(inspection.residuals.position)},

@@ -218,11 +218,10 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
     std::string text = "t = " + fixed_text(step.t, 3) + " s: ";
     const Mechanism& m = lesson.mechanism;
     if (step.change_point) {
-        text += "a change point, or very near one. Of " + count_text(rank.columns, "column") + " " +
-                std::to_string(rank.rank) +
-                " are independent here, the last of them with a singular value of " +
-                number_text(rank.rank > 0 ? rank.singular_values(rank.rank - 1) : 0.0, 2) +
-                ". The motion goes on along the tangent on which it came.";
+        text +=
+            "a change point, or very near one. Of " + count_text(rank.columns, "column") + " " +
+            std::to_string(rank.rank) + " are independent here, the last of them with a singular value of " +
+            number_text(rank.last_value(), 2) + ". The motion goes on along the tangent on which it came.";
         return text;
     }
     text += "rank " + std::to_string(rank.rank) + " of " + std::to_string(rank.columns) + " columns";

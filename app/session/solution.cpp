@@ -162,7 +162,7 @@ std::vector<double> times_of(const SweepPlan& plan) {
 
 Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {
-    const Story story(lesson, poses_only());
+    const Story story(lesson, last_pose_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }
 

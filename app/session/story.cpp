@@ -1,8 +1,11 @@
 #include "app/session/story.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/session/dynamics_run.hpp"
+#include "core/branches.hpp"
+#include "core/large_rank.hpp"
 
 namespace jw {
 
@@ -67,16 +70,29 @@ std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
 double start_time(const Lesson& lesson) { return lesson.motion ? lesson.motion->from : 0.0; }
 
 Story::Story(const Lesson& lesson, const StoryOptions& options)
-    : lesson_(&lesson), with_ranks_(options.with_ranks) {
+    : lesson_(&lesson), with_ranks_(options.with_ranks), keep_steps_(options.keep_steps) {
     start_time_ = start_time(lesson);
     state_ = start_state(lesson.mechanism);
+    tell(options);
+}
+
+void Story::tell(const StoryOptions& options) {
+    const auto is_enough = [&] {
+        return options.last_step >= 0 && options.last_step < static_cast<int>(steps_.size());
+    };
+    const auto all = static_cast<int>(lesson_->order.size());
+    const int additions = options.additions < 0 ? all : std::min(options.additions, all);
     tell_bodies();
-    for (int count = 1; count <= static_cast<int>(lesson.order.size()); ++count) {
-        if (!tell_addition(count)) { return; }
+    for (int count = 1; count <= additions; ++count) {
+        if (is_enough()) { return; }
+        const bool quiet = !keep_steps_ && count < additions && tell_quietly(count);
+        if (!quiet && !tell_addition(count)) { return; }
+        if (!keep_steps_) { forget_poses(); }
     }
-    if (options.with_motion) {
-        if (const auto plan = shown_motion(lesson)) {
-            lesson.motion ? tell_motion(*plan, options) : tell_dynamics(*plan, options);
+    if (is_enough()) { return; }
+    if (options.with_motion && additions == all) {
+        if (const auto plan = shown_motion(*lesson_)) {
+            lesson_->motion ? tell_motion(*plan, options) : tell_dynamics(*plan, options);
         }
     }
     find_featured_joint();
@@ -115,14 +131,22 @@ bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool&
     return advance(t);
 }
 
-RankReport rank_of(const System& system, const State& state, double t) {
+RankReport rank_of(const System& system, const State& state, double t, bool spectrum) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);
-    return analyse_rank(system, assembler.jacobian(), assembler.phi());
+    return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), spectrum);
 }
 
-std::shared_ptr<const RankReport> Story::present_rank() const {
-    return with_ranks_ ? std::make_shared<RankReport>(rank_of(*system_, state_, start_time_)) : nullptr;
+RankWhenAsked::RankWhenAsked(std::shared_ptr<const System> system, State state, double t)
+    : pose_(std::make_shared<Pose>(Pose{std::move(system), std::move(state), t, std::nullopt})) {}
+
+const RankReport& RankWhenAsked::operator*() const {
+    if (!pose_->report) { pose_->report = rank_of(*pose_->system, pose_->state, pose_->t); }
+    return *pose_->report;
+}
+
+RankWhenAsked Story::present_rank() const {
+    return with_ranks_ ? RankWhenAsked(system_, state_, start_time_) : nullptr;
 }
 
 void Story::find_featured_joint() {
@@ -156,6 +180,55 @@ void Story::tell_bodies() {
     steps_.push_back(std::move(step));
 }
 
+/// True if a joint or driver asks for nothing that the present pose does not do.
+bool Story::fits_as_it_is(const Addition& added) const {
+    if (added.kind == Addition::Kind::driver) {
+        const Driver& driver = lesson_->mechanism.drivers[at(added.index)];
+        const System alone(lesson_->mechanism, {{}, {added.index}});
+        const DriverConstraint& c = alone.drivers().front();
+        const Motion none = zero_motion(lesson_->mechanism);
+        const double value =
+            evaluate_measure(driver.measure, driver.body_i, driver.body_j, c.theta, state_, none, none).value;
+        const double target = target_of(driver.measure, driver.function, start_time_).f;
+        return std::abs(driver_residual(driver.measure, value, target)) <=
+               residual_tolerance(alone, state_) * c.unit;
+    }
+    System alone(lesson_->mechanism, {{added.index}, {}});
+    alone.choose_rows(state_);
+    const double tolerance = residual_tolerance(alone, state_);
+    for (const Constraint& c : alone.constraints()) {
+        const VectorX values = values_of(c, state_);
+        for (int k = 0; k < c.equations; ++k) {
+            if (c.has_row(k) && !(std::abs(values(k)) <= tolerance * c.unit)) { return false; }
+        }
+    }
+    return is_meant(alone, state_, intended_sides(alone));
+}
+
+/// The steps of a joint or driver that fits as it is, without the system of all that are there by then: what
+/// was solved before is not looked at again.
+/// @return false, and nothing told, where something has to move
+bool Story::tell_quietly(int count) {
+    const Addition& added = lesson_->order[at(count - 1)];
+    if (!is_exact_ || system_->columns(3) <= kMostDenseColumns || !fits_as_it_is(added)) { return false; }
+    Step step;
+    step.additions = count;
+    step.kind = Step::Kind::equations;
+    steps_.push_back(step);
+    step.kind = Step::Kind::assembled;
+    steps_.push_back(std::move(step));
+    return true;
+}
+
+void Story::forget_poses() {
+    for (; forgotten_ + 1 < steps_.size(); ++forgotten_) {
+        Step light;
+        light.kind = steps_[forgotten_].kind;
+        light.additions = steps_[forgotten_].additions;
+        steps_[forgotten_] = std::move(light);
+    }
+}
+
 bool Story::tell_addition(int count) {
     auto system = std::make_shared<System>(lesson_->mechanism, selection_of(*lesson_, count));
     system->inherit_rows(*system_);
@@ -163,7 +236,10 @@ bool Story::tell_addition(int count) {
     system->choose_rows(state_);
     system_ = system;
 
-    Step step = steps_.front();
+    Step step;
+    step.t = start_time_;
+    step.velocity = start_motion(lesson_->mechanism);
+    step.acceleration = zero_motion(lesson_->mechanism);
     step.kind = Step::Kind::equations;
     step.additions = count;
     step.system = system_;
@@ -193,6 +269,7 @@ bool Story::tell_addition(int count) {
     });
 
     step.state = state_;
+    is_exact_ = outcome.ok() && outcome.newton.residual <= residual_tolerance(*system_, state_);
     if (!outcome.ok()) {
         thin_out_iterations(steps_);
         step.kind = Step::Kind::failed;

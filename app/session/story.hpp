@@ -12,6 +12,26 @@
 /// close what has been added so far, and the verdict; each driver likewise; then the motion.
 namespace jw {
 
+/// The verdict on a pose, computed when somebody looks at it.
+class RankWhenAsked {
+public:
+    RankWhenAsked(std::nullptr_t = nullptr) {}  // NOLINT: "none"
+    RankWhenAsked(std::shared_ptr<const System> system, State state, double t);
+
+    explicit operator bool() const { return pose_ != nullptr; }
+    const RankReport& operator*() const;
+    const RankReport* operator->() const { return &**this; }
+
+private:
+    struct Pose {
+        std::shared_ptr<const System> system;
+        State state;
+        double t = 0.0;
+        std::optional<RankReport> report;
+    };
+    std::shared_ptr<Pose> pose_;
+};
+
 struct Step {
     enum class Kind {
         bodies,     ///< nothing but coordinates
@@ -30,8 +50,8 @@ struct Step {
     Motion acceleration;             ///< motion only
     std::vector<RowChoice> choices;  ///< equations: of the joint's p1 and p2, in the order of its primitives
     std::vector<PositionEvent> events;  ///< iteration and later: what happened in this solve so far
-    std::shared_ptr<const RankReport> rank_before;  ///< before the addition, at its pose
-    std::shared_ptr<const RankReport> rank;         ///< bodies, assembled, failed
+    RankWhenAsked rank_before;          ///< before the addition, at its pose
+    RankWhenAsked rank;                 ///< bodies, assembled, failed
     std::optional<PositionFailure> failure;
     std::string note;            ///< motion: what else is to be said, one sentence; mostly empty
     std::string ended;           ///< motion by masses and forces: why it goes no further; empty if it does
@@ -61,6 +81,12 @@ struct StoryOptions {
     bool with_motion = true;
     bool with_ranks = true;  ///< of every assembled step, for those who show them
     int intervals = 0;       ///< of the motion; 0: as many as the lesson says
+    int additions = -1;      ///< so many joints and drivers are put together, and nothing moves; -1: all
+    /// Nobody looks beyond this step: telling may end after it, if that is before the motion. -1: everything.
+    int last_step = -1;
+    /// False: of the steps before the last their kind and number are kept, no system and no pose. For those
+    /// who want the last pose: work and memory then grow with the joints, not with their square.
+    bool keep_steps = true;
     std::function<void(double fraction)> progress;
 };
 
@@ -69,6 +95,13 @@ inline StoryOptions poses_only(bool with_motion = false) {
     StoryOptions options;
     options.with_motion = with_motion;
     options.with_ranks = false;
+    return options;
+}
+
+/// For those who want the pose in which everything is put together.
+inline StoryOptions last_pose_only() {
+    StoryOptions options = poses_only();
+    options.keep_steps = false;
     return options;
 }
 
@@ -101,24 +134,31 @@ public:
 
 private:
     void tell_bodies();
+    void tell(const StoryOptions& options);
     bool tell_addition(int count);
+    bool tell_quietly(int count);
+    bool fits_as_it_is(const Addition& added) const;
+    void forget_poses();
     void tell_motion(const MotionPlan& plan, const StoryOptions& options);
     void tell_dynamics(const MotionPlan& plan, const StoryOptions& options);
     void find_featured_joint();
     /// Of the present system and state, if ranks are asked for.
-    std::shared_ptr<const RankReport> present_rank() const;
+    RankWhenAsked present_rank() const;
 
     const Lesson* lesson_;
     double start_time_ = 0.0;
     std::shared_ptr<const System> system_;
     State state_;
     bool with_ranks_ = true;
-    std::shared_ptr<const RankReport> rank_;
+    bool keep_steps_ = true;
+    bool is_exact_ = false;      ///< the pose satisfies all equations so far to the tolerance of Newton
+    std::size_t forgotten_ = 0;  ///< steps before this one have no pose any more
+    RankWhenAsked rank_;
     std::vector<Step> steps_;
     int featured_joint_ = -1;
 };
 
-/// Verdict on a pose.
-RankReport rank_of(const System& system, const State& state, double t);
+/// Verdict on a pose. @param spectrum singular values and free motions of large systems, too: takes long
+RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);
 
 }  // namespace jw

@@ -54,6 +54,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
         view.rank_before = step.rank_before->rank;
         view.rows_before = step.rank_before->rows;
     }
+    view.has_spectrum = report.has_spectrum;
     view.singular_values.assign(report.singular_values.begin(), report.singular_values.end());
     view.threshold = report.threshold;
     view.residual = report.residual;
@@ -152,11 +153,11 @@ std::string velocity_note_of(const Step& step) {
 
 }  // namespace
 
-View view_of(const Story& story, int index) {
-    return view_of(story, story.steps()[static_cast<std::size_t>(index)], index);
+View view_of(const Story& story, int index, ViewParts parts) {
+    return view_of(story, story.steps()[static_cast<std::size_t>(index)], index, parts);
 }
 
-View view_of(const Story& story, const Step& step, int index) {
+View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     const Lesson& lesson = story.lesson();
     const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
 
@@ -190,7 +191,7 @@ View view_of(const Story& story, const Step& step, int index) {
     } else if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
     }
-    view.matrix = matrix_of(step, lesson.coordinates, report, joint, driver);
+    if (parts == ViewParts::all) { view.matrix = matrix_of(step, lesson.coordinates, report, joint, driver); }
     view.rank = rank_view_of(step, report);
     view.newton = newton_rows_of(step);
     view.bodies = body_motions_of(step);

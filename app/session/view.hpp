@@ -67,6 +67,7 @@ struct RankView {
     int mobility_by_counting = 0;
     int rank_before = -1;  ///< -1: nothing to compare with
     int rows_before = 0;
+    bool has_spectrum = true;             ///< false: the next and the last list were not computed
     std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
     double threshold = 0.0;
     double residual = 0.0;
@@ -133,10 +134,13 @@ struct View {
     std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
 };
 
+/// Text and JSON show no matrix: of a large system it is most of the work.
+enum class ViewParts { all, without_matrix };
+
 /// @param index of the step in the story
-View view_of(const Story& story, int index);
+View view_of(const Story& story, int index, ViewParts parts = ViewParts::all);
 
 /// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
-View view_of(const Story& story, const Step& step, int index);
+View view_of(const Story& story, const Step& step, int index, ViewParts parts = ViewParts::all);
 
 }  // namespace jw
