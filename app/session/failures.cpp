@@ -27,8 +27,8 @@ const Driver& driver_at(const System& system, int driver) {
 
 std::string angle_text(double radians) { return number_text(radians * kDegreesPerRadian, 3) + "°"; }
 
-std::string moment_of(const System& system, const PositionFailure& failure) {
-    return system.drivers().empty() ? "" : " at t = " + number_text(failure.t) + " s";
+std::string moment_of(const PositionFailure& failure) {
+    return " at t = " + number_text(failure.t) + " s";
 }
 
 /// "the axes of D stay 0.0573° apart"
@@ -92,10 +92,10 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
     for (const int joint : c.joints) { names.push_back(joint_name(system, joint)); }
     std::string text;
     if (names.size() == 1) {
-        text = "Joint " + names.front() + " cannot be closed" + moment_of(system, failure) + ": " +
+        text = "Joint " + names.front() + " cannot be closed" + moment_of(failure) + ": " +
                gap_text(system, c);
     } else {
-        text = "Joints " + listed(names) + " cannot all be closed" + moment_of(system, failure) +
+        text = "Joints " + listed(names) + " cannot all be closed" + moment_of(failure) +
                ": with the others closed, " + gap_text(system, c);
     }
     text += " (shared out among all, " + row_label(system, failure.row) + " is off by " +
@@ -148,14 +148,14 @@ std::string cannot_close_text(const System& system, const PositionFailure& failu
         return failure.contradiction->drivers.empty() ? joints_text(system, failure)
                                                       : drivers_text(system, failure);
     }
-    return "The equations cannot be met together" + moment_of(system, failure) + ": the closest fit leaves " +
+    return "The equations cannot be met together" + moment_of(failure) + ": the closest fit leaves " +
            row_label(system, failure.row) + " off by " + small_text(failure.value) +
            ". Check lengths, points and axes of this joint and of those before it" +
            (system.drivers().empty() ? "" : ", and what the drivers ask for") + ".";
 }
 
 std::string singular_text(const System& system, const PositionFailure& failure) {
-    std::string text = "The way" + moment_of(system, failure) +
+    std::string text = "The way" + moment_of(failure) +
                        " leads through a singular position, where equations lose their independence";
     if (failure.residual >= kHolds) {
         text += " (" + row_label(system, failure.row) + " is off by " + small_text(failure.value) + " there)";
@@ -165,7 +165,7 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 }
 
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
-    std::string text = "Newton-Raphson did not settle" + moment_of(system, failure) + " within " +
+    std::string text = "Newton-Raphson did not settle" + moment_of(failure) + " within " +
                        count_text(failure.iterations, "iteration");
     if (failure.residual >= kHolds) {
         text += ": " + row_label(system, failure.row) + " is off by " + small_text(failure.value);
@@ -183,7 +183,7 @@ std::string failure_text(const System& system, const PositionFailure& failure) {
     switch (failure.cause) {
         case FailureCause::cannot_close: return cannot_close_text(system, failure);
         case FailureCause::wrong_branch:
-            return "Only solutions on a wrong branch were found" + moment_of(system, failure) +
+            return "Only solutions on a wrong branch were found" + moment_of(failure) +
                    (failure.branch ? ": " + branch_text(system, *failure.branch) : "") +
                    ". Give a start pose nearer to the intended one.";
         case FailureCause::singular: return singular_text(system, failure);

@@ -152,8 +152,14 @@ std::vector<Solve> solves_of(const Story& story) {
         // closed, but at a wrong branch: seen in the step that leaves it; iterations that the story leaves
         // out: in the one before them
         while (solve.steps.size() + 1 < step.events.size()) {
-            const auto* newton = std::get_if<NewtonStep>(&step.events[solve.steps.size()]);
-            const bool later = solve.steps.empty() || newton == nullptr || newton->rank == 0;
+            const std::size_t event = solve.steps.size();
+            const auto is_newton = [&](std::size_t at) {
+                return std::holds_alternative<NewtonStep>(step.events[at]);
+            };
+            // one that ends without a branch behind it gave up, and Newton began again elsewhere
+            const bool closed = is_newton(event) && std::get<NewtonStep>(step.events[event]).rank == 0 &&
+                                !is_newton(event + 1);
+            const bool later = solve.steps.empty() || !is_newton(event) || closed;
             solve.steps.push_back(later ? static_cast<int>(k) : solve.steps.back());
         }
         solve.steps.resize(step.events.size(), static_cast<int>(k));

@@ -152,6 +152,13 @@ void Certificate::set_forces(double t, std::span<const ProbedBody> bodies) {
     }
     std::ranges::fill(forces_, BodyForce{});
     add_forces(scene_->loads, loaded_, t, forces_);
+    // where everything is held at rest, accelerations are the rounding of what the forces would do
+    for (const int body : moving_) {
+        const MassProperties& own = *scene_->loads.masses[at(body)];
+        const BodyForce& Q = forces_[at(body)];
+        largest_ = std::max(
+            largest_, Q.f.lpNorm<1>() / (own.mass * extent_) + Q.n_local.lpNorm<1>() / own.J_local.trace());
+    }
 }
 
 double Certificate::force_residual(std::span<const ProbedBody> bodies) const {

@@ -18,6 +18,9 @@ inline constexpr double kMet = 1e-9;
 /// Residual up to which rows that were left out repeat the others: what a lesson was typed with, seven
 /// digits, grown a thousand times on the way.
 inline constexpr double kContradicts = 1e-3;
+/// Equations left out because they repeat others hold as well as the numbers of a lesson were typed, seven
+/// digits at least; where they are off by more they say something else.
+inline constexpr double kRepeatsUpTo = 1e-6;
 /// Residual from which rows that were left out are asked again, and the growth after which once more: a scene
 /// that begins at a singular position leaves out some that have something to say later.
 inline constexpr double kAskedFrom = 1e-6;

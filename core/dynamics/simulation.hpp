@@ -54,7 +54,8 @@ struct SimulationFailure {
     double t = 0.0;
     /// Of the first three: the joint or driver whose equation is off most; empty if it is that of the forces.
     std::string equation_of;
-    double violation = 0.0;  ///< of the first three: by how much, by the size of the equation
+    double violation = 0.0;         ///< of the first three: by how much, by the size of the equation
+    bool of_accelerations = false;  ///< `violation` is that of the accelerations
     /// Of too many steps: stability kept them short, not accuracy; an implicit method takes longer ones.
     bool bound_by_stability = false;
     std::string fastest = {};   ///< of too many steps: the body that turned fastest

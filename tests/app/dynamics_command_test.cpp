@@ -155,7 +155,7 @@ TEST_CASE("A spring wound up by more than a turn swings as its formula says", "[
 TEST_CASE("check proves where a motion by forces ends, and finds a wrong digit", "[app][dynamics]") {
     const Ran right = run({"check", kPendulum});
     CHECK(right.status == 0);
-    CHECK(right.out.find("holds  at 10 s") != std::string::npos);
+    CHECK(right.out.find("holds at 10 s") != std::string::npos);
     CHECK(right.out.find("point_at_end") != std::string::npos);
     std::string text = bytes_of(kPendulum);
     const std::string end = "point_at_end = [-0.29585";
@@ -165,7 +165,7 @@ TEST_CASE("check proves where a motion by forces ends, and finds a wrong digit",
     const Folder folder;
     const Ran wrong = run({"check", folder.file("wrong.toml", text)});
     CHECK(wrong.status == 1);
-    CHECK(wrong.out.find("FAILS  at 10 s") != std::string::npos);
+    CHECK(wrong.out.find("FAILS at 10 s") != std::string::npos);
     CHECK(wrong.out.find("off by 1.0e-05") != std::string::npos);
 }
 
