@@ -125,7 +125,10 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
         for (Eigen::Index k = 0; k < d; ++k) {
             chosen_.push_back(candidates[at(qr.colsPermutation().indices()(k))]);
         }
-        return std::abs(qr.matrixR()(d - 1, d - 1) / qr.matrixR()(0, 0));
+        // where no candidate takes part in the free motions all pivots are rounding, and none is smaller
+        // than the first: the number of a body that takes part most is asked, too
+        const double most = std::max(std::abs(qr.matrixR()(0, 0)), free.rowwise().norm().maxCoeff());
+        return std::abs(qr.matrixR()(d - 1, d - 1)) / most;
     };
     if (!(choose_from(of_joints_) > kDistinct)) {
         std::vector<IndependentCoordinate> all = of_joints_;
