@@ -24,7 +24,7 @@ struct Exemption {
 
 struct Source {
     std::string path;
-    bool jets = false;
+    Besides besides;
     std::vector<Exemption> exemptions;
 };
 
@@ -53,8 +53,14 @@ std::vector<Source> sources_of(const fs::path& list) {
         } else if (line.starts_with("    ")) {
             sources.back().exemptions.back().reason += line.substr(4);
         } else {
-            const std::size_t space = line.find(' ');
-            sources.push_back({line.substr(0, space), line.ends_with(" jets"), {}});
+            std::istringstream words(line);
+            Source source;
+            words >> source.path;
+            for (std::string word; words >> word;) {
+                if (word != "jets" && word != "branches") { throw std::runtime_error("unknown: " + line); }
+                (word == "jets" ? source.besides.jets : source.besides.branches) = true;
+            }
+            sources.push_back(source);
         }
     }
     return sources;
@@ -82,6 +88,8 @@ void require_true_list(const Source& source, std::size_t marks) {
 
 std::vector<std::string> names_of(Kind kind) {
     switch (kind) {
+        case Kind::loop: return {"loop"};
+        case Kind::branch: return {"branch"};
         case Kind::jet: return {"first block", "last block", "rate", "bias"};
         case Kind::value: return {"value"};
         case Kind::term: return {"term"};
@@ -93,7 +101,7 @@ std::vector<std::string> names_of(Kind kind) {
 /// @return lines for mutants.txt
 std::string mark(Source& source, int first, const fs::path& root, const fs::path& out) {
     const std::string text = content_of(root / source.path);
-    std::vector<Mark> marks = marks_of(text, source.jets);
+    std::vector<Mark> marks = marks_of(text, source.besides);
     std::erase_if(marks, [&](const Mark& m) { return is_exempt(source, line_at(text, m.begin)); });
     write(
         out / source.path, "#include \"tests/mutation/switch.hpp\"\n#line 1\n" + marked(text, marks, first));

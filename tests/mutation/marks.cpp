@@ -104,6 +104,29 @@ struct Marker {
         marks.push_back({Kind::value, value, code.find(';', value)});
     }
 
+    /// @param at the bracket behind `if`, `while` or `for`; a loop over a range has no condition
+    void condition(Kind kind, std::size_t at) const {
+        int depth = 0;
+        std::vector<std::size_t> ends{at};
+        for (; at < code.size() && ends.size() < 4; ++at) {
+            if (code[at] == '(') { ++depth; }
+            if (code[at] == ')' && --depth == 0) { break; }
+            if (code[at] == ';' && depth == 1) { ends.push_back(at); }
+        }
+        const bool is_counted = ends.size() == 3;
+        if (is_counted) { at = ends[2]; }
+        const bool is_range = ends.size() == 1 && code.compare(ends[0] - 4, 4, "for ") == 0;
+        const std::size_t begin = after_spaces(code, ends[is_counted ? 1 : 0] + 1);
+        if (!is_range && begin < at) { marks.push_back({kind, begin, at}); }
+    }
+
+    void branched(std::size_t word) const {
+        const auto is = [&](std::string_view text) { return code.compare(word, text.size(), text) == 0; };
+        if (is("if (")) { condition(Kind::branch, word + 3); }
+        if (is("for (")) { condition(Kind::loop, word + 4); }
+        if (is("while (")) { condition(Kind::loop, word + 6); }
+    }
+
     void returned(std::size_t value, bool jets) const {
         if (code[value] == '(' && code[value + 1] != '-') {
             marks.push_back({Kind::term, value + 1, value + 1});
@@ -126,6 +149,8 @@ void insert_calls(const Mark& mark, int mutant, std::vector<Insertion>& insertio
         insertions.push_back({mark.end, after});
     };
     switch (mark.kind) {
+        case Kind::loop: insert("never(" + number + ", ", ")"); break;
+        case Kind::branch: insert("otherwise(" + number + ", ", ")"); break;
         case Kind::jet: insert("jet(" + number + ", ", ")"); break;
         case Kind::value: insert("sign(" + number + ") * (", ")"); break;
         case Kind::term: insert("sign(" + number + ") * ", ""); break;
@@ -135,7 +160,7 @@ void insert_calls(const Mark& mark, int mutant, std::vector<Insertion>& insertio
 
 }  // namespace
 
-std::vector<Mark> marks_of(std::string_view source, bool jets) {
+std::vector<Mark> marks_of(std::string_view source, const Besides& besides) {
     const std::string code = code_of(source);
     std::vector<Mark> marks;
     const Marker mark{source, code, marks};
@@ -148,7 +173,8 @@ std::vector<Mark> marks_of(std::string_view source, bool jets) {
             mark.number(begin, at);
         } else if (is_word(code[begin])) {
             at = after_word(code, begin);
-            if (code.compare(begin, 7, "return ") == 0) { mark.returned(begin + 7, jets); }
+            if (code.compare(begin, 7, "return ") == 0) { mark.returned(begin + 7, besides.jets); }
+            if (besides.branches) { mark.branched(begin); }
         }
     }
     std::ranges::stable_sort(marks, {}, [](const Mark& m) { return std::pair(m.begin, m.kind); });

@@ -4,10 +4,12 @@
 #include <string_view>
 #include <vector>
 
-/// Finds the places of a source where one character makes a derivative wrong.
+/// Finds the places of a source where one character makes an answer wrong.
 namespace jw::mutation {
 
 enum class Kind {
+    loop,    ///< the condition of a loop: it never holds
+    branch,  ///< the condition of an if: it holds where it did not
     jet,     ///< a jet that a function returns: its first block, last block, rate or bias changes its sign
     value,   ///< a value given or added to something: it changes its sign
     term,    ///< what stands behind a + or - or is returned in brackets: it changes its sign
@@ -24,10 +26,15 @@ struct Mark {
     std::size_t end = 0;
 };
 
+/// What is marked besides signs and numbers.
+struct Besides {
+    bool jets = false;      ///< jets that are returned
+    bool branches = false;  ///< conditions of loops and ifs
+};
+
 /// Marks of a source in their order. Comments, strings, preprocessor lines, constants known at compile time
 /// and signs before whole numbers (indices) have none; 0.0 has none either.
-/// @param jets whether jets that are returned are marked
-std::vector<Mark> marks_of(std::string_view source, bool jets);
+std::vector<Mark> marks_of(std::string_view source, const Besides& besides);
 
 /// `source` with calls of switch.hpp at its marks, their mutants numbered from `first` on.
 std::string marked(std::string_view source, const std::vector<Mark>& marks, int first);

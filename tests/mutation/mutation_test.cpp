@@ -11,8 +11,8 @@
 
 #include "core/drivers.hpp"
 
-/// `mutated_tests` is the tests of derivatives and forces as they are, compiled with sources that can be
-/// wrong in one place at a time (marks.hpp); JW_MUTANT says in which.
+/// `mutated_tests` is the tests of derivatives, forces and linked trees as they are, compiled with sources
+/// that can be wrong in one place at a time (marks.hpp); JW_MUTANT says in which.
 namespace {
 
 struct Mutant {
@@ -34,7 +34,7 @@ std::vector<Mutant> all_mutants() {
 }
 
 bool passes(const std::string& number) {
-    // a minute stands for an endless loop: all tests together take a tenth of a second
+    // a minute stands for an endless loop: all tests together take seconds
     const std::string command =
         "JW_MUTANT=" + number + " timeout 60 '" JW_MUTATED_TESTS "' --abort >/dev/null 2>&1";
     return std::system(command.c_str()) == 0;
@@ -57,7 +57,7 @@ std::vector<std::string> names_of(const std::variant<Ts...>*) {
 
 TEST_CASE("Without a mutant all tests pass", "[mutation]") { CHECK(passes("0")); }
 
-TEST_CASE("A sign or a number wrong in any derivative makes a test fail", "[mutation]") {
+TEST_CASE("A sign, number or condition wrong in any marked source makes a test fail", "[mutation]") {
     const std::vector<Mutant> mutants = all_mutants();
     std::vector<char> survived(mutants.size(), 0);
     std::atomic<std::size_t> next = 0;

@@ -19,6 +19,12 @@ inline double sign(int mutant) { return active() == mutant ? -1.0 : 1.0; }
 
 inline double number(int mutant, double value) { return active() == mutant ? 1.25 * value : value; }
 
+/// A loop that is not gone through.
+inline bool never(int mutant, bool condition) { return active() != mutant && condition; }
+
+/// A branch that is taken where it must not be, and only there.
+inline bool otherwise(int mutant, bool condition) { return (active() == mutant) != condition; }
+
 /// Four mutants: the derivatives that a jet hands on, each without regard to its value.
 template <class J>
 J jet(int first, J out) {
