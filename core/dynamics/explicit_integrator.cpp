@@ -259,6 +259,7 @@ bool ExplicitIntegrator::step(double t_end) {
     if (is_contradicted()) { return false; }
     if (is_fixed()) { h_ = options_.fixed_step; }
     int dodges = 0;
+    const double wanted = h_;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const StepAhead ahead(t_, t_end, is_fixed() ? h_ : std::min(h_, longest_step()));
         const double h = ahead.h;
@@ -270,8 +271,9 @@ bool ExplicitIntegrator::step(double t_end) {
             on_manifold_ = true;
             take_step(h);
             if (lowest_pivot_ < kTooNear * regular_pivot_ && dodges < kMostDodges) {
-                ++dodges;
-                h_ = kDodge * h;
+                // where no length helps the whole motion is singular: then the step is as long as it was, or
+                // shorter and shorter ones would never reach the end of the run
+                h_ = ++dodges < kMostDodges ? kDodge * h : wanted;
                 continue;
             }
         }
