@@ -44,8 +44,8 @@ Fit fit_at(const System& system, State state, double t) {
     }
     const VectorX& sigma = svd.sigma;
     const double slack = std::min(kErrorFactor * fit.phi.cwiseAbs().maxCoeff(), kLargestSlack);
-    const VectorX gradient = (sigma.array() > slack * sigma(0))
-                                 .select(sigma.cwiseProduct(svd.U.transpose() * fit.phi), 0.0);
+    const VectorX gradient =
+        (sigma.array() > slack * sigma(0)).select(sigma.cwiseProduct(svd.U.transpose() * fit.phi), 0.0);
     fit.flatness = gradient.norm() / std::max(sigma(0) * fit.phi.norm(), 1e-300);
     // smallest among those that should not vanish: redundancy aside, the last ratio that is no rounding
     for (const double s : sigma) {

@@ -27,9 +27,7 @@ const Driver& driver_at(const System& system, int driver) {
 
 std::string angle_text(double radians) { return number_text(radians * kDegreesPerRadian, 3) + "°"; }
 
-std::string moment_of(const PositionFailure& failure) {
-    return " at t = " + number_text(failure.t) + " s";
-}
+std::string moment_of(const PositionFailure& failure) { return " at t = " + number_text(failure.t) + " s"; }
 
 /// "the axes of D stay 0.0573° apart"
 std::string gap_text(const System& system, const Contradiction& c) {
@@ -92,8 +90,8 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
     for (const int joint : c.joints) { names.push_back(joint_name(system, joint)); }
     std::string text;
     if (names.size() == 1) {
-        text = "Joint " + names.front() + " cannot be closed" + moment_of(failure) + ": " +
-               gap_text(system, c);
+        text =
+            "Joint " + names.front() + " cannot be closed" + moment_of(failure) + ": " + gap_text(system, c);
     } else {
         text = "Joints " + listed(names) + " cannot all be closed" + moment_of(failure) +
                ": with the others closed, " + gap_text(system, c);
