@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include <catch2/catch.hpp>
 
 #include "core/assembler.hpp"
@@ -147,5 +150,24 @@ TEST_CASE("A screw without θ is as far off as with it, but for whole turns", "[
             }
         }
         CHECK(found);
+    }
+}
+
+TEST_CASE("A screw is followed by its rate through turns that no pose tells", "[core][dynamics]") {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        test::Random random(seed);
+        CAPTURE(seed);
+        const double theta = random.number(-60.0, 60.0);
+        const double rate = random.number(10.0, 30.0);
+        const double before = random.number(0.0, 1.0);
+        const double now = before + random.number(1.0, 2.0);
+        ScrewTurned screw{{}, {}, random.number(0.1, 0.5), random.number(), random.number()};
+        // several turns later, and up to 2 rad beside what the rate promises
+        screw.so_far = TurnsSoFar{before, theta - rate * (now - before) + random.number(-2.0, 2.0), rate};
+        const double off = random.number(-0.1, 0.1);
+        const double advanced = screw.d_0 + screw.alpha * (theta - screw.theta_0) + off;
+        const double turned = std::remainder(theta, 2.0 * std::numbers::pi);
+        // rounding of 60 rad times an advance of 0.5 m/rad
+        CHECK(std::abs(screw.residual(advanced, turned, now) - off) < 1e-13);
     }
 }

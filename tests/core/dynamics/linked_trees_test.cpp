@@ -27,9 +27,15 @@ public:
         for (;;) {
             LinkedScene linked{test::Random(++seed), {}, {}};
             test::Random& random = linked.random;
-            const Mechanism mechanism =
+            Mechanism mechanism =
                 moved_rigidly(test::random_linked_tree(random), random.unit_p(), random.vector());
-            linked.scene = centroidal(mechanism, test::random_loads(random, mechanism));
+            // of the last body, which hangs on one that moves
+            mechanism.drivers.push_back(
+                {"height", -1, 0, static_cast<int>(mechanism.bodies.size()) - 1, CoordinateMeasure{2},
+                 test::polynomial({mechanism.bodies.back().r.z(), random.number(), random.number()})});
+            Loads loads = test::random_loads(random, mechanism);
+            loads.masses.back()->centre_local.setZero();  // a driven coordinate is that of the centre
+            linked.scene = centroidal(mechanism, loads);
             if (find_moment(linked)) { return linked; }
             REQUIRE(++left_out < 200);
         }
