@@ -21,9 +21,11 @@ bool asks_for_parameter(const LinkEquation& equation) {
     return asked != nullptr && asked->coordinate >= 3;
 }
 
-/// Largest work that a force can do along a motion of this size.
-double size_of(const BodyForce& force, const Vec3& way, const Vec3& turn) {
-    return force.f.lpNorm<1>() * way.lpNorm<1>() + force.n_local.lpNorm<1>() * turn.lpNorm<1>();
+/// Largest work that a force can do along a motion of this size, wherever it acts and about whatever it
+/// turns: of a body that is pushed across and turned along its freedoms every product is rounding.
+double size_of(const BodyForce& force, const Vec3& way, const Vec3& turn, double extent) {
+    return (force.f.lpNorm<1>() * extent + force.n_local.lpNorm<1>()) *
+           (way.lpNorm<1>() / extent + turn.lpNorm<1>());
 }
 
 }  // namespace
@@ -173,8 +175,8 @@ double Certificate::force_residual(std::span<const ProbedBody> bodies) const {
         const BodyForce Q{forces_[b].f, forces_[b].n_local + gyroscopic_torque(own.J_local, omega_local)};
         const BodyForce M_q_ddot{own.mass * body.r_ddot, own.J_local * (body.A.transpose() * body.alpha)};
         sum += body.free_way.dot(M_q_ddot.f - Q.f) + free_turn_local.dot(M_q_ddot.n_local - Q.n_local);
-        size +=
-            size_of(M_q_ddot, body.free_way, free_turn_local) + size_of(Q, body.free_way, free_turn_local);
+        size += size_of(M_q_ddot, body.free_way, free_turn_local, extent_) +
+                size_of(Q, body.free_way, free_turn_local, extent_);
     }
     return size > 0.0 ? std::abs(sum) / size : 0.0;
 }
