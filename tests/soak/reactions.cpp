@@ -47,7 +47,7 @@ Verdict reactions_balance(const Generated& generated) {
 
     // what the constraints must have put on every body: M (a - M⁻¹ Q), by the reference
     double off = 0.0;
-    double size = 1e-300;
+    double size = 0.0;
     for (std::size_t b = 0; b < placed.size(); ++b) {
         if (reference.model().bodies[b].fixed) { continue; }
         const general::Body& body = reference.model().bodies[b];
@@ -56,14 +56,17 @@ Verdict reactions_balance(const Generated& generated) {
         const Vec3 torque = (J * (a.omega_dot[b] - a.free_omega_dot[b])).cast<double>();
         const double length = generated.length;
         off = std::max({off, (pushed.force[b] - force).norm(), (pushed.torque[b] - torque).norm() / length});
-        const auto weight = static_cast<double>(body.mass * (a.v_dot[b].norm() + a.free_v_dot[b].norm()));
+        // a scene that nothing moves has no forces but rounding: 1 / s² at least, as in size_of
+        const auto accelerated = static_cast<double>(a.v_dot[b].norm() + a.free_v_dot[b].norm());
+        const double weight = static_cast<double>(body.mass) * std::max(accelerated, length);
         size = std::max({size, weight, force.norm(), torque.norm() / length});
     }
     for (const Reaction& reaction : reactions.reactions) {
         size = std::max(size, reaction.wrench.force.norm());
     }
-    // rounding of a least-squares solution: its condition, and ten for the worst of many
-    const double limit = 1e-12 * generated.condition;
+    // rounding of a least-squares solution: its condition, and ten for the worst of many. Beside a line or a
+    // pole a joint's directions are known to rounding over the distance from it.
+    const double limit = 1e-12 * generated.condition * std::pow(10.0, generated.recipe.near);
     if (off <= limit * size) { return holds(); }
     char text[120];
     std::snprintf(text, sizeof text, "reactions miss Newton and Euler by %.2g of their size", off / size);
