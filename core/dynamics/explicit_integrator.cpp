@@ -255,10 +255,17 @@ bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, d
     return met;
 }
 
+/// Whether the step before, which was longer, had an error that was hardly larger: that of a motion falls with
+/// the order of the method.
+bool ExplicitIntegrator::is_rounding(double error, double h) const {
+    return h < rejected_.h && error > std::pow(h / rejected_.h, 2) * rejected_.error;
+}
+
 bool ExplicitIntegrator::step(double t_end) {
     if (is_contradicted()) { return false; }
     if (is_fixed()) { h_ = options_.fixed_step; }
     int dodges = 0;
+    rejected_ = {};
     const double wanted = h_;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         const StepAhead ahead(t_, t_end, is_fixed() ? h_ : std::min(h_, longest_step()));
@@ -288,9 +295,10 @@ bool ExplicitIntegrator::step(double t_end) {
         }
         const double error = is_fixed() ? 0.0 : error_of(h);
         // the estimate of a step through a singular position sees rounding, not the motion
-        const bool small_enough = singular && h <= kSmallestShare * regular_step_ &&
-                                  error * options_.tolerance < kMostErrorThrough &&
-                                  correction_ <= most_correction_through(lowest_pivot_, options_.tolerance);
+        const bool small_enough =
+            singular && h <= kSmallestShare * regular_step_ && is_rounding(error, h) &&
+            error * options_.tolerance < most_error_through(lowest_pivot_ / regular_pivot_) &&
+            correction_ <= most_correction_through(lowest_pivot_, options_.tolerance);
         if (std::isfinite(error) && (error <= 1.0 || small_enough)) {
             if (stiffness_.is_watching() && !is_fixed()) {
                 stiffness_.take(h, stages_[stiffness_.stage()], y_new_, y_dot_new_, scales_);
@@ -307,6 +315,7 @@ bool ExplicitIntegrator::step(double t_end) {
         }
         ++counts_.rejected;
         rejected_before_ = true;
+        rejected_ = {h, error};
         const double factor = std::isfinite(error) ? kSafety * std::pow(error, -1.0 / table_->order) : 0.1;
         h_ = h * std::clamp(factor, 0.1, 0.9);
     }

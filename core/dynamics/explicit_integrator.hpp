@@ -33,6 +33,7 @@ private:
     void take_step(double h);
     void accept(double t);
     bool is_near_singular() const;
+    bool is_rounding(double error, double h) const;
     double growth_after(double error);
     double error_of(double h) const;
     void choose_rows_again();
@@ -56,6 +57,12 @@ private:
     double h_ = 0.0;             ///< to try next [s]
     double regular_step_ = 0.0;  ///< last one away from singular positions [s]
     bool rejected_before_ = false;
+    /// Attempt at this step that was refused last; none: no length.
+    struct Attempt {
+        double h = 0.0;
+        double error = 0.0;  ///< by the tolerance
+    };
+    Attempt rejected_;
     double last_error_ = 1e-4;  ///< of the last step taken, by the tolerance
     std::vector<double> y_;
     std::vector<double> y_new_;

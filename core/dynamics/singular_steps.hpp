@@ -19,15 +19,20 @@ inline constexpr double kSmallestShare = 0.4;
 /// Where two branches part, their velocities differ by more, however near their positions are.
 inline constexpr double kOneMotion = 1e-2;
 
-/// Error of a step, by the scales of the motion, up to which one through a singular position is taken
-/// whatever its tolerance: it is rounding there. Beyond, it is the motion.
-inline constexpr double kMostErrorThrough = 1e-2;
-
 /// Rounding of an acceleration there, by the square of the fastest turning: 1e-16 moves a pose across its
 /// branch by 1e-16 / δ, its velocity by 1e-16 / δ² and its acceleration by 1e-16 / δ³, where δ² is the pivot.
 inline double rounding_of_acceleration(double pivot) {
     constexpr double rounding = 1e-15;  // of some tens of operations
     return rounding / (pivot * std::sqrt(pivot));
+}
+
+/// Error of a step, by the scales of the motion, up to which one through a singular position is taken
+/// whatever its tolerance: it is rounding there, a thousand times that of an acceleration. Beyond, it is the
+/// motion.
+inline constexpr double kMostErrorThrough = 1e-2;
+inline double most_error_through(double pivot) {
+    constexpr double worst_of_many = 1e3;
+    return std::min(kMostErrorThrough, worst_of_many * rounding_of_acceleration(pivot));
 }
 
 /// Correction of the end of such a step by the constraints, likewise, that rounding explains: 1e-16 times a
