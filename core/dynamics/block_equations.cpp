@@ -231,6 +231,13 @@ void BlockEquations<B>::factor_in_metric() {
 }
 
 template <int B>
+double BlockEquations<B>::pivot_of(std::size_t node, int row) const {
+    const double inverse = row_size_[node * B + at(row)] * matrix_.inverse_pivot(static_cast<int>(node), row);
+    // a pivot that rounding made negative is none at all
+    return inverse > 0.0 ? 1.0 / inverse : 0.0;
+}
+
+template <int B>
 double BlockEquations<B>::smallest_pivot() const {
     double largest = 0.0;
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -242,6 +249,26 @@ double BlockEquations<B>::smallest_pivot() const {
         }
     }
     return largest > 0.0 ? 1.0 / largest : 1.0;
+}
+
+template <int B>
+void BlockEquations<B>::keep_pivots() {
+    kept_pivots_.clear();
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < B; ++row) { kept_pivots_.push_back(pivot_of(n, row)); }
+    }
+}
+
+template <int B>
+double BlockEquations<B>::share_of_pivots() const {
+    double least = 1.0;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < B; ++row) {
+            const double before = kept_pivots_[n * B + at(row)];
+            least = std::min(least, before > 0.0 ? pivot_of(n, row) / before : 0.0);
+        }
+    }
+    return least;
 }
 
 template <int B>

@@ -58,6 +58,9 @@ public:
         double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
     void refine(double* y_dot) override;
     bool masses_are_apart() const override { return masses_apart_; }
+    void forget_masses() override { forgets_masses_ = true; }
+    void keep_pivots() override;
+    double share_of_pivots() const override;
     void set_driver(int driver, double f0, double f1) override;
     int rows() const override;
     int rows_left_out() const override;
@@ -91,6 +94,8 @@ private:
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void form_matrix();
+    /// Pivot of a row by its own size.
+    double pivot_of(std::size_t node, int row) const;
     /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored; with the M of geometry where masses
     /// are far apart.
     void factor_in_metric();
@@ -133,7 +138,9 @@ private:
     std::vector<double> inverse_unit_;  ///< 1 / change of every equation when bodies move by one extent
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
+    std::vector<double> kept_pivots_;   ///< to compare with, one per row
     double extent_ = 1.0;
+    bool forgets_masses_ = false;
     bool has_screws_ = false;
     bool masses_apart_ = false;         ///< light bodies carry heavy ones: see block_pivoting.cpp
     bool masses_apart_before_ = false;  ///< before the last choice of rows

@@ -20,6 +20,10 @@ constexpr double kDigitsAreLost = 1e-6;
 
 template <int B>
 void BlockEquations<B>::compare_masses(double t) {
+    if (forgets_masses_) {
+        masses_apart_ = true;
+        return;
+    }
     const double by_geometry = smallest_pivot();
     masses_apart_ = false;
     evaluate_links<false>(t);

@@ -146,29 +146,28 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
         x(d + k) = jet.rate;
     }
     driven_ = block_equations(driven_scene_);
+    driven_->forget_masses();
     drive(t, x);
     driven_->begin_turns(t, y);
     driven_->choose_rows(t, y);
     std::vector<double> here(y, y + equations_->size());
     driven_->project(t, here.data());
-    pivot_at_choice_ = driven_->smallest_pivot();
+    driven_->keep_pivots();
     best_pivot_of_rows_ = std::max(best_pivot_of_rows_, pivot_of_rows_);
     return x;
 }
 
 bool IndependentCoordinates::is_sound() const {
     constexpr double kept = kStillDistinct * kStillDistinct;
-    return driven_->smallest_pivot() > kept * pivot_at_choice_ &&
-           equations_->smallest_pivot() > kept * pivot_of_rows_ && sharpness_ > kStillDistinct;
+    return driven_->share_of_pivots() > kept && equations_->smallest_pivot() > kept * pivot_of_rows_ &&
+           sharpness_ > kStillDistinct;
 }
 
 double IndependentCoordinates::pivot_left() const {
     return share_of(equations_->smallest_pivot(), best_pivot_of_rows_);
 }
 
-double IndependentCoordinates::pivot_with_coordinates_left() const {
-    return share_of(driven_->smallest_pivot(), pivot_at_choice_);
-}
+double IndependentCoordinates::pivot_with_coordinates_left() const { return driven_->share_of_pivots(); }
 
 /// The coordinates become x at t, and go on with their rates.
 void IndependentCoordinates::drive(double t, const VectorX& x) {

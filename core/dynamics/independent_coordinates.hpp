@@ -60,8 +60,7 @@ private:
     std::vector<IndependentCoordinate> of_joints_;
     std::vector<IndependentCoordinate> of_bodies_;
     std::vector<IndependentCoordinate> chosen_;
-    double pivot_at_choice_ = 1.0;     ///< of the driven equations
-    double pivot_of_rows_ = 1.0;       ///< of the equations without the coordinates' drivers, likewise
+    double pivot_of_rows_ = 1.0;       ///< of the equations without the coordinates' drivers, at the choice
     double best_pivot_of_rows_ = 0.0;  ///< of all choices so far
     RowsVerdict verdict_;              ///< where it was evaluated last
     double sharpness_ = 1.0;           ///< of the coordinate that told least where it was evaluated last

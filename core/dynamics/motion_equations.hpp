@@ -149,6 +149,15 @@ public:
     /// Light bodies carry heavy ones, so that digits would be lost in Φq M⁻¹ Φqᵀ; known from `choose_rows`
     /// on.
     virtual bool masses_are_apart() const = 0;
+    /// Masses play no part in `project` from the next choice of rows on: for mechanisms that are driven
+    /// altogether, so that one pose and one motion meet the equations. Heavy bodies would hide there how well
+    /// light ones are held.
+    virtual void forget_masses() = 0;
+    /// Pivots are compared with those of the last factorisation from now on.
+    virtual void keep_pivots() = 0;
+    /// Smallest share that is left of any of them: where small pivots stand beside large ones, the smallest
+    /// says nothing of the others.
+    virtual double share_of_pivots() const = 0;
     /// The function of a driver of the mechanism becomes f0 + f1 t.
     virtual void set_driver(int driver, double f0, double f1) = 0;
 };
