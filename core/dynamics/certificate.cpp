@@ -12,6 +12,9 @@ constexpr unsigned kSeed = 1;
 /// passed on from body to body through the reactions.
 constexpr double kFloor = 1e-3;
 
+/// Accelerations that take ten days for one extent [1/s²]: where nothing moves all of them are rounding.
+constexpr double kUnseen = 1e-12;
+
 /// Residuals below this need no drift as an excuse.
 constexpr double kSurelyRounding = 1e-9;
 
@@ -111,7 +114,8 @@ void Certificate::set_bodies(std::span<const ProbedBody> bodies) {
     const auto size = [&](const Vec3& way, const Vec3& turn) {
         return way.lpNorm<1>() * per_extent + turn.lpNorm<1>();
     };
-    fastest_ = largest_ = 0.0;
+    fastest_ = 0.0;
+    largest_ = kUnseen / kFloor;
     double moved = 0.0;
     double free = 0.0;
     for (const ProbedBody& body : bodies) {
