@@ -93,6 +93,13 @@ private:
     /// a point one extent away.
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
+    void measure_units();
+    void keep_independent_rows();
+    int keep_rows_beyond(double least);
+    void factor_kept_rows(const std::vector<double>& all);
+    bool keep_one_more(const std::vector<double>& all);
+    double share_left_of(const std::vector<double>& all, std::size_t n, int row);
+    void strike_rows(int n, double* diagonal);
     void form_matrix();
     /// Pivot of a row by its own size.
     double pivot_of(std::size_t node, int row) const;

@@ -1,5 +1,6 @@
 #include "core/dynamics/block_equations.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -20,15 +21,18 @@ constexpr double kFastConvergence = 1e-2;
 /// A motion that changes the equations by less than this share of what any motion changes is free.
 constexpr double kFree = 1e-9;
 
-/// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, do not repeat others: diagonal pivoting.
+double vanishing_size(double extent) { return std::pow(kVanishes * std::min(1.0, 1.0 / extent), 2); }
+
+/// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, keep more than the share `least` of
+/// themselves: diagonal pivoting.
 template <int B>
-unsigned independent_rows_of(const double* block, const double* row_size, unsigned candidates) {
+unsigned independent_rows_of(const double* block, const double* row_size, unsigned candidates, double least) {
     double a[B * B];
     std::copy(block, block + B * B, a);
     unsigned chosen = 0;
     for (;;) {
         int best = -1;
-        double best_ratio = kRepeats;
+        double best_ratio = least;
         for (int row = 0; row < B; ++row) {
             const bool open = (((candidates & ~chosen) >> row) & 1U) != 0;
             const double ratio = a[row * B + row] / row_size[row];
@@ -117,6 +121,128 @@ void BlockEquations<B>::project_velocities(double* y) {
     for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(&six_[6 * m], 6, body_numbers(y, m) + 7); }
 }
 
+/// Rows that are not kept leave the matrix, just before the block of their node is factored.
+template <int B>
+void BlockEquations<B>::strike_rows(int n, double* diagonal) {
+    for (int row = 0; row < B; ++row) {
+        if (has(nodes_[at(n)].kept, row)) { continue; }
+        for (int k = 0; k < B; ++k) { diagonal[row * B + k] = diagonal[k * B + row] = 0.0; }
+        diagonal[row * B + row] = row_size_[at(n) * B + at(row)] = 1.0;
+        for (const auto& upper : structure_.pivots()[at(structure_.position(n))].uppers) {
+            double* x = matrix_.block(upper.block) + row * B;
+            std::fill(x, x + B, 0.0);
+        }
+    }
+}
+
+/// Rows that keep more than the share `least` of themselves beside those before them, squared.
+/// @return how many
+template <int B>
+int BlockEquations<B>::keep_rows_beyond(double least) {
+    for (Node& node : nodes_) { node.kept = (1U << node.link.rows) - 1U; }
+    form_matrix();
+    const double vanishing = vanishing_size(extent_);
+    int count = 0;
+    matrix_.factor([&](int n, double* diagonal) {
+        Node& node = nodes_[at(n)];
+        for (int row = 0; row < B; ++row) {
+            if (row_size_[at(n) * B + at(row)] < vanishing) { node.kept &= ~(1U << row); }
+        }
+        node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept, least);
+        count += std::popcount(node.kept);
+        strike_rows(n, diagonal);
+    });
+    return count;
+}
+
+/// The matrix of the rows that are kept, factored. `all`: Jᵀ of every side, with all rows.
+template <int B>
+void BlockEquations<B>::factor_kept_rows(const std::vector<double>& all) {
+    j_ = all;
+    for (std::size_t k = 0; k < j_.size(); ++k) {
+        const std::size_t node = k / (2 * static_cast<std::size_t>(kSide));
+        if (!has(nodes_[node].kept, static_cast<int>(k) % B)) { j_[k] = 0.0; }
+    }
+    weigh(Metric::geometry);
+    form_matrix();
+    matrix_.factor();
+}
+
+/// What is left of a row beside all that are kept, squared, in the metric of geometry.
+template <int B>
+double BlockEquations<B>::share_left_of(const std::vector<double>& all, std::size_t n, int row) {
+    std::ranges::fill(six_, 0.0);
+    const double per_square = 1.0 / (extent_ * extent_);
+    const auto along_row = [&](const auto& f) {
+        for (const int body : {0, 1}) {
+            const int moving = body == 0 ? nodes_[n].moving_i : nodes_[n].moving_j;
+            const std::size_t side = side_at(2 * static_cast<int>(n) + body);
+            for (int k = 0; moving >= 0 && k < 6; ++k) {
+                const double j = all[side + at(k * B + row)];
+                f(six_[6 * at(moving) + at(k)], k < 3 ? j : per_square * j, j);
+            }
+        }
+    };
+    double before = 0.0;
+    along_row([&](double& six, double weighed, double j) {
+        six += weighed;
+        before += weighed * j;
+    });
+    if (before < vanishing_size(extent_)) { return 0.0; }
+    std::ranges::fill(lambda_, 0.0);
+    subtract_products(six_.data(), lambda_.data());
+    matrix_.solve(lambda_.data());
+    add_reactions(lambda_.data(), six_.data());
+    double left = 0.0;
+    along_row([&](double six, double, double j) { left += six * j; });
+    return left / before;
+}
+
+/// The row that says most of what the kept ones do not. @return whether there was one
+template <int B>
+bool BlockEquations<B>::keep_one_more(const std::vector<double>& all) {
+    double most = kRepeats;
+    std::size_t best_node = nodes_.size();
+    int best_row = 0;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < nodes_[n].link.rows; ++row) {
+            const double left = has(nodes_[n].kept, row) ? 0.0 : share_left_of(all, n, row);
+            if (left > most) {
+                most = left;
+                best_node = n;
+                best_row = row;
+            }
+        }
+    }
+    if (best_node == nodes_.size()) { return false; }
+    nodes_[best_node].kept |= 1U << best_row;
+    return true;
+}
+
+/// A joint may hold a row that nearly repeats those before it, where one of another joint says the same
+/// well; and beside such a row rounding looks like a row of its own. Then those that surely are independent
+/// come first, and of the others what is left beside all of them decides.
+template <int B>
+void BlockEquations<B>::keep_independent_rows() {
+    constexpr double sure = 1e-2;
+    weigh(Metric::geometry);
+    const int rank = keep_rows_beyond(kRepeats);
+    if (smallest_pivot() > sure || keep_rows_beyond(sure) == rank) { return; }
+    const std::vector<double> all = j_;
+    do { factor_kept_rows(all); } while (keep_one_more(all));
+}
+
+/// Of all equations, from the sizes of their rows.
+template <int B>
+void BlockEquations<B>::measure_units() {
+    weigh(Metric::geometry);
+    form_matrix();
+    for (std::size_t k = 0; k < row_size_.size(); ++k) {
+        const double size = extent_ * std::sqrt(row_size_[k]);
+        inverse_unit_[k] = size > 0.0 ? 1.0 / size : 1.0;
+    }
+}
+
 template <int B>
 bool BlockEquations<B>::choose_rows(double t, const double* y) {
     kept_before_.clear();
@@ -127,29 +253,8 @@ bool BlockEquations<B>::choose_rows(double t, const double* y) {
     }
     set_bodies<false>(y);
     evaluate_links<false>(t);
-    weigh(Metric::geometry);
-    form_matrix();
-    for (std::size_t k = 0; k < row_size_.size(); ++k) {
-        const double size = extent_ * std::sqrt(row_size_[k]);
-        inverse_unit_[k] = size > 0.0 ? 1.0 / size : 1.0;
-    }
-    const double vanishing = std::pow(kVanishes * std::min(1.0, 1.0 / extent_), 2);
-    matrix_.factor([&](int n, double* diagonal) {
-        Node& node = nodes_[at(n)];
-        for (int row = 0; row < B; ++row) {
-            if (row_size_[at(n) * B + at(row)] < vanishing) { node.kept &= ~(1U << row); }
-        }
-        node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept);
-        for (int row = 0; row < B; ++row) {
-            if (has(node.kept, row)) { continue; }
-            for (int k = 0; k < B; ++k) { diagonal[row * B + k] = diagonal[k * B + row] = 0.0; }
-            diagonal[row * B + row] = row_size_[at(n) * B + at(row)] = 1.0;
-            for (const auto& upper : structure_.pivots()[at(structure_.position(n))].uppers) {
-                double* x = matrix_.block(upper.block) + row * B;
-                std::fill(x, x + B, 0.0);
-            }
-        }
-    });
+    measure_units();
+    keep_independent_rows();
     bool changed = false;
     std::fill(j_.begin(), j_.end(), 0.0);
     for (std::size_t n = 0; n < nodes_.size(); ++n) {

@@ -255,8 +255,8 @@ bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, d
     return met;
 }
 
-/// Whether the step before, which was longer, had an error that was hardly larger: that of a motion falls with
-/// the order of the method.
+/// Whether the step before, which was longer, had an error that was hardly larger: that of a motion falls
+/// with the order of the method.
 bool ExplicitIntegrator::is_rounding(double error, double h) const {
     return h < rejected_.h && error > std::pow(h / rejected_.h, 2) * rejected_.error;
 }
