@@ -7,7 +7,7 @@
 namespace jw {
 
 ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
-    : joints_(scene.mechanism, start),
+    : joints_(scene, start),
       nodes_(joints_.nodes().size() + 1),
       e_(at(joints_.velocities()), 0.0),
       u_dot_(e_.size(), 0.0) {

@@ -31,6 +31,21 @@ Vec3 nearest_to_centre(std::string_view type, const Vec3& point, const Vec3& s) 
     return point - s.dot(point) * s;
 }
 
+constexpr int kNotYet = -1;
+
+/// Body that has no depth yet, of equal ones the first; -1: all have. A light one would add the inertia of
+/// what it carries to its own and lose that.
+int heaviest_left(const Loads& loads, const std::vector<int>& depth) {
+    int heaviest = -1;
+    for (std::size_t b = 0; b < depth.size(); ++b) {
+        if (depth[b] != kNotYet) { continue; }
+        if (heaviest < 0 || loads.masses[b]->mass > loads.masses[at(heaviest)]->mass) {
+            heaviest = static_cast<int>(b);
+        }
+    }
+    return heaviest;
+}
+
 /// The axes of a joint, from the parent on. @param s_parent the parent's axis in the child's frame
 std::vector<Axis> axes_of(const Joint& joint, const Vec3& s_parent, const Vec3& s) {
     const std::string_view name = joint.type->name;
@@ -69,10 +84,10 @@ int TreeNode::velocities() const {
     return 6;
 }
 
-JointTree::JointTree(const Mechanism& mechanism, const State& start)
-    : in_tree_(mechanism.joints.size(), false), node_of_body_(mechanism.bodies.size(), -1) {
-    constexpr int not_yet = -1;
-    std::vector<int> depth(mechanism.bodies.size(), not_yet);
+JointTree::JointTree(const Centroidal& scene, const State& start)
+    : in_tree_(scene.mechanism.joints.size(), false), node_of_body_(scene.mechanism.bodies.size(), -1) {
+    const Mechanism& mechanism = scene.mechanism;
+    std::vector<int> depth(mechanism.bodies.size(), kNotYet);
     for (std::size_t b = 0; b < depth.size(); ++b) {
         if (mechanism.bodies[b].fixed) { depth[b] = 0; }
     }
@@ -84,12 +99,12 @@ JointTree::JointTree(const Mechanism& mechanism, const State& start)
             depth[at(edge.child_body)] = depth[at(edge.parent_body)] + 1;
             continue;
         }
-        const auto left = std::ranges::find(depth, not_yet);
-        if (left == depth.end()) { break; }
+        const int heaviest = heaviest_left(scene.loads, depth);
+        if (heaviest < 0) { break; }
         TreeNode node;
-        node.body = static_cast<int>(left - depth.begin());
+        node.body = heaviest;
         add(node);
-        *left = 0;
+        depth[at(heaviest)] = 0;
     }
     for (TreeNode& node : nodes_) { node.velocity += positions_; }
     find_reaches();

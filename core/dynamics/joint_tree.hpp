@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/dynamics/flat_state.hpp"
+#include "core/dynamics/loads.hpp"
 
 /// A mechanism as a tree of bodies that hang from each other, its loops cut: what joint coordinates are made
 /// of.
@@ -48,9 +49,10 @@ struct TreeNode {
 class JointTree {
 public:
     /// Of the joints that bodies can hang from, those with the fewest freedoms, then those nearest to the
-    /// ground; equations chosen or taken out by hand stay equations.
+    /// ground; equations chosen or taken out by hand stay equations. Of bodies that no such joint holds the
+    /// heaviest moves freely and carries the others.
     /// @param start poses of all bodies; the joints hold there
-    JointTree(const Mechanism& mechanism, const State& start);
+    JointTree(const Centroidal& scene, const State& start);
 
     std::span<const TreeNode> nodes() const { return nodes_; }
     int positions() const { return positions_; }

@@ -13,6 +13,7 @@
 #include "core/dynamics/independent_coordinates.hpp"
 #include "core/dynamics/radau.hpp"
 #include "core/dynamics/semi_implicit.hpp"
+#include "core/dynamics/singular_steps.hpp"
 #include "core/dynamics/time_events.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
@@ -62,6 +63,12 @@ constexpr int kMostLoopRows = 1000;
 /// the bodies (7 to 10 thousand instructions a body, about three a product).
 constexpr double kMostProducts = 2500.0;
 
+/// Of accelerations in joint coordinates, by their size: rounding through a condition of 1e3, and ten times
+/// that. No tolerance asks for less.
+constexpr double kDigitsKept = 1e-11;
+/// Share of the tolerance that accelerations may be wrong by.
+constexpr double kShareOfTolerance = 0.1;
+
 Baumgarte stabilisation(const SimulationSettings& settings) {
     if (settings.treatment != Treatment::baumgarte) { return {}; }
     return {settings.baumgarte, settings.baumgarte};
@@ -105,7 +112,35 @@ void Simulation::take_joints() {
         const double kept = static_cast<double>(tree->velocities() - freedoms) / tree->rows();
         return tree->products_of_rows(std::clamp(kept, 0.0, 1.0)) <= kMostProducts * tree->bodies();
     };
-    if (wanted || pays()) { other_ = std::move(tree); }
+    if (wanted || (pays() && keeps_digits(*tree))) { other_ = std::move(tree); }
+}
+
+/// Inertias of heavy bodies are added to those of light ones that carry them, and digits are lost; the block
+/// equations keep both apart. At the start, where both know the rows.
+bool Simulation::keeps_digits(TreeEquations& tree) const {
+    std::vector<double> y(at(tree.size()));
+    std::vector<double> y_dot(y.size());
+    tree.from_flat(start_.data(), y.data());
+    tree.choose_rows(0.0, y.data());
+    tree.evaluate(0.0, y.data(), y_dot.data());
+    std::vector<ProbedBody> found(moving_.size());
+    tree.motion_of_bodies(0.0, y.data(), y_dot.data(), found);
+    std::vector<double> flat_dot(start_.size());
+    block_->choose_rows(0.0, start_.data());
+    block_->evaluate(0.0, start_.data(), flat_dot.data());
+    const double per_extent = 1.0 / extent(scene_.mechanism);
+    double off = 0.0;
+    // in balance there are no accelerations but rounding of what gravity would do
+    double size = per_extent * scene_.loads.gravity.norm();
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        const double* six = body_numbers(flat_dot.data(), m) + 7;
+        const Vec3 turn_off = found[m].A.transpose() * found[m].alpha - vec3(six + 3);
+        off = std::max({off, per_extent * (found[m].r_ddot - vec3(six)).norm(), turn_off.norm()});
+        size = std::max({size, per_extent * vec3(six).norm(), vec3(six + 3).norm()});
+    }
+    // at a singular pose neither says how many digits there are
+    if (block_->smallest_pivot() < kTooNear) { return true; }
+    return off <= std::max(kDigitsKept, kShareOfTolerance * settings_.tolerance) * size;
 }
 
 std::vector<double> Simulation::flat_of(const std::vector<double>& y) const {

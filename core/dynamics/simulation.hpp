@@ -14,6 +14,7 @@
 namespace jw {
 
 class Certificate;
+class TreeEquations;
 
 struct SimulationSettings {
     Method method = Method::explicit_8;
@@ -114,6 +115,7 @@ public:
 private:
     std::unique_ptr<TimeStepper> stepper(double end) const;
     void take_joints();
+    bool keeps_digits(TreeEquations& tree) const;  ///< to the tolerance, beside the block equations
     void take_up_rows(double t, const std::vector<double>& y) const;
     bool counts_turns() const;
     /// Of rotational springs, from a state (flat) that the motion has reached.
