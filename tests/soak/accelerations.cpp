@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "core/dynamics/tree_equations.hpp"
+#include "tests/soak/forms.hpp"
 #include "tests/soak/motions.hpp"
 #include "tests/soak/property.hpp"
 #include "tests/support/generators/to_model.hpp"
@@ -42,29 +42,6 @@ std::string off_by(const char* what, double difference, double limit) {
         "accelerations %s differ from the long double reference by %.2g of their size (allowed %.2g)", what,
         difference, limit);
     return text;
-}
-
-/// r̈ and ω̇' of a flat rate.
-Motion accelerations_in(const Centroidal& scene, const std::vector<double>& flat_dot) {
-    Motion out = zero_motion(scene.mechanism);
-    State ignored = start_state(scene.mechanism);
-    unpack(flat_dot.data(), moving_bodies_of(scene.mechanism), ignored, out);
-    return out;
-}
-
-/// r̈ and ω̇' that joint coordinates give at y with ẏ.
-Motion accelerations_in_joints(
-    TreeEquations& tree, const Centroidal& scene, double t, const std::vector<double>& y,
-    const std::vector<double>& y_dot) {
-    std::vector<ProbedBody> bodies(at(tree.bodies()));
-    tree.motion_of_bodies(t, y.data(), y_dot.data(), bodies);
-    Motion out = zero_motion(scene.mechanism);
-    const std::vector<int> moving = moving_bodies_of(scene.mechanism);
-    for (std::size_t m = 0; m < moving.size(); ++m) {
-        out.r_dot[at(moving[m])] = bodies[m].r_ddot;
-        out.omega_local[at(moving[m])] = bodies[m].A.transpose() * bodies[m].alpha;
-    }
-    return out;
 }
 
 /// Everything at one state, against the reference there.

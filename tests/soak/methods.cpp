@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/dynamics/simulation.hpp"
 #include "tests/soak/motions.hpp"
 #include "tests/soak/property.hpp"
+#include "tests/soak/ways.hpp"
 #include "tests/support/generators/to_model.hpp"
 
 namespace jw::test {
@@ -19,23 +19,10 @@ constexpr long double kReferenceTolerance = 1e-12L;
 // global errors of a run with tolerance 1e-9: a hundred steps, and what the motion multiplies in 0.3 s
 constexpr double kAllowed = 1e-6;
 
-/// Samples, and the times at which a function of time has a jump in a derivative.
-std::vector<double> times_of(const Generated& generated) {
-    // as many as tell that a singular pose is passed between two of them
+/// As many as tell that a singular pose is passed between two of them.
+std::vector<double> samples() {
     std::vector<double> times;
     for (int k = 0; k <= kSamples; ++k) { times.push_back(kDuration * k / kSamples); }
-    const auto add = [&](const TimeFunction& f) {
-        for (const auto& step : f.steps) {
-            for (const double t : {step.start, step.end}) {
-                if (t > 0.0 && t < kDuration) { times.push_back(t); }
-            }
-        }
-    };
-    for (const Driver& driver : generated.mechanism.drivers) { add(driver.function); }
-    for (const AppliedForce& force : generated.loads.forces) { add(force.magnitude); }
-    for (const AppliedTorque& torque : generated.loads.torques) { add(torque.magnitude); }
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 
@@ -63,30 +50,6 @@ Expected expected_of(const Generated& generated, const std::vector<double>& time
             mechanics, std::vector<reference::Real>(times.begin(), times.end()),
             reference::Method::runge_kutta_fehlberg, kReferenceTolerance, receive, 400);
     } catch (const std::runtime_error&) { out.refused = "the reference takes too many steps"; }
-    return out;
-}
-
-struct Way {
-    std::string name;
-    SimulationSettings settings;
-};
-
-std::vector<Way> ways() {
-    std::vector<Way> out;
-    for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
-        SimulationSettings settings;
-        settings.formulation = formulation;
-        out.push_back(
-            {formulation == Formulation::joints ? "explicit-8 in joints" : "explicit-8 in bodies", settings});
-    }
-    for (const Method method : {Method::explicit_5, Method::implicit_5, Method::implicit_9}) {
-        SimulationSettings settings;
-        settings.method = method;
-        out.push_back({std::string(entry_of(method).name), settings});
-    }
-    SimulationSettings dense;
-    dense.dense = CoordinateChoice::true_euler_parameters;
-    out.push_back({"explicit-8 dense in (r, p)", dense});
     return out;
 }
 
@@ -128,14 +91,10 @@ Apart apart(
 
 Verdict methods_converge(const Generated& generated) {
     if (!(generated.condition < 1e3)) { return not_asked("it begins near a singular pose"); }
-    const auto dropped_by_hand = [](const Joint& joint) {
-        return joint.parallel_form == ParallelForm::drop_x || joint.parallel_form == ParallelForm::drop_y ||
-               joint.parallel_form == ParallelForm::drop_z;
-    };
-    if (std::ranges::any_of(generated.mechanism.joints, dropped_by_hand)) {
+    if (keeps_rows_by_hand(generated.mechanism)) {
         return not_asked("two rows that are kept by hand may lose their rank on the way");
     }
-    const std::vector<double> times = times_of(generated);
+    const std::vector<double> times = with_events(generated, samples());
     const Expected expected = expected_of(generated, times);
     if (!expected.refused.empty()) { return not_asked(expected.refused); }
     for (const Way& way : ways()) {

@@ -19,6 +19,9 @@ const std::vector<Property>& properties() {
          6, assembles_again},
         {"reactions", "Reactions and loads together move every body as Newton and Euler say.", 6,
          reactions_balance},
+        {"momentum",
+         "Where nothing outside acts on the bodies, momentum and angular momentum stay what they are.", 5,
+         momentum_stays, afloat},
     };
     return all;
 }

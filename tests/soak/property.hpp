@@ -24,6 +24,9 @@ struct Property {
     std::string says;  ///< a sentence that can be false
     int most_bodies;   ///< about so many in the largest mechanisms
     std::function<Verdict(const Generated&)> of;
+    /// What a recipe is changed to first, where the sentence is about mechanisms of a kind; none: nothing.
+    /// Changed twice it is the same.
+    std::function<Recipe(Recipe)> kind = {};
 };
 
 /// All there are.
@@ -35,5 +38,15 @@ Verdict rank_agrees(const Generated& generated);
 Verdict kinematics_agree(const Generated& generated);
 Verdict assembles_again(const Generated& generated);
 Verdict reactions_balance(const Generated& generated);
+Verdict power_balances(const Generated& generated);
+Verdict momentum_stays(const Generated& generated);
+Verdict answers_transform(const Generated& generated);
+Verdict comes_back(const Generated& generated);
+Verdict joints_multiply(const Generated& generated);
+
+/// Nothing ties its bodies to the ground, all forces are between them.
+Recipe afloat(Recipe recipe);
+/// A tree in which all that the joints leave free is driven.
+Recipe driven_tree(Recipe recipe);
 
 }  // namespace jw::test

@@ -46,7 +46,8 @@ public:
     Asking(const Property& property, const Asked& asked, Answer& answer)
         : property_(property), asked_(asked), answer_(answer), start_(Clock::now()) {}
 
-    void operator()(const Recipe& recipe) {
+    void operator()(const Recipe& drawn) {
+        const Recipe recipe = property_.kind ? property_.kind(drawn) : drawn;
         const bool shrinking = answer_.wrong.has_value();
         if (seconds_since(start_) > (shrinking ? asked_.shrink_seconds : asked_.seconds)) { return; }
         const std::optional<Generated> generated = mechanism_of(recipe);

@@ -29,11 +29,12 @@ public:
 
     std::optional<Generated> cooked() {
         const Recipe recipe = out_.recipe;
+        if (recipe.afloat) { add_body({0, kFreeBody, 0, 0, true, recipe.seed}); }
         for (const BodyRecipe& body : recipe.bodies) { add_body(body); }
         for (const JointRecipe& joint : recipe.joints) { add_joint(joint); }
         if (recipe.drive_all) { drive_all(); }
         for (const DriverRecipe& driver : recipe.drivers) { add_driver(driver); }
-        if (recipe.gravity) { out_.loads.gravity = random_.vector(9.81 * out_.length); }
+        if (recipe.gravity && !recipe.afloat) { out_.loads.gravity = random_.vector(9.81 * out_.length); }
         for (const LoadRecipe& load : recipe.loads) { add_load(load); }
         if (out_.mechanism.bodies.size() < 2 || !set_motion()) { return std::nullopt; }
         return out_;
@@ -42,9 +43,16 @@ public:
 private:
     Mechanism& mechanism() { return out_.mechanism; }
     int bodies() const { return static_cast<int>(out_.mechanism.bodies.size()); }
+    /// No two bodies that anything could be put between.
+    bool is_alone() const { return bodies() < (out_.recipe.afloat ? 3 : 2); }
+    /// The body that `number` points at, the ground only where something may hang from it.
+    int body_of(int number) const {
+        const int first = out_.recipe.afloat && bodies() > 1 ? 1 : 0;
+        return first + number % (bodies() - first);
+    }
 
     void add_body(const BodyRecipe& recipe) {
-        const int parent = recipe.parent % bodies();
+        const int parent = body_of(recipe.parent);
         Body body = placing_.body("body " + std::to_string(bodies()), recipe.seed);
         if (out_.recipe.at_rest) {
             body.r_dot.setZero();
@@ -79,14 +87,14 @@ private:
     }
 
     std::pair<int, int> two_bodies(int i, int j) const {
-        const int first = i % bodies();
-        const int second = j % bodies();
+        const int first = body_of(i);
+        const int second = body_of(j);
         // never the same twice, never two that do not move
-        return {first, second == first ? (first + 1) % bodies() : second};
+        return {first, second == first ? body_of(j + 1) : second};
     }
 
     void add_joint(const JointRecipe& recipe) {
-        if (bodies() < 2) { return; }
+        if (is_alone()) { return; }
         const auto [i, j] = two_bodies(recipe.i, recipe.j);
         const JointType& type = placing_.type_of(recipe.type);
         const int before = rank_now();
@@ -104,13 +112,15 @@ private:
     }
 
     /// Where it is known which equation that is.
-    static void take_out(Joint& joint, int number) {
+    void take_out(Joint& joint, int number) const {
         if (number <= 0) { return; }
         const bool known = joint.parallel_form == ParallelForm::pair;
         std::vector<EquationOut> all;
         for (const Role role : joint.type->roles) {
             if (role == Role::screw_advance || role == Role::screw_angle) { return; }
             if (is_parallel(role) && !known) { continue; }
+            // two bodies held along one global axis feel a couple that the ground would have to take
+            if (role == Role::same_point && out_.recipe.afloat) { continue; }
             for (int k = 0; k < independent_equations(role); ++k) { all.push_back({role, k}); }
         }
         // the last one stays
@@ -135,7 +145,7 @@ private:
     }
 
     void add_driver(const DriverRecipe& recipe) {
-        if (bodies() < 2) { return; }
+        if (is_alone()) { return; }
         const auto [i, j] = two_bodies(recipe.i, recipe.j);
         Driver driver;
         driver.name = "driver " + std::to_string(mechanism().drivers.size() + 1);
@@ -155,6 +165,10 @@ private:
                 break;
             }
             default: {
+                if (out_.recipe.afloat) {
+                    ++out_.left_out;
+                    return;
+                }
                 driver.body_j = j == 0 ? i : j;
                 const auto& own = out_.loads.masses[static_cast<std::size_t>(driver.body_j)];
                 const bool origin_is_centre = own && own->centre_local.isZero();
@@ -231,7 +245,7 @@ private:
     }
 
     void add_load(const LoadRecipe& recipe) {
-        if (bodies() < 2) { return; }
+        if (is_alone()) { return; }
         Random random(static_cast<unsigned>(recipe.seed) * 86028121U + 7U);
         const auto [i, j] = two_bodies(recipe.i, recipe.j);
         const int moving = j == 0 ? i : j;
@@ -241,7 +255,7 @@ private:
         const double force = lightest * L;
         const double damping = recipe.damped ? random.number(0.1, 1.0) : 0.0;
         const Frame frame = recipe.damped ? Frame::local : Frame::global;
-        switch (recipe.kind % 4) {
+        switch (recipe.kind % (out_.recipe.afloat ? 2 : 4)) {
             case 0:
                 out_.loads.springs.push_back(
                     {i, j, random.vector(L), random.vector(L), random.number(1.0, 10.0) * lightest,

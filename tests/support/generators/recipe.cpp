@@ -5,7 +5,7 @@ namespace jw::test {
 std::ostream& operator<<(std::ostream& out, const Recipe& r) {
     out << "recipe family " << static_cast<int>(r.family) << " near " << r.near << " length 1e"
         << r.length_decade << " gravity " << r.gravity << " rest " << r.at_rest << " all driven "
-        << r.drive_all << " seed " << r.seed << '\n';
+        << r.drive_all << (r.afloat ? " afloat" : "") << " seed " << r.seed << '\n';
     for (const BodyRecipe& b : r.bodies) {
         out << "  body on " << b.parent << " joint " << b.joint << " form " << b.form << " mass 1e"
             << b.mass_decade << " offset " << b.offset << " seed " << b.seed << '\n';
