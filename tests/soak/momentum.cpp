@@ -39,8 +39,7 @@ Momentum momentum_of(const general::Model& model, const general::PlacedBodies& p
         if (model.bodies[b].fixed) { continue; }
         const reference::Vec3 p = model.bodies[b].mass * body.v;
         out.linear += p;
-        out.angular +=
-            body.c.cross(p) + body.A * (model.bodies[b].J * (body.A.transpose() * body.omega));
+        out.angular += body.c.cross(p) + body.A * (model.bodies[b].J * (body.A.transpose() * body.omega));
     }
     return out;
 }
@@ -56,8 +55,8 @@ Momentum momentum_rate(
         const reference::Vec3 omega_dot = body.A * accelerations.omega_local[b].cast<long double>();
         const reference::Mat3 J = body.A * model.bodies[b].J * body.A.transpose();
         out.linear += model.bodies[b].mass * v_dot;
-        out.angular += body.c.cross(model.bodies[b].mass * v_dot) + J * omega_dot +
-                       body.omega.cross(J * body.omega);
+        out.angular +=
+            body.c.cross(model.bodies[b].mass * v_dot) + J * omega_dot + body.omega.cross(J * body.omega);
     }
     return out;
 }
@@ -99,10 +98,8 @@ Verdict rates_vanish(const Generated& generated, general::Mechanics& reference) 
     // as for accelerations themselves (accelerations.cpp), ten times for sums of light and heavy bodies
     const auto c = static_cast<double>(a.condition);
     const double limit = 1e-8 + 1e-12 * c * c;
-    for (const Form& form :
-         accelerations_in_all_forms(centroidal(generated.mechanism, generated.loads))) {
-        const double off =
-            amount_of(momentum_rate(reference.model(), placed, form.accelerations), L) / size;
+    for (const Form& form : accelerations_in_all_forms(centroidal(generated.mechanism, generated.loads))) {
+        const double off = amount_of(momentum_rate(reference.model(), placed, form.accelerations), L) / size;
         if (!(off <= limit)) { return fails(changes("the rate of momentum", form.name, off)); }
     }
     return holds();

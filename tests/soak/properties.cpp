@@ -19,6 +19,11 @@ const std::vector<Property>& properties() {
          6, assembles_again},
         {"reactions", "Reactions and loads together move every body as Newton and Euler say.", 6,
          reactions_balance},
+        {"energy",
+         "What forces, springs, dampers and drivers put in is what the bodies take up, at the start and "
+         "along "
+         "a short motion.",
+         6, power_balances},
         {"momentum",
          "Where nothing outside acts on the bodies, momentum and angular momentum stay what they are.", 5,
          momentum_stays, afloat},

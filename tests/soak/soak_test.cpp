@@ -47,6 +47,14 @@ TEST_CASE("Accelerations are the same in all forms of the equations and in long 
     ask_of_first_seeds("accelerations", 60);
 }
 
+TEST_CASE("Power and energy of generated mechanisms are what forces and drivers put in", "[soak]") {
+    ask_of_first_seeds("energy", 100);
+}
+
+TEST_CASE("Nothing changes the momentum of generated mechanisms that float", "[soak]") {
+    ask_of_first_seeds("momentum", 40);
+}
+
 // Known to fail where this was written, each with a lesson file at hand: implicit methods do not move scenes
 // of millimetres, and reactions go through Eigen's BDCSVD. The tag goes with the fault.
 TEST_CASE("Every method converges to the motion of the reference", "[soak][!mayfail]") {

@@ -61,7 +61,8 @@ struct Recipe {
     bool gravity = true;
     bool at_rest = false;
     bool drive_all = false;  ///< every joint of the tree that can be driven is
-    bool afloat = false;  ///< nothing hangs from the ground: a free body is in its place, all forces are inner
+    bool afloat =
+        false;  ///< nothing hangs from the ground: a free body is in its place, all forces are inner
     int seed = 0;
     std::vector<BodyRecipe> bodies;
     std::vector<JointRecipe> joints;
