@@ -27,6 +27,13 @@ const std::vector<Property>& properties() {
         {"momentum",
          "Where nothing outside acts on the bodies, momentum and angular momentum stay what they are.", 5,
          momentum_stays, afloat},
+        {"transformed",
+         "A mechanism that is turned, mirrored, longer, heavier or slower has the same rank and "
+         "accelerations, "
+         "turned, mirrored, longer and slower.",
+         6, answers_transform},
+        {"reversed", "A motion that is played backwards comes back to where it began.", 4, comes_back,
+         without_rows_by_hand},
     };
     return all;
 }

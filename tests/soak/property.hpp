@@ -44,6 +44,8 @@ Verdict answers_transform(const Generated& generated);
 Verdict comes_back(const Generated& generated);
 Verdict joints_multiply(const Generated& generated);
 
+/// Two rows that are kept by hand may lose their rank on the way: the rule keeps them instead.
+Recipe without_rows_by_hand(Recipe recipe);
 /// Nothing ties its bodies to the ground, all forces are between them.
 Recipe afloat(Recipe recipe);
 /// A tree in which all that the joints leave free is driven.

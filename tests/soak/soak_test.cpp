@@ -55,6 +55,14 @@ TEST_CASE("Nothing changes the momentum of generated mechanisms that float", "[s
     ask_of_first_seeds("momentum", 40);
 }
 
+TEST_CASE("Generated mechanisms turned, mirrored and in other units have the same answers", "[soak]") {
+    ask_of_first_seeds("transformed", 100);
+}
+
+TEST_CASE("Motions of generated mechanisms played backwards come back", "[soak]") {
+    ask_of_first_seeds("reversed", 15);
+}
+
 // Known to fail where this was written, each with a lesson file at hand: implicit methods do not move scenes
 // of millimetres, and reactions go through Eigen's BDCSVD. The tag goes with the fault.
 TEST_CASE("Every method converges to the motion of the reference", "[soak][!mayfail]") {

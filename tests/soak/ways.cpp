@@ -40,6 +40,18 @@ std::vector<double> with_events(const Generated& generated, std::vector<double> 
     return times;
 }
 
+Recipe without_rows_by_hand(Recipe recipe) {
+    const auto let_go = [](int& form) {
+        const auto own = static_cast<ParallelForm>(form % 6);
+        const bool by_hand =
+            own == ParallelForm::drop_x || own == ParallelForm::drop_y || own == ParallelForm::drop_z;
+        if (by_hand) { form = static_cast<int>(ParallelForm::rule); }
+    };
+    for (BodyRecipe& body : recipe.bodies) { let_go(body.form); }
+    for (JointRecipe& joint : recipe.joints) { let_go(joint.form); }
+    return recipe;
+}
+
 bool keeps_rows_by_hand(const Mechanism& mechanism) {
     return std::ranges::any_of(mechanism.joints, [](const Joint& joint) {
         return joint.parallel_form == ParallelForm::drop_x || joint.parallel_form == ParallelForm::drop_y ||
