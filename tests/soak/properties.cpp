@@ -34,6 +34,10 @@ const std::vector<Property>& properties() {
          6, answers_transform},
         {"reversed", "A motion that is played backwards comes back to where it began.", 4, comes_back,
          without_rows_by_hand},
+        {"driven",
+         "Where all that the joints of a tree leave free is driven, the pose of every body is the product of "
+         "the motions of its joints, in every method.",
+         6, joints_multiply, driven_tree},
     };
     return all;
 }

@@ -63,6 +63,10 @@ TEST_CASE("Motions of generated mechanisms played backwards come back", "[soak]"
     ask_of_first_seeds("reversed", 15);
 }
 
+TEST_CASE("Driven trees move as the product of their joints' motions in every method", "[soak]") {
+    ask_of_first_seeds("driven", 15);
+}
+
 // Known to fail where this was written, each with a lesson file at hand: implicit methods do not move scenes
 // of millimetres, and reactions go through Eigen's BDCSVD. The tag goes with the fault.
 TEST_CASE("Every method converges to the motion of the reference", "[soak][!mayfail]") {
