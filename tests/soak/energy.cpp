@@ -126,9 +126,10 @@ Verdict at_start(const Generated& generated, general::Mechanics& reference, doub
     AppliedPower applied(model);
     const Real loads = applied.at(placed, 0.0L);
     const double size = size_of_power(model, placed, accelerated, generated.length);
-    // as for accelerations and reactions themselves (accelerations.cpp, reactions.cpp)
+    // how many digits there are is asked by accelerations.cpp and reactions.cpp; what is forgotten or of the
+    // wrong sign is off by its own size
     const double c = generated.condition;
-    const double limit = 1e-8 + 1e-12 * c * (c + std::pow(10.0, generated.recipe.near));
+    const double limit = 1e-6 + 1e-11 * c * (c + std::pow(10.0, generated.recipe.near));
     for (const Form& form : accelerations_in_all_forms(scene)) {
         const Reactions reactions = find_reactions(
             scene, 0.0, start_state(scene.mechanism), start_motion(scene.mechanism), form.accelerations);
