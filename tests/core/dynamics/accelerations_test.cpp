@@ -109,6 +109,9 @@ TEST_CASE("Baumgarte's terms are the same in block and dense equations", "[core]
         Joint& universal = builder.add_joint("universal", first, second, random.vector(), axis);
         universal.geometry.s_j_local = builder.local(second, perpendicular_to(axis));
         builder.add_distance(0, second, random.vector(), random.vector() + Vec3(3.0, 0.0, 0.0));
+        builder.mechanism.drivers.push_back(
+            {"rod", -1, first, second, SquaredDistanceMeasure{random.vector(), random.vector()},
+             test::polynomial({2.0, 0.7, 0.3})});
         const Mechanism& mechanism = builder.mechanism;
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
         test::Moment off{start_state(scene.mechanism), zero_motion(scene.mechanism)};
