@@ -164,8 +164,12 @@ std::vector<Mark> marks_of(std::string_view source, const Besides& besides) {
     const std::string code = code_of(source);
     std::vector<Mark> marks;
     const Marker mark{source, code, marks};
+    int brackets = 0;
     for (std::size_t at = 0; at < code.size();) {
         const std::size_t begin = at++;
+        if (code[begin] == '[') { ++brackets; }
+        if (code[begin] == ']') { --brackets; }
+        if (brackets > 0 && (code[begin] == '+' || code[begin] == '-')) { continue; }
         if (code[begin] == '\n' || code.compare(begin, 2, "{ ") == 0) { mark.assigned(at); }
         if (code[begin] == '+' || code[begin] == '-') { at = mark.sign(begin); }
         if (is_digit(code[begin])) {

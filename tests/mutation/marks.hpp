@@ -33,7 +33,7 @@ struct Besides {
 };
 
 /// Marks of a source in their order. Comments, strings, preprocessor lines, constants known at compile time
-/// and signs before whole numbers (indices) have none; 0.0 has none either.
+/// and signs before whole numbers or in square brackets (indices) have none; 0.0 has none either.
 std::vector<Mark> marks_of(std::string_view source, const Besides& besides);
 
 /// `source` with calls of switch.hpp at its marks, their mutants numbered from `first` on.
