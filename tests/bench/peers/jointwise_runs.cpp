@@ -25,6 +25,7 @@ Outcome simulate(
     out.milliseconds = run.milliseconds();
     out.error = run.error();
     out.evaluations = outcome.counts.evaluations;
+    out.projections = outcome.counts.projections;
     out.out_of_time = run.out_of_time();
     if (outcome.failure) { out.remark = "ended early"; }
     return out;

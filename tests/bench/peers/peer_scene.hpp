@@ -9,6 +9,10 @@
 /// global at the start pose. Body frames stand at the centres of mass, parallel to the global one.
 ///
 /// Simbody's headers are no C++20: this file and sweep.hpp must be C++17.
+namespace jw {
+struct Lesson;
+}
+
 namespace jw::peers {
 
 enum class Kind { revolute, prismatic, cylindrical, universal, spherical, fixed, free };
@@ -66,7 +70,8 @@ struct PeerScene {
     double duration = 1.0;
     int body = 1;
     Vec3 point = Vec3::Zero();
-    std::vector<Vec3> reference;  ///< of the point at 101 equal times
+    std::vector<Vec3> reference;     ///< of the point at 101 equal times
+    const Lesson* lesson = nullptr;  ///< what it was read from
 };
 
 inline Vec3 from_centre(const PeerScene& scene, int body, const Vec3& point) {

@@ -191,6 +191,7 @@ std::optional<PeerScene> read_scene(
     Centroidal centroidal = jw::centroidal(lesson.mechanism, plan.loads);
     const Start start = projected_start(centroidal);
     PeerScene scene;
+    scene.lesson = &lesson;
     scene.name = reference.stem().string();
     scene.gravity = centroidal.loads.gravity;
     scene.duration = plan.duration;

@@ -1,5 +1,6 @@
 #include "tests/bench/peers/sweep.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -44,15 +45,24 @@ void Report::add(const std::string& method, const std::string& setting, const Ou
         if (c == ',' || c == '\n' || c == '\r') { c = ' '; }
     }
     std::printf(
-        "%s,%s,%s,%s,%.3f,%.3e,%ld,%.120s\n", peer_.c_str(), scene_->name.c_str(), method.c_str(),
-        setting.c_str(), outcome.milliseconds, outcome.error, outcome.evaluations, remark.c_str());
+        "%s,%s,%s,%s,%.3f,%.3e,%ld,%ld,%.120s\n", peer_.c_str(), scene_->name.c_str(), method.c_str(),
+        setting.c_str(), outcome.milliseconds, outcome.error, outcome.evaluations, outcome.projections,
+        remark.c_str());
     std::fflush(stdout);
-    rows_.push_back({method + ' ' + setting, outcome.milliseconds, outcome.error});
+    rows_.push_back(
+        {method, setting, outcome.milliseconds, outcome.error, outcome.evaluations, outcome.projections,
+         outcome.out_of_time});
 }
+
+namespace {
+
+constexpr double kLevels[] = {1e-3, 1e-6, 1e-9};  // [m]
+
+}  // namespace
 
 void Report::print_best() const {
     std::fprintf(stderr, "%s %s\n", peer_.c_str(), scene_->name.c_str());
-    for (const double level : {1e-3, 1e-6, 1e-9}) {
+    for (const double level : kLevels) {
         const Row* best = nullptr;
         for (const Row& row : rows_) {
             if (row.error <= level && (best == nullptr || row.milliseconds < best->milliseconds)) {
@@ -62,8 +72,54 @@ void Report::print_best() const {
         if (best == nullptr) {
             std::fprintf(stderr, "  %.0e never\n", level);
         } else {
-            std::fprintf(stderr, "  %.0e %10.2f ms  %s\n", level, best->milliseconds, best->how.c_str());
+            std::fprintf(
+                stderr, "  %.0e %10.2f ms  %s %s\n", level, best->milliseconds, best->method.c_str(),
+                best->setting.c_str());
         }
+    }
+}
+
+bool Report::is_kept(std::size_t row, double level) const {
+    constexpr std::size_t looked_at = 4;
+    const std::size_t end = std::min(rows_.size(), row + looked_at);
+    for (std::size_t k = row; k < end && rows_[k].method == rows_[row].method; ++k) {
+        // what took too long says nothing of the tolerance before
+        if (rows_[k].error > level && !(k > row && rows_[k].out_of_time)) { return false; }
+    }
+    return true;
+}
+
+const Report::Row* Report::fewest_at(double level) const {
+    const Row* best = nullptr;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (is_kept(k, level) && (best == nullptr || rows_[k].evaluations < best->evaluations)) {
+            best = &rows_[k];
+        }
+    }
+    return best;
+}
+
+void Report::print_fewest_beside(const Report& ours) const {
+    std::fprintf(
+        stderr, "evaluations (and projections) on %s: %s; %s\n", scene_->name.c_str(), peer_.c_str(),
+        ours.peer_.c_str());
+    for (const double level : kLevels) {
+        std::fprintf(stderr, "  %.0e", level);
+        const Row* const both[] = {fewest_at(level), ours.fewest_at(level)};
+        for (const Row* row : both) {
+            if (row == nullptr) {
+                std::fprintf(stderr, "    never;");
+            } else {
+                std::fprintf(
+                    stderr, " %8ld (%ld) %.2f ms %s %s;", row->evaluations, row->projections,
+                    row->milliseconds, row->method.c_str(), row->setting.c_str());
+            }
+        }
+        if (both[0] != nullptr && both[1] != nullptr) {
+            const auto count = [](const Row* row) { return static_cast<double>(row->evaluations); };
+            std::fprintf(stderr, " %.2f of theirs", count(both[1]) / count(both[0]));
+        }
+        std::fprintf(stderr, "\n");
     }
 }
 
@@ -74,7 +130,9 @@ fs::path reference_of(const fs::path& lesson) {
 }
 
 /// @return false if the file is no lesson
-bool measure_file(const fs::path& file, bool named, double limit, const char* peer, const Measure& measure) {
+bool measure_file(
+    const fs::path& file, bool named, double limit, const char* peer, const Measure& measure,
+    Compared compared) {
     const ReadResult read = read_lesson_file(file);
     if (!read.lesson) {
         std::fprintf(stderr, "%s", read.report().c_str());
@@ -89,6 +147,7 @@ bool measure_file(const fs::path& file, bool named, double limit, const char* pe
         Report ours("jointwise", *scene);
         measure_jointwise(*read.lesson, *scene, limit, ours);
         ours.print_best();
+        if (compared == Compared::evaluations) { report.print_fewest_beside(ours); }
     } else if (named) {
         std::fprintf(stderr, "%s: %s\n", file.string().c_str(), why_not.c_str());
     }
@@ -97,7 +156,8 @@ bool measure_file(const fs::path& file, bool named, double limit, const char* pe
 
 }  // namespace
 
-int for_every_scene(int count, char** arguments, const char* peer, const Measure& measure) {
+int for_every_scene(
+    int count, char** arguments, const char* peer, const Measure& measure, Compared compared) {
     double limit = 5.0;
     std::vector<fs::path> files;
     for (int k = 1; k < count; ++k) {
@@ -109,11 +169,11 @@ int for_every_scene(int count, char** arguments, const char* peer, const Measure
     }
     const bool named = !files.empty();
     if (!named) { files = lessons_below(fs::path(JW_SOURCE_ROOT) / "lessons"); }
-    std::printf("peer,scene,method,setting,cpu_ms,error,evaluations,remark\n");
+    std::printf("peer,scene,method,setting,cpu_ms,error,evaluations,projections,remark\n");
     bool good = true;
     for (const fs::path& file : files) {
         if (named || fs::exists(reference_of(file))) {
-            good &= measure_file(file, named, limit, peer, measure);
+            good &= measure_file(file, named, limit, peer, measure, compared);
         }
     }
     return good ? 0 : 2;

@@ -37,7 +37,8 @@ struct Outcome {
     double milliseconds = 0.0;
     double error = 0.0;  ///< largest distance from the reference [m]; infinite if it did not get to the end
     long evaluations = 0;
-    std::string remark;  ///< why it did not, as the engine says
+    long projections = 0;  ///< onto the constraints, where they can be counted
+    std::string remark;    ///< why it did not, as the engine says
     bool out_of_time = false;
 };
 
@@ -58,12 +59,21 @@ public:
     Report(std::string peer, const PeerScene& scene) : peer_(std::move(peer)), scene_(&scene) {}
     void add(const std::string& method, const std::string& setting, const Outcome& outcome);
     void print_best() const;
+    /// To stderr: the fewest evaluations for the same errors, of these rows and of ours. A tolerance counts
+    /// where the three tighter ones that follow in the sweep keep the error as well: nobody picks the one
+    /// that happens to be lucky.
+    void print_fewest_beside(const Report& ours) const;
 
 private:
     struct Row {
-        std::string how;
+        std::string method, setting;
         double milliseconds, error;
+        long evaluations, projections;
+        bool out_of_time;
     };
+    bool is_kept(std::size_t row, double level) const;
+    /// Null: no row counts.
+    const Row* fewest_at(double level) const;
     std::string peer_;
     const PeerScene* scene_;
     std::vector<Row> rows_;
@@ -72,8 +82,13 @@ private:
 /// Measures a scene by adding rows; no run takes longer than `limit` seconds.
 using Measure = std::function<void(const PeerScene& scene, double limit, Report& report)>;
 
+/// What is set beside ours: time only, or evaluations too, where both evaluate the same equations.
+enum class Compared { time, evaluations };
+
 /// The arguments of a peer's program: [--limit SECONDS] [LESSON.toml...]. Without lessons: all below lessons/
 /// that have a reference. After the peer every scene is measured with Jointwise. @return exit status
-int for_every_scene(int count, char** arguments, const char* peer, const Measure& measure);
+int for_every_scene(
+    int count, char** arguments, const char* peer, const Measure& measure,
+    Compared compared = Compared::time);
 
 }  // namespace jw::peers
