@@ -252,26 +252,6 @@ double BlockEquations<B>::smallest_pivot() const {
 }
 
 template <int B>
-void BlockEquations<B>::keep_pivots() {
-    kept_pivots_.clear();
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int row = 0; row < B; ++row) { kept_pivots_.push_back(pivot_of(n, row)); }
-    }
-}
-
-template <int B>
-double BlockEquations<B>::share_of_pivots() const {
-    double least = 1.0;
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int row = 0; row < B; ++row) {
-            const double before = kept_pivots_[n * B + at(row)];
-            least = std::min(least, before > 0.0 ? pivot_of(n, row) / before : 0.0);
-        }
-    }
-    return least;
-}
-
-template <int B>
 void BlockEquations<B>::subtract_products(const double* x, double* b) const {
     for_each_side([&](std::size_t n, int side, std::size_t moving) {
         const double* j = &j_[side_at(side)];

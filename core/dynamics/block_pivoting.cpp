@@ -80,11 +80,37 @@ void BlockEquations<B>::solve_by_pivoting() {
     std::copy_n(x.data(), columns, six_.data());
 }
 
+template <int B>
+void BlockEquations<B>::keep_pivots() {
+    kept_pivots_.clear();
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < B; ++row) { kept_pivots_.push_back(pivot_of(n, row)); }
+    }
+}
+
+template <int B>
+double BlockEquations<B>::share_of_pivots() const {
+    double least = 1.0;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        for (int row = 0; row < B; ++row) {
+            const double before = kept_pivots_[n * B + at(row)];
+            least = std::min(least, before > 0.0 ? pivot_of(n, row) / before : 0.0);
+        }
+    }
+    return least;
+}
+
 template void BlockEquations<3>::compare_masses(double);
 template void BlockEquations<5>::compare_masses(double);
 template void BlockEquations<6>::compare_masses(double);
 template void BlockEquations<3>::solve_by_pivoting();
 template void BlockEquations<5>::solve_by_pivoting();
 template void BlockEquations<6>::solve_by_pivoting();
+template void BlockEquations<3>::keep_pivots();
+template double BlockEquations<3>::share_of_pivots() const;
+template void BlockEquations<5>::keep_pivots();
+template double BlockEquations<5>::share_of_pivots() const;
+template void BlockEquations<6>::keep_pivots();
+template double BlockEquations<6>::share_of_pivots() const;
 
 }  // namespace jw
