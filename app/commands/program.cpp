@@ -39,7 +39,7 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
            comma_list(names) + "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
 }
 
-/// What the parser takes, and this program does not.
+/// Errors in arguments that the parser takes for right.
 void check_numbers(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands()) {
         const std::string fault = fault_of_numbers(*command);

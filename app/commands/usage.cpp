@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-/// What stands where in the parser's sentence, and how this program says it: $1 ... as in std::regex.
+/// A sentence of the parser and the same of this program: $1 ... as in std::regex.
 struct Wording {
     const char* theirs;
     const char* ours;

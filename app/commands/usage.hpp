@@ -14,8 +14,8 @@ namespace jw {
 /// @param command  that was meant, or the program where the line did not get that far
 std::string usage_fault(const CLI::App& command, const CLI::Error& error);
 
-/// What is wrong with numbers that the parser takes for right, an empty one or 010 for 8; empty if nothing
-/// is. To be called after parsing.
+/// Error in numbers that the parser takes for right, an empty one or 010 for 8; empty if there is
+/// none. To be called after parsing.
 std::string fault_of_numbers(const CLI::App& command);
 
 }  // namespace jw

@@ -75,7 +75,7 @@ public:
     /// Writes what was tried and not saved into a file, if it is another than at the last call. To be called
     /// often: what ends the program may leave no time for it.
     void keep_unsaved();
-    /// That file; empty where nothing is unsaved.
+    /// Path of the file of unsaved experiments; empty where nothing is unsaved.
     const std::filesystem::path& unsaved_copy() const { return unsaved_.path(); }
 
     bool wants_to_close() const { return close_; }

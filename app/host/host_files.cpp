@@ -67,7 +67,7 @@ void Host::copy_view(Command command) {
     copy(text, "The equations copied as LaTeX.");
 }
 
-/// What was not saved in sessions before this one.
+/// Experiments of sessions before this one that were not saved.
 std::vector<std::filesystem::path> Host::copies_of_others() const {
     if (setup_.unsaved.empty()) { return {}; }
     std::vector<std::filesystem::path> copies = unsaved_copies(setup_.unsaved);

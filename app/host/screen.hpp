@@ -21,9 +21,9 @@ public:
     /// Draws what the last Host::frame left, and carries out its task.
     /// @throws std::runtime_error if the driver cannot make the framebuffers
     void draw();
-    /// What GL complained about in the last `draw`, in words; empty if nothing.
+    /// GL errors of the last `draw`, in words; empty if there were none.
     const std::string& complaint() const { return complaint_; }
-    /// What is drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
+    /// Number of the thing drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
     int pick(float x, float y);
     /// Whether pictures of lessons are still missing in the browser.
     bool is_complete() const;

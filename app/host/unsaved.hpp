@@ -6,7 +6,7 @@
 
 #include "app/session/session.hpp"
 
-/// What was tried in a lesson and not saved, kept in a file meanwhile: whatever ends the program, it is
+/// Experiments of a lesson that are not saved, kept in a file meanwhile: whatever ends the program, it is
 /// there.
 namespace jw::host {
 

@@ -67,12 +67,10 @@ TEST_CASE("Driven trees move as the product of their joints' motions in every me
     ask_of_first_seeds("driven", 15);
 }
 
-// Known to fail where this was written, each with a lesson file at hand: implicit methods do not move scenes
-// of millimetres, and reactions go through Eigen's BDCSVD. The tag goes with the fault.
-TEST_CASE("Every method converges to the motion of the reference", "[soak][!mayfail]") {
+TEST_CASE("Every method converges to the motion of the reference", "[soak]") {
     ask_of_first_seeds("motions", 20);
 }
 
-TEST_CASE("Reactions and loads move every body as Newton and Euler say", "[soak][!mayfail]") {
+TEST_CASE("Reactions and loads move every body as Newton and Euler say", "[soak]") {
     ask_of_first_seeds("reactions", 40);
 }
