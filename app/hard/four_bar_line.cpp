@@ -43,8 +43,7 @@ Result four_bar_through_its_line() {
     Result result;
     result.naive =
         "small residuals become large accelerations in the line; one window leaves it folded, with its "
-        "energy "
-        "nearly kept, and four windows do not get past it in 2000 steps.";
+        "energy nearly kept, and four windows come out elsewhere, where they get past it at all.";
     result.ours =
         "stages near the line are moved onto the constraints first, and the step goes over it: every "
         "parallelogram stays one.";
@@ -59,10 +58,10 @@ Result four_bar_through_its_line() {
         // by the largest kinetic energy; the tolerance is 1e-9 a step
         of_both(
             "1 window: change of energy", naive_one.run.energy, any(), ours_one.run.energy, at_most(1e-7)),
+        of_ours("4 windows: arrived after 10 s", ours_four.run.arrived, exactly(1)),
         of_both(
-            "4 windows: arrived after 10 s", naive_four.run.arrived, exactly(0), ours_four.run.arrived,
-            exactly(1)),
-        of_ours("4 windows: position error [m]", ours_four.run.position, at_most(1e-5)),
+            "4 windows: position error [m]", naive_four.run.position, at_least(0.1), ours_four.run.position,
+            at_most(1e-5)),
         of_ours("4 windows: largest turn of the coupler [deg]", ours_four.coupler_turn, at_most(1e-4)),
         of_ours("4 windows: change of energy", ours_four.run.energy, at_most(1e-7)),
         of_ours(

@@ -180,7 +180,7 @@ private:
     std::uint64_t picture_version_ = 0;
     std::uint64_t pose_version_ = 0;
     std::uint64_t picture_of_ = 0;  ///< version of the session that picture_ shows
-    Link picture_link_;
+    Pointable picture_link_;
     std::vector<int> picture_rows_;
     std::uint64_t picture_ghosts_ = 0;
     bool picture_has_ghosts_ = false;

@@ -31,11 +31,11 @@ int angular_of(CoordinateChoice choice) {
 
 /// What the pointer is over in the panels; of a cell of the matrix, its row and its column.
 struct Pointed {
-    Link row;
-    Link column;
-    Link other;
+    Pointable row;
+    Pointable column;
+    Pointable other;
 
-    Link first() const { return other ? other : (row ? row : column); }
+    Pointable first() const { return other ? other : (row ? row : column); }
 };
 
 Pointed pointed_at(const std::vector<panels::HotSpot>& spots, const ImVec2& mouse) {
@@ -43,8 +43,8 @@ Pointed pointed_at(const std::vector<panels::HotSpot>& spots, const ImVec2& mous
     for (const panels::HotSpot& spot : spots) {
         if (!spot.box.contains(panels::Point{mouse.x, mouse.y})) { continue; }
         switch (spot.link.kind) {
-            case Link::Kind::row: found.row = spot.link; break;
-            case Link::Kind::column: found.column = spot.link; break;
+            case Pointable::Kind::row: found.row = spot.link; break;
+            case Pointable::Kind::column: found.column = spot.link; break;
             default: found.other = spot.link; break;
         }
     }
@@ -73,23 +73,23 @@ std::string tip_of_row(const Session& session, int row) {
     return row < session.step().system->rows(true) ? row_label(*session.step().system, row) : std::string();
 }
 
-std::string tip_of(const Session& session, const Link& link) {
+std::string tip_of(const Session& session, const Pointable& link) {
     const Mechanism& mechanism = session.lesson().mechanism;
     const auto k = static_cast<std::size_t>(link.index);
     switch (link.kind) {
-        case Link::Kind::body:
+        case Pointable::Kind::body:
             return mechanism.bodies[k].name + (mechanism.bodies[k].fixed ? " (fixed)" : "");
-        case Link::Kind::joint: {
+        case Pointable::Kind::joint: {
             const Joint& joint = mechanism.joints[k];
             return joint.name + ": " + std::string(joint.type->name) + ", " +
                    mechanism.bodies[static_cast<std::size_t>(joint.body_i)].name + " – " +
                    mechanism.bodies[static_cast<std::size_t>(joint.body_j)].name;
         }
-        case Link::Kind::vector: {
+        case Pointable::Kind::vector: {
             const Joint& joint = mechanism.joints[k];
-            if (link.part == Link::kVectorD) { return "d of " + joint.name + ", from body i to body j"; }
-            const int body = link.part == Link::kVectorI ? joint.body_i : joint.body_j;
-            return std::string("fixed in body ") + (link.part == Link::kVectorI ? "i: " : "j: ") +
+            if (link.part == Pointable::kVectorD) { return "d of " + joint.name + ", from body i to body j"; }
+            const int body = link.part == Pointable::kVectorI ? joint.body_i : joint.body_j;
+            return std::string("fixed in body ") + (link.part == Pointable::kVectorI ? "i: " : "j: ") +
                    mechanism.bodies[static_cast<std::size_t>(body)].name;
         }
         default: return {};
@@ -161,7 +161,7 @@ void Host::draw_lesson(const LessonUi& ui) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help;
     const Pointed pointed = reachable ? pointed_at(spots_, mouse) : Pointed{};
-    const Link before = state_.pointed_at;
+    const Pointable before = state_.pointed_at;
     if (!hand_.is_dragging()) { state_.pointed_at = pointed.first(); }
     hand_.handle(ui, layout_.scene, scene_size(), reachable ? pick_ : Picker{});
     if (state_.pointed_at != before) { settle_ = 2; }
@@ -217,7 +217,7 @@ Emphasis Host::emphasis() const {
     const System& system = *session_->step().system;
     const int angular = angular_of(session_->lesson().coordinates);
     Emphasis lit(system, angular, state_.pointed_at);
-    for (const int row : state_.lit_rows) { lit.light(system, angular, Link::row(row)); }
+    for (const int row : state_.lit_rows) { lit.light(system, angular, Pointable::row(row)); }
     return lit;
 }
 

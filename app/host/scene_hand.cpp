@@ -16,11 +16,11 @@ constexpr double kTurnSeconds = 0.3;
 constexpr float kClick = 3.0F;  // pixels: less is a click, not a drag
 
 /// The moving body that something drawn belongs to, -1 if it is fixed or none.
-int body_of(const Session& session, const Link& link) {
+int body_of(const Session& session, const Pointable& link) {
     const Mechanism& mechanism = session.lesson().mechanism;
     const auto moves = [&](int body) { return !mechanism.bodies[static_cast<std::size_t>(body)].fixed; };
-    if (link.kind == Link::Kind::body) { return moves(link.index) ? link.index : -1; }
-    if (link.kind != Link::Kind::joint && link.kind != Link::Kind::vector) { return -1; }
+    if (link.kind == Pointable::Kind::body) { return moves(link.index) ? link.index : -1; }
+    if (link.kind != Pointable::Kind::joint && link.kind != Pointable::Kind::vector) { return -1; }
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(link.index)];
     if (moves(joint.body_j)) { return joint.body_j; }
     return moves(joint.body_i) ? joint.body_i : -1;
@@ -106,7 +106,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double 
 void SceneHand::point_at(const LessonUi& ui, const render::Rect& /*viewport*/, const Picker& pick) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ui.state.pointed_at || !pick) { return; }
-    ui.state.pointed_at = link_of(pick(mouse.x, mouse.y));
+    ui.state.pointed_at = pointable_of(pick(mouse.x, mouse.y));
 }
 
 void SceneHand::press(const LessonUi& ui, const render::Rect& viewport, bool right) {

@@ -24,7 +24,7 @@ struct UiState {
     bool dark = false;
     float text_scale = 1.0F;
 
-    Link pointed_at;          ///< what the pointer is over, in panels or in 3D
+    Pointable pointed_at;     ///< what the pointer is over, in panels or in 3D
     std::string pointed_tip;  ///< said beside the pointer, may be empty
 
     std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at

@@ -115,7 +115,7 @@ void draw_annotations(
         if (!placed[k].shown) { continue; }
         const Point at{placed[k].box.x, placed[k].box.y};
         if (placed[k].far) { draw_leader(canvas, labels[k], placed[k].box, drawn[k].annotation->colour); }
-        const Link& link = drawn[k].annotation->link;
+        const Pointable& link = drawn[k].annotation->link;
         canvas.spot(placed[k].box, link);
         if (canvas.lit(link)) {
             const Box around = shrunk(placed[k].box, -canvas.px(3.0F), -canvas.px(2.0F));

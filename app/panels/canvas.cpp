@@ -44,7 +44,7 @@ unsigned Canvas::packed(const Colour& colour) const {
     return last_packed_;
 }
 
-void Canvas::spot(const Box& box, const Link& link) const {
+void Canvas::spot(const Box& box, const Pointable& link) const {
     if (spots_ != nullptr && list_ != nullptr && link) { spots_->push_back({box, link}); }
 }
 

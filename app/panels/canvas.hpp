@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/panels/box.hpp"
-#include "app/session/links.hpp"
+#include "app/session/pointable.hpp"
 #include "render/fonts.hpp"
 #include "render/palette.hpp"
 
@@ -18,10 +18,10 @@ using render::Colour;
 
 enum class Align { left, centre, right };
 
-/// A place on the picture that stands for something; see links.hpp.
+/// A place on the picture that stands for something; see pointable.hpp.
 struct HotSpot {
     Box box;
-    Link link;
+    Pointable link;
 };
 
 /// Where panels are drawn: a draw list of ImGui and the fonts.
@@ -45,8 +45,8 @@ public:
     Canvas in(render::Tone tone) const;
 
     /// `box` stands for `link`.
-    void spot(const Box& box, const Link& link) const;
-    bool lit(const Link& link) const { return lit_ != nullptr && lit_->contains(link); }
+    void spot(const Box& box, const Pointable& link) const;
+    bool lit(const Pointable& link) const { return lit_ != nullptr && lit_->contains(link); }
 
     const render::Fonts& fonts() const { return *fonts_; }
     bool draws() const { return list_ != nullptr; }

@@ -45,8 +45,8 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     const ImFont* const font = canvas.fonts().normal;
     const ImFont* const small = canvas.fonts().small;
     const Box place{cell.x - canvas.px(3.0F), cell.y, cell.width, canvas.line_height(font)};
-    canvas.spot(place, row.row < 0 ? Link{} : Link::row(row.row));
-    if (row.row >= 0 && canvas.lit(Link::row(row.row))) {
+    canvas.spot(place, row.row < 0 ? Pointable{} : Pointable::row(row.row));
+    if (row.row >= 0 && canvas.lit(Pointable::row(row.row))) {
         canvas.fill(place, theme::kSubject, canvas.px(3.0F));
         canvas.outline(place, theme::kSubjectMark, hairline(canvas), canvas.px(3.0F));
     }

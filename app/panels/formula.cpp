@@ -188,11 +188,11 @@ Colour colour_of(Ink ink, Colour plain) {
 }
 
 /// Which vector of the joint a symbol stands for.
-Link link_of(Ink ink, int joint) {
+Pointable pointable_of(Ink ink, int joint) {
     switch (ink) {
-        case Ink::vector_i: return Link::vector(joint, Link::kVectorI);
-        case Ink::vector_j: return Link::vector(joint, Link::kVectorJ);
-        case Ink::vector_d: return Link::vector(joint, Link::kVectorD);
+        case Ink::vector_i: return Pointable::vector(joint, Pointable::kVectorI);
+        case Ink::vector_j: return Pointable::vector(joint, Pointable::kVectorJ);
+        case Ink::vector_d: return Pointable::vector(joint, Pointable::kVectorD);
         case Ink::plain: break;
     }
     return {};
@@ -231,7 +231,7 @@ void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
         for (; k < formula.glyphs.size() && formula.glyphs[k].ink == ink; ++k) {
             right = std::max(right, formula.glyphs[k].origin.x + formula.glyphs[k].glyph->X1);
         }
-        const Link link = link_of(ink, joint);
+        const Pointable link = pointable_of(ink, joint);
         if (!link) { continue; }
         const float air = canvas.px(2.0F);
         const Box box{

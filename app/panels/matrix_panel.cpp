@@ -217,20 +217,20 @@ void link_matrix(const Canvas& canvas, const MatrixView& matrix, const MatrixLay
     const auto columns = static_cast<int>(matrix.columns.size());
     const auto rows = static_cast<int>(matrix.rows.size());
     // what is lit side by side gets one frame
-    const auto mark = [&](int count, const auto& link_of, const auto& box_of) {
-        for (int k = 0; k < count; ++k) { canvas.spot(box_of(k, 1), link_of(k)); }
+    const auto mark = [&](int count, const auto& pointable_of, const auto& box_of) {
+        for (int k = 0; k < count; ++k) { canvas.spot(box_of(k, 1), pointable_of(k)); }
         for (int k = 0; k < count;) {
             int end = k;
-            while (end < count && canvas.lit(link_of(end))) { ++end; }
+            while (end < count && canvas.lit(pointable_of(end))) { ++end; }
             if (end > k) { canvas.outline(box_of(k, end - k), theme::kSubjectMark, thick, canvas.px(2.0F)); }
             k = end + 1;
         }
     };
-    mark(columns, &Link::column, [&](int first, int count) {
+    mark(columns, &Pointable::column, [&](int first, int count) {
         const Box column = layout.column(first, count);
         return Box{column.x, layout.bodies.y, column.width, layout.cells.bottom() - layout.bodies.y};
     });
-    mark(rows, &Link::row, [&](int first, int count) {
+    mark(rows, &Pointable::row, [&](int first, int count) {
         const Box row = layout.row(first, count);
         return Box{layout.owners.x, row.y, layout.cells.right() - layout.owners.x, row.height};
     });

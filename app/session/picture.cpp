@@ -38,7 +38,7 @@ int failing_joint(const Step& step) {
 
 /// Everything from the `first` entry on stands for `link`.
 template <class Drawn>
-void name_from(std::vector<Drawn>& drawn, std::size_t first, const Link& link) {
+void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& link) {
     for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
 }
 
@@ -48,32 +48,32 @@ void add_mechanism(
     for (int b = 0; b < bodies_count(lesson); ++b) {
         const std::size_t first = scene.shapes.size();
         add_body(lesson, style, step.state, b, 1.0F, scene);
-        name_from(scene.shapes, first, Link::body(b));
+        name_from(scene.shapes, first, Pointable::body(b));
     }
     for (const int j : step.system->selection().joints) {
         const std::size_t first = scene.shapes.size();
         add_joint(lesson, style, placed(lesson.mechanism, j, step.state), j == highlighted, scene);
-        name_from(scene.shapes, first, Link::joint(j));
+        name_from(scene.shapes, first, Pointable::joint(j));
     }
 }
 
 /// The part of a joint's vectors that a colour stands for (palette.hpp), -1 for none.
 int part_of(const render::Colour& colour) {
-    if (colour == render::palette::kVectorI) { return Link::kVectorI; }
-    if (colour == render::palette::kVectorJ) { return Link::kVectorJ; }
-    return colour == render::palette::kVectorD ? Link::kVectorD : -1;
+    if (colour == render::palette::kVectorI) { return Pointable::kVectorI; }
+    if (colour == render::palette::kVectorJ) { return Pointable::kVectorJ; }
+    return colour == render::palette::kVectorD ? Pointable::kVectorD : -1;
 }
 
 /// Vectors and their names, all of one joint.
 void name_vectors(Picture& picture, int joint) {
     for (render::Arrow& arrow : picture.scene.arrows) {
         if (const int part = part_of(arrow.colour); part >= 0) {
-            arrow.id = picture_id(Link::vector(joint, part));
+            arrow.id = picture_id(Pointable::vector(joint, part));
         }
     }
     for (Annotation& annotation : picture.annotations) {
         if (const int part = part_of(annotation.colour); part >= 0) {
-            annotation.link = Link::vector(joint, part);
+            annotation.link = Pointable::vector(joint, part);
         }
     }
 }
@@ -106,7 +106,7 @@ void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step
         name.text = lesson.mechanism.bodies[k].name;
         name.colour = render::palette::kInkSoft;
         name.body_name = true;
-        name.link = Link::body(b);
+        name.link = Pointable::body(b);
         picture.annotations.push_back(name);
     }
 }
@@ -191,10 +191,10 @@ void add_ghosts(
 void light_up(Picture& picture, const Emphasis& lit) {
     if (lit.empty()) { return; }
     for (render::Shape& shape : picture.scene.shapes) {
-        shape.highlighted = shape.highlighted || lit.contains(link_of(shape.id));
+        shape.highlighted = shape.highlighted || lit.contains(pointable_of(shape.id));
     }
     for (render::Arrow& arrow : picture.scene.arrows) {
-        arrow.highlighted = arrow.highlighted || lit.contains(link_of(arrow.id));
+        arrow.highlighted = arrow.highlighted || lit.contains(pointable_of(arrow.id));
     }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/links.hpp"
+#include "app/session/pointable.hpp"
 #include "app/session/story.hpp"
 #include "render/framing.hpp"
 #include "render/scene.hpp"
@@ -19,7 +19,7 @@ struct Annotation {
     std::string text;
     render::Colour colour;
     bool body_name = false;  ///< less important: left out where there is no room
-    Link link = {};          ///< what it is the name of
+    Pointable link = {};     ///< what it is the name of
 };
 
 struct Picture {

@@ -120,7 +120,12 @@ void set_bounds(const Story& story, const std::vector<int>& moments, PictureStyl
     style.ground_axes = false;
     render::Bounds bounds = bounds_of(story, style, moments, false);
     style.ground_axes = true;
-    const render::Bounds with_axes = bounds_of(story, style, moments, false);
+    // these stay where they are: one moment is as good as all
+    const auto first = std::ranges::find_if(moments, [&](int k) {
+        return story.steps()[static_cast<std::size_t>(k)].kind != Step::Kind::iteration;
+    });
+    render::Bounds with_axes = bounds;
+    if (first != moments.end()) { with_axes.include(bounds_of(story, style, {*first}, false)); }
     style.ground_axes = with_axes.diagonal() < kFarOrigin * bounds.diagonal();
     if (style.ground_axes) { bounds = with_axes; }
     render::Bounds with_iterations = bounds_of(story, style, moments, true);

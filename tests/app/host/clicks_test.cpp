@@ -121,7 +121,7 @@ void use_all(Person& person, Seen& seen, const panels::Box& box, const char* win
 
 /// The line that says what was changed last is there from now on: nothing moves while it is looked for.
 void change_something(Person& person) {
-    person.host().set_picker([](float, float) { return picture_id(Link::body(1)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
     person.drag(300.0F, 300.0F, 320.0F, 310.0F);
     person.host().set_picker({});
     person.ask(Command::start_over);

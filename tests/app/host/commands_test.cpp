@@ -60,7 +60,7 @@ void prepare(Person& person, Command command) {
 std::unique_ptr<Person> somebody_at(const char* lesson) {
     auto person = std::make_unique<Person>(lesson);
     const int body = static_cast<int>(person->session().lesson().mechanism.bodies.size()) - 1;
-    person->host().set_picker([body](float, float) { return picture_id(Link::body(body)); });
+    person->host().set_picker([body](float, float) { return picture_id(Pointable::body(body)); });
     return person;
 }
 

@@ -154,7 +154,7 @@ TEST_CASE(
 TEST_CASE("A body pulled after assembly keeps all equations and goes towards the pointer") {
     Person person(kFourBar);
     go_to_closed(person, "D");
-    person.host().set_picker([](float, float) { return picture_id(Link::body(1)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
     const Vec3 tip_local(0.4, 0.0, 0.0);
     const auto tip = [&] { return picture::frame_of(person.session().step().state, 1).point(tip_local); };
     const render::Projected from = on_screen(person, tip());
@@ -179,7 +179,7 @@ TEST_CASE("A body pulled after assembly keeps all equations and goes towards the
 
 TEST_CASE("A free body pulled before assembly changes the start estimate, and the joints close from there") {
     Person person(kFourBar);
-    person.host().set_picker([](float, float) { return picture_id(Link::body(2)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(2)); });
     const Vec3 before = person.session().lesson().mechanism.bodies[2].r;
     person.drag(300.0F, 300.0F, 330.0F, 280.0F);
     CHECK((person.session().lesson().mechanism.bodies[2].r - before).norm() > 0.005);
@@ -192,7 +192,7 @@ TEST_CASE("A free body pulled before assembly changes the start estimate, and th
 
 TEST_CASE("A driven mechanism that is pulled goes through time") {
     Person person(kFourBar);
-    person.host().set_picker([](float, float) { return picture_id(Link::body(1)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
     person.press(Key::end);
     for (int k = 0; k < 100; ++k) { person.press(Key::left); }
     const double t = person.view().t;

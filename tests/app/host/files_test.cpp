@@ -110,10 +110,10 @@ TEST_CASE("The open lesson may become another one with fewer bodies, whatever is
     const auto file = folder.write("mine.toml", four_bar());
     const std::string small = text_of_file(catalogue_folder() / "joints" / "revolute.toml");
     Person person(file.string());
-    person.host().set_picker([](float, float) { return picture_id(Link::body(3)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(3)); });
     person.go_to(12);
     person.point(300.0F, 300.0F);
-    REQUIRE(person.host().state().pointed_at == Link::body(3));
+    REQUIRE(person.host().state().pointed_at == Pointable::body(3));
     person.host().push(host::InputEvent::button(0, true));
     person.settle();
     save(file, small);
@@ -128,7 +128,7 @@ TEST_CASE("The open lesson may become another one with fewer bodies, whatever is
 
 TEST_CASE("What is tried can be saved as a lesson, and read back the same") {
     Person person("loops/four-bar.toml");
-    person.host().set_picker([](float, float) { return picture_id(Link::body(1)); });
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
     person.go_to(4);
     person.drag(300.0F, 300.0F, 360.0F, 330.0F);
     REQUIRE(person.session().is_changed());

@@ -56,34 +56,37 @@ Emphasis emphasis(Person& person) {
 
 TEST_CASE("Pointing at a row of equations or matrix outlines its joint and its vectors in the picture") {
     const auto person = at_equations();
-    REQUIRE_FALSE(lit_in(person->host().picture()).contains(picture_id(Link::vector(0, Link::kVectorI))));
+    REQUIRE_FALSE(
+        lit_in(person->host().picture()).contains(picture_id(Pointable::vector(0, Pointable::kVectorI))));
     const panels::Box column = person->host().layout().column;
-    REQUIRE(look_for(*person, column, 7.0F, [](const Link& link) { return link.kind == Link::Kind::row; }));
+    REQUIRE(look_for(
+        *person, column, 7.0F, [](const Pointable& link) { return link.kind == Pointable::Kind::row; }));
     const std::set<int> lit = lit_in(person->host().picture());
-    CHECK(lit.contains(picture_id(Link::vector(0, Link::kVectorI))));
-    CHECK(lit.contains(picture_id(Link::vector(0, Link::kVectorJ))));
+    CHECK(lit.contains(picture_id(Pointable::vector(0, Pointable::kVectorI))));
+    CHECK(lit.contains(picture_id(Pointable::vector(0, Pointable::kVectorJ))));
 }
 
 TEST_CASE("Pointing at a symbol of a formula outlines that vector alone") {
     const auto person = at_equations();
     const panels::Box column = person->host().layout().column;
-    const Link wanted = Link::vector(0, Link::kVectorJ);
-    REQUIRE(look_for(*person, column, 5.0F, [&](const Link& link) { return link == wanted; }));
+    const Pointable wanted = Pointable::vector(0, Pointable::kVectorJ);
+    REQUIRE(look_for(*person, column, 5.0F, [&](const Pointable& link) { return link == wanted; }));
     const std::set<int> lit = lit_in(person->host().picture());
     CHECK(lit.contains(picture_id(wanted)));
-    CHECK_FALSE(lit.contains(picture_id(Link::vector(0, Link::kVectorI))));
+    CHECK_FALSE(lit.contains(picture_id(Pointable::vector(0, Pointable::kVectorI))));
 }
 
 TEST_CASE("Pointing at a vector in the picture lights up the rows that it is in") {
     const auto person = at_equations();
     const panels::Box scene = panels::box_of(person->host().layout().scene);
     const std::set<int> at_rest = lit_in(person->host().picture());
-    REQUIRE(look_for(
-        *person, scene, 6.0F, [](const Link& l) { return l.kind == Link::Kind::vector && l.index == 0; }));
+    REQUIRE(look_for(*person, scene, 6.0F, [](const Pointable& l) {
+        return l.kind == Pointable::Kind::vector && l.index == 0;
+    }));
     const Emphasis lit = emphasis(*person);
     int rows = 0;
     for (int row = 0; row < person->session().step().system->rows(); ++row) {
-        rows += lit.contains(Link::row(row)) ? 1 : 0;
+        rows += lit.contains(Pointable::row(row)) ? 1 : 0;
     }
     CHECK(rows > 0);
     CHECK(lit_in(person->host().picture()) != at_rest);
@@ -96,11 +99,11 @@ TEST_CASE("Pointing at a vector in the picture lights up the rows that it is in"
 TEST_CASE("Pointing at a body in the picture lights up its columns, and it can be pulled there") {
     const auto person = at_equations();
     const panels::Box scene = panels::box_of(person->host().layout().scene);
-    REQUIRE(look_for(*person, scene, 8.0F, [](const Link& link) { return link == Link::body(2); }));
+    REQUIRE(look_for(*person, scene, 8.0F, [](const Pointable& link) { return link == Pointable::body(2); }));
     const Emphasis lit = emphasis(*person);
     const int first = person->session().step().system->body_column(2, 4);
-    for (int k = 0; k < 7; ++k) { CHECK(lit.contains(Link::column(first + k))); }
-    CHECK(lit_in(person->host().picture()).contains(picture_id(Link::body(2))));
+    for (int k = 0; k < 7; ++k) { CHECK(lit.contains(Pointable::column(first + k))); }
+    CHECK(lit_in(person->host().picture()).contains(picture_id(Pointable::body(2))));
 
     host::Host& host = person->host();
     host.push(host::InputEvent::button(0, true));

@@ -3,7 +3,7 @@
 #include <array>
 #include <fstream>
 
-#include "app/session/links.hpp"
+#include "app/session/pointable.hpp"
 
 namespace jw::test {
 
@@ -202,9 +202,9 @@ host::Picker picker_of_squares(const host::Host& host) {
         const auto bodies = static_cast<int>(mechanism.bodies.size());
         const auto joints = static_cast<int>(mechanism.joints.size());
         switch (square % 4) {
-            case 0: return picture_id(Link::body(square / 4 % bodies));
-            case 1: return joints == 0 ? 0 : picture_id(Link::vector(square / 4 % joints, square % 3));
-            case 2: return joints == 0 ? 0 : picture_id(Link::joint(square / 4 % joints));
+            case 0: return picture_id(Pointable::body(square / 4 % bodies));
+            case 1: return joints == 0 ? 0 : picture_id(Pointable::vector(square / 4 % joints, square % 3));
+            case 2: return joints == 0 ? 0 : picture_id(Pointable::joint(square / 4 % joints));
             default: return 0;
         }
     };

@@ -4,12 +4,12 @@
 
 #include "core/system.hpp"
 
-/// What belongs together on the screen: a number in a panel, its symbol in the formula, its row in the
+/// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
 /// matrix, its vector and its bodies in 3D. Pointing at one lights up the others.
 namespace jw {
 
 /// Something that can be pointed at.
-struct Link {
+struct Pointable {
     enum class Kind {
         none,
         row,     ///< index: of the system
@@ -26,42 +26,42 @@ struct Link {
     int index = -1;
     int part = 0;
 
-    bool operator==(const Link&) const = default;
+    bool operator==(const Pointable&) const = default;
     explicit operator bool() const { return kind != Kind::none; }
 
-    static Link row(int index) { return {Kind::row, index}; }
-    static Link column(int index) { return {Kind::column, index}; }
-    static Link body(int index) { return {Kind::body, index}; }
-    static Link joint(int index) { return {Kind::joint, index}; }
-    static Link vector(int joint, int part) { return {Kind::vector, joint, part}; }
+    static Pointable row(int index) { return {Kind::row, index}; }
+    static Pointable column(int index) { return {Kind::column, index}; }
+    static Pointable body(int index) { return {Kind::body, index}; }
+    static Pointable joint(int index) { return {Kind::joint, index}; }
+    static Pointable vector(int joint, int part) { return {Kind::vector, joint, part}; }
 };
 
 /// A link as the number of something drawn in 3D, and back; 0 is nothing. Bodies, joints and vectors only.
-int picture_id(const Link& link);
-Link link_of(int picture_id);
+int picture_id(const Pointable& link);
+Pointable pointable_of(int picture_id);
 
 /// Everything that lights up together.
 class Emphasis {
 public:
     Emphasis() = default;
-    /// What belongs to `pointed_at`.
+    /// Everything that belongs to `pointed_at`.
     /// @param angular columns per body beyond r: 4 in the (r, p) choices, else 3
-    Emphasis(const System& system, int angular, const Link& pointed_at);
+    Emphasis(const System& system, int angular, const Pointable& pointed_at);
 
     /// Adds what belongs to something else.
-    void light(const System& system, int angular, const Link& link);
+    void light(const System& system, int angular, const Pointable& link);
 
-    bool contains(const Link& link) const;
+    bool contains(const Pointable& link) const;
     bool empty() const { return links_.empty(); }
 
 private:
-    void add(const Link& link);
+    void add(const Pointable& link);
     void add_row_and_its_vectors(const System& system, int row);
     void add_rows_of_joint(const System& system, int joint);
     void add_rows_with_vector(const System& system, int joint, int part);
     void add_columns_of_body(const System& system, int angular, int body);
 
-    std::vector<Link> links_;
+    std::vector<Pointable> links_;
 };
 
 }  // namespace jw

@@ -1,4 +1,4 @@
-#include "app/session/links.hpp"
+#include "app/session/pointable.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,13 +7,13 @@
 namespace jw::test {
 namespace {
 
-constexpr int kParts[] = {Link::kVectorI, Link::kVectorJ, Link::kVectorD};
+constexpr int kParts[] = {Pointable::kVectorI, Pointable::kVectorJ, Pointable::kVectorD};
 
 struct Linked {
     const System& system;
     int angular;
 
-    bool both_ways(const Link& a, const Link& b) const {
+    bool both_ways(const Pointable& a, const Pointable& b) const {
         return Emphasis(system, angular, a).contains(b) && Emphasis(system, angular, b).contains(a);
     }
 };
@@ -31,15 +31,15 @@ TEST_CASE("a row lights up its vectors and a vector its rows, in every lesson", 
             if (origin.kind != RowOrigin::Kind::constraint) { continue; }
             const int joint = system.constraints()[static_cast<std::size_t>(origin.index)].joint;
             INFO(file << " row " << row);
-            CHECK(linked.both_ways(Link::row(row), Link::joint(joint)));
+            CHECK(linked.both_ways(Pointable::row(row), Pointable::joint(joint)));
             int vectors = 0;
             for (int j = 0; j < static_cast<int>(lesson.mechanism.joints.size()); ++j) {
                 for (const int part : kParts) {
-                    const Link vector = Link::vector(j, part);
-                    if (!Emphasis(system, 3, Link::row(row)).contains(vector)) { continue; }
+                    const Pointable vector = Pointable::vector(j, part);
+                    if (!Emphasis(system, 3, Pointable::row(row)).contains(vector)) { continue; }
                     ++vectors;
                     CHECK(j == joint);
-                    CHECK(linked.both_ways(Link::row(row), vector));
+                    CHECK(linked.both_ways(Pointable::row(row), vector));
                 }
             }
             CHECK(vectors >= 1);
@@ -52,11 +52,11 @@ TEST_CASE("a vector that no equation has lights up itself alone", "[app][session
     const Lesson lesson = without_motion(lesson_named("loops/four-bar"));
     const Story story(lesson);
     const System& system = *story.steps().back().system;
-    const Link d = Link::vector(0, Link::kVectorD);  // a revolute has no d
+    const Pointable d = Pointable::vector(0, Pointable::kVectorD);  // a revolute has no d
     const Emphasis emphasis(system, 3, d);
     CHECK(emphasis.contains(d));
-    for (int row = 0; row < system.rows(); ++row) { CHECK_FALSE(emphasis.contains(Link::row(row))); }
-    CHECK(Emphasis(system, 3, Link{}).empty());
+    for (int row = 0; row < system.rows(); ++row) { CHECK_FALSE(emphasis.contains(Pointable::row(row))); }
+    CHECK(Emphasis(system, 3, Pointable{}).empty());
 }
 
 TEST_CASE("a body lights up its columns and a column its body, in all coordinates", "[app][session]") {
@@ -72,7 +72,7 @@ TEST_CASE("a body lights up its columns and a column its body, in all coordinate
                 for (int k = first; k < first + 3 + angular; ++k) {
                     ++owners[static_cast<std::size_t>(k)];
                     INFO(file << " column " << k);
-                    CHECK(linked.both_ways(Link::body(body), Link::column(k)));
+                    CHECK(linked.both_ways(Pointable::body(body), Pointable::column(k)));
                 }
             }
             for (const int theta : system.active_thetas()) {
@@ -83,21 +83,21 @@ TEST_CASE("a body lights up its columns and a column its body, in all coordinate
 }
 
 TEST_CASE("what is drawn in 3D is known by its number, and nothing else has that number", "[app][session]") {
-    std::vector<Link> all;
+    std::vector<Pointable> all;
     for (int k = 0; k < 40; ++k) {
-        all.push_back(Link::body(k));
-        all.push_back(Link::joint(k));
-        for (const int part : kParts) { all.push_back(Link::vector(k, part)); }
+        all.push_back(Pointable::body(k));
+        all.push_back(Pointable::joint(k));
+        for (const int part : kParts) { all.push_back(Pointable::vector(k, part)); }
     }
     std::vector<int> ids;
-    for (const Link& link : all) {
-        CHECK(link_of(picture_id(link)) == link);
+    for (const Pointable& link : all) {
+        CHECK(pointable_of(picture_id(link)) == link);
         ids.push_back(picture_id(link));
     }
     std::ranges::sort(ids);
     CHECK(std::ranges::adjacent_find(ids) == ids.end());
     CHECK(ids.front() > 0);
-    for (const int nothing : {0, -1, -9, 7, 6}) { CHECK_FALSE(static_cast<bool>(link_of(nothing))); }
+    for (const int nothing : {0, -1, -9, 7, 6}) { CHECK_FALSE(static_cast<bool>(pointable_of(nothing))); }
 }
 
 }  // namespace jw::test

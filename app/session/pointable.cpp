@@ -1,4 +1,4 @@
-#include "app/session/links.hpp"
+#include "app/session/pointable.hpp"
 
 #include <algorithm>
 
@@ -16,9 +16,9 @@ constexpr int bit(int part) { return 1 << part; }
 
 /// The vectors that an equation is made of.
 int vectors_of(Role role) {
-    constexpr int i = bit(Link::kVectorI);
-    constexpr int j = bit(Link::kVectorJ);
-    constexpr int d = bit(Link::kVectorD);
+    constexpr int i = bit(Pointable::kVectorI);
+    constexpr int j = bit(Pointable::kVectorJ);
+    constexpr int d = bit(Pointable::kVectorD);
     switch (role) {
         case Role::same_point:
         case Role::axes_parallel:
@@ -35,52 +35,56 @@ int vectors_of(Role role) {
 
 }  // namespace
 
-int picture_id(const Link& link) {
+int picture_id(const Pointable& link) {
     switch (link.kind) {
-        case Link::Kind::body: return (link.index + 1) * kRadix + kBody;
-        case Link::Kind::joint: return (link.index + 1) * kRadix + kJoint;
-        case Link::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
+        case Pointable::Kind::body: return (link.index + 1) * kRadix + kBody;
+        case Pointable::Kind::joint: return (link.index + 1) * kRadix + kJoint;
+        case Pointable::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
         default: return 0;
     }
 }
 
-Link link_of(int id) {
+Pointable pointable_of(int id) {
     const int kind = id % kRadix;
     const int index = id / kRadix - 1;
     if (id <= 0 || index < 0) { return {}; }
-    if (kind == kBody) { return Link::body(index); }
-    if (kind == kJoint) { return Link::joint(index); }
-    if (kind >= kVector && kind <= kVector + Link::kVectorD) { return Link::vector(index, kind - kVector); }
+    if (kind == kBody) { return Pointable::body(index); }
+    if (kind == kJoint) { return Pointable::joint(index); }
+    if (kind >= kVector && kind <= kVector + Pointable::kVectorD) {
+        return Pointable::vector(index, kind - kVector);
+    }
     return {};
 }
 
-Emphasis::Emphasis(const System& system, int angular, const Link& pointed_at) {
+Emphasis::Emphasis(const System& system, int angular, const Pointable& pointed_at) {
     light(system, angular, pointed_at);
 }
 
-void Emphasis::light(const System& system, int angular, const Link& pointed_at) {
+void Emphasis::light(const System& system, int angular, const Pointable& pointed_at) {
     if (!pointed_at) { return; }
     add(pointed_at);
     switch (pointed_at.kind) {
-        case Link::Kind::row: add_row_and_its_vectors(system, pointed_at.index); break;
-        case Link::Kind::joint: add_rows_of_joint(system, pointed_at.index); break;
-        case Link::Kind::vector: add_rows_with_vector(system, pointed_at.index, pointed_at.part); break;
-        case Link::Kind::body: add_columns_of_body(system, angular, pointed_at.index); break;
-        case Link::Kind::column:
+        case Pointable::Kind::row: add_row_and_its_vectors(system, pointed_at.index); break;
+        case Pointable::Kind::joint: add_rows_of_joint(system, pointed_at.index); break;
+        case Pointable::Kind::vector: add_rows_with_vector(system, pointed_at.index, pointed_at.part); break;
+        case Pointable::Kind::body: add_columns_of_body(system, angular, pointed_at.index); break;
+        case Pointable::Kind::column:
             for (const int body : system.moving_bodies()) {
                 const int first = system.body_column(body, angular);
                 if (pointed_at.index >= first && pointed_at.index < first + 3 + angular) {
-                    add(Link::body(body));
+                    add(Pointable::body(body));
                 }
             }
             break;
-        case Link::Kind::none: break;
+        case Pointable::Kind::none: break;
     }
 }
 
-bool Emphasis::contains(const Link& link) const { return std::ranges::find(links_, link) != links_.end(); }
+bool Emphasis::contains(const Pointable& link) const {
+    return std::ranges::find(links_, link) != links_.end();
+}
 
-void Emphasis::add(const Link& link) {
+void Emphasis::add(const Pointable& link) {
     if (!contains(link)) { links_.push_back(link); }
 }
 
@@ -88,17 +92,17 @@ void Emphasis::add_row_and_its_vectors(const System& system, int row) {
     if (row < 0 || row >= system.rows(true)) { return; }
     const RowOrigin origin = system.origin(row);
     const auto k = static_cast<std::size_t>(origin.index);
-    if (origin.kind == RowOrigin::Kind::normalisation) { return add(Link::body(origin.index)); }
+    if (origin.kind == RowOrigin::Kind::normalisation) { return add(Pointable::body(origin.index)); }
     if (origin.kind == RowOrigin::Kind::driver) {
         const int driver = system.drivers()[k].driver;
         const int joint = system.mechanism().drivers[static_cast<std::size_t>(driver)].joint;
-        if (joint >= 0) { add(Link::joint(joint)); }
+        if (joint >= 0) { add(Pointable::joint(joint)); }
         return;
     }
     const Constraint& c = system.constraints()[k];
-    add(Link::joint(c.joint));
-    for (const int part : {Link::kVectorI, Link::kVectorJ, Link::kVectorD}) {
-        if ((vectors_of(c.role) & bit(part)) != 0) { add(Link::vector(c.joint, part)); }
+    add(Pointable::joint(c.joint));
+    for (const int part : {Pointable::kVectorI, Pointable::kVectorJ, Pointable::kVectorD}) {
+        if ((vectors_of(c.role) & bit(part)) != 0) { add(Pointable::vector(c.joint, part)); }
     }
 }
 
@@ -107,7 +111,7 @@ void Emphasis::add_rows_of_joint(const System& system, int joint) {
         const RowOrigin origin = system.origin(row);
         const auto k = static_cast<std::size_t>(origin.index);
         if (origin.kind == RowOrigin::Kind::constraint && system.constraints()[k].joint == joint) {
-            add(Link::row(row));
+            add(Pointable::row(row));
         }
     }
 }
@@ -117,13 +121,13 @@ void Emphasis::add_rows_with_vector(const System& system, int joint, int part) {
         const RowOrigin origin = system.origin(row);
         if (origin.kind != RowOrigin::Kind::constraint) { continue; }
         const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-        if (c.joint == joint && (vectors_of(c.role) & bit(part)) != 0) { add(Link::row(row)); }
+        if (c.joint == joint && (vectors_of(c.role) & bit(part)) != 0) { add(Pointable::row(row)); }
     }
 }
 
 void Emphasis::add_columns_of_body(const System& system, int angular, int body) {
     const int first = system.body_column(body, angular);
-    for (int k = 0; first >= 0 && k < 3 + angular; ++k) { add(Link::column(first + k)); }
+    for (int k = 0; first >= 0 && k < 3 + angular; ++k) { add(Pointable::column(first + k)); }
 }
 
 }  // namespace jw
