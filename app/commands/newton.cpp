@@ -78,7 +78,9 @@ Exit newton(const NewtonChoices& options, const Streams& streams) {
     } else {
         streams.out << tried.lesson.title << '\n' << tried_text(tried.done) << describe(runs);
     }
-    return Exit::done;
+    const bool any = std::ranges::any_of(runs.traces, &NewtonTrace::converged);
+    if (!any) { streams.err << tried.lesson.file_name << ": " << runs.comparison.summary << '\n'; }
+    return any ? Exit::done : Exit::numerics;
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     how.with_ranks = false;
     const Story story(tried.lesson, how);
     const SeriesSet set = set_of(options, story);
+    if (set.at.empty() && story.failure() != nullptr) { throw not_reached(tried.lesson, *story.failure()); }
     if (set.at.empty()) { throw bad("nothing to plot: " + set.why_empty); }
     panels::PlotState state;
     state.shown = chosen(set, options.curves);

@@ -46,6 +46,8 @@ TEST_CASE("newton says which solutions are not meant", "[app][commands]") {
     CHECK(ran.out.find("point in opposite directions (cosine -1)") != std::string::npos);
     const Ran none = run({"newton", lesson_path("hard/cannot-close.toml"), "--at", "D"});
     CHECK(none.out.find("No method closed it from here.") != std::string::npos);
+    CHECK(none.err.find("No method closed it from here.") != std::string::npos);
+    CHECK(none.status == 3);
 }
 
 TEST_CASE("without normalisation rows Newton goes another way", "[app][commands]") {
