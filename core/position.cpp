@@ -36,6 +36,13 @@ bool slide_screws(const System& system, State& state) {
     return any;
 }
 
+/// Whether the equations hold as well as typed numbers close.
+bool is_met(const System& system, const State& state, double t) {
+    ScaledEquations equations(system, t);
+    equations.look(state);
+    return equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
+}
+
 constexpr int kMostBranches = 4;  // each attempt turns one body; a loop of more is going in circles
 
 }  // namespace
@@ -70,11 +77,12 @@ PositionOutcome solve_position(
                 continue;
             }
             // far from everything the shortest step turns bodies by many turns, and is cut down to next to
-            // nothing; damped steps get near
-            if (limited && !damped) {
+            // nothing; damped steps get near. Beside singular poses, where full steps go to and fro, they
+            // arrive
+            if (!damped) {
                 guess = closest_fit(system, state, t);
                 damped = true;
-                continue;
+                if (limited || is_met(system, guess, t)) { continue; }
             }
             outcome.failure = diagnose(system, state, stepper.state(), t, iterations);
             return outcome;

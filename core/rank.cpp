@@ -1,6 +1,7 @@
 #include "core/rank.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/QR>
@@ -13,8 +14,10 @@ namespace jw {
 
 namespace {
 
-constexpr double kRounding = 1e-15;       // singular values below this part of the largest are rounding
-constexpr double kNegligibleTerm = 1e-9;  // of the largest coefficient; far above rounding, far below meaning
+constexpr double kRounding = 1e-15;  // singular values below this part of the largest are rounding
+/// Terms of a combination that are rounding, by the largest: where leaving them out is felt, less is.
+constexpr std::array kNegligibleTerms{1e-9, 1e-12, 0.0};
+constexpr double kNotFelt = 1e-12;          // of the row that is combined
 constexpr double kNegligibleEntry = 1e-12;  // of a free motion: rounding of its elimination
 // the eliminations behind combinations and free motions add errors of their own, a few times that of the
 // values
@@ -93,6 +96,19 @@ private:
     std::vector<int> dependent_;
 };
 
+/// Coefficients with which the columns of a basis add up to a row; those that are rounding are 0.
+VectorX combination_of(
+    const MatrixX& basis, const Eigen::ColPivHouseholderQR<MatrixX>& qr, const VectorX& row) {
+    VectorX all = qr.solve(row);
+    const double size = all.cwiseAbs().maxCoeff();
+    const double least = (basis * all - row).norm();
+    for (const double share : kNegligibleTerms) {
+        VectorX kept = (all.array().abs() > share * size).select(all, 0.0);
+        if ((basis * kept - row).norm() <= 2.0 * least + kNotFelt * std::max(1.0, size)) { return kept; }
+    }
+    return all;
+}
+
 /// @param tolerance of what a row adds to those before it
 /// @param vanishing the largest singular value that counts as zero, with its error. A combination with
 ///        coefficients c is a left null vector of length √(1 + |c|²): it leaves no more than `vanishing`
@@ -118,21 +134,15 @@ std::vector<RedundantRow> redundant_rows_of(
         RedundantRow entry{row, {}, 0.0, 0.0};
         // a row that is rounding all over says 0 = 0 and repeats no other
         if (!kept.empty() && scaled.row(row).norm() > tolerance) {
-            VectorX coefficients = qr.solve(scaled.row(row).transpose());
-            const double worst = (basis * coefficients - scaled.row(row).transpose()).cwiseAbs().maxCoeff();
-            const double negligible = std::max(kNegligibleTerm * coefficients.cwiseAbs().maxCoeff(), worst);
+            const VectorX coefficients = combination_of(basis, qr, scaled.row(row).transpose());
             for (std::size_t k = 0; k < kept.size(); ++k) {
-                double& c = coefficients(static_cast<Eigen::Index>(k));
-                if (std::abs(c) <= negligible) {
-                    c = 0.0;
-                    continue;
-                }
+                const double c = coefficients(static_cast<Eigen::Index>(k));
+                if (c == 0.0) { continue; }
                 entry.terms.push_back({kept[k], c * scaling.row(row) / scaling.row(kept[k])});
             }
             // of what is told, not of what was solved for
             entry.misfit = (basis * coefficients - scaled.row(row).transpose()).norm();
-            const double left_out = negligible * std::sqrt(static_cast<double>(kept.size()));
-            entry.bound = kRoundings * (vanishing * std::hypot(1.0, coefficients.norm()) + left_out);
+            entry.bound = kRoundings * (vanishing + kNotFelt) * std::hypot(1.0, coefficients.norm());
         }
         redundant.push_back(std::move(entry));
     }
