@@ -12,7 +12,7 @@ namespace {
 
 /// What must be left of every row beside the others, squared: measured on Bennett's mechanism near its folded
 /// position, accelerations are then good to 1e-13, and lose a digit for every digit below.
-constexpr double kLeastPivot = 1e-2;
+constexpr double kLeastPivot = kSurelyIndependent;
 /// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
 constexpr double kExact = 1e-13;
 
@@ -63,6 +63,8 @@ bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
 bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {
     t_ = t;
     pack(state, velocity, system_->moving_bodies(), y_.data());
+    // others would be declined in the end; rows of many loops take their time to be chosen
+    if (!equations_->rows_are_sound(t, y_.data())) { return false; }
     equations_->choose_rows(t, y_.data());
     if (equations_->rows() - equations_->rows_left_out() != system_->columns(3)) { return false; }
     const RowsVerdict verdict = equations_->evaluate(t, y_.data(), y_dot_.data());

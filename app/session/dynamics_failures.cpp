@@ -56,6 +56,12 @@ std::string why_so_many(const SimulationFailure& failure, const SimulationSettin
            "stretch springs to forces that nobody meant";
 }
 
+/// Nothing to try where they come from the equations of the bodies already.
+std::string another_way(const SimulationSettings& settings) {
+    const bool of_bodies = settings.formulation == Formulation::bodies && !settings.dense;
+    return of_bodies ? "" : "with '--coordinates bodies' they are worked out in another way; ";
+}
+
 }  // namespace
 
 std::string failure_text(
@@ -90,9 +96,8 @@ std::string failure_text(
                         ? std::string("M q̈ - Q = Φqᵀλ")
                         : "the acceleration equations of " + in_quotes(failure.equation_of)) +
                    " (off by " + number_text(failure.violation, 2) +
-                   " of their size): the pose may be singular, or masses too far apart; with '--coordinates "
-                   "bodies' they are worked out in another way; " +
-                   look_at(failure.t);
+                   " of their size): the pose may be singular, or masses too far apart; " +
+                   another_way(settings) + look_at(failure.t);
         case SimulationFailure::Cause::not_finite:
             return where +
                    "the numbers grew beyond all bounds; a smaller step or an adaptive method (explicit-8) "

@@ -59,6 +59,7 @@ public:
     void refine(double* y_dot) override;
     bool masses_are_apart() const override { return masses_apart_; }
     void forget_masses() override { forgets_masses_ = true; }
+    bool rows_are_sound(double t, const double* y) override;
     void keep_pivots() override;
     double share_of_pivots() const override;
     void set_driver(int driver, double f0, double f1) override;
@@ -94,11 +95,19 @@ private:
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void measure_units();
+    struct RowOfNode {
+        std::size_t node = 0;
+        int row = 0;
+        double square = 0.0;  ///< of its size, in the metric of geometry
+    };
+    void look_at_all_rows(double t, const double* y);
     void keep_independent_rows();
-    int keep_rows_beyond(double least);
+    int keep_rows_beyond(double least, std::vector<RowOfNode>& doubtful);
     void factor_kept_rows(const std::vector<double>& all);
-    bool keep_one_more(const std::vector<double>& all);
-    double share_left_of(const std::vector<double>& all, std::size_t n, int row);
+    void keep_what_is_left(const std::vector<double>& all, const std::vector<RowOfNode>& doubtful);
+    void take_out_rows();
+    double along(const std::vector<double>& all, const RowOfNode& row, const double* x) const;
+    double what_is_left_of(const std::vector<double>& all, RowOfNode& row);
     void strike_rows(int n, double* diagonal);
     void form_matrix();
     /// Pivot of a row by its own size.
@@ -116,7 +125,7 @@ private:
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);
     /// Adds M⁻¹ Φqᵀ λ to the accelerations so that Φq q̈ = γ.
-    void constrain_accelerations();
+    void constrain_accelerations(int passes);
     void write_accelerations(double* y_dot) const;
     /// M⁻¹ Q of every body.
     void evaluate_forces(double t, const double* y);

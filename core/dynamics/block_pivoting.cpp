@@ -12,8 +12,8 @@ namespace jw {
 
 namespace {
 
-/// The pivot by mass against that by geometry below which too many digits are lost: accelerations are wrong
-/// by 1e-16 through the pivot. Lessons stay above it, the governor with its thin rods by least: 1e-5.
+/// The pivot by mass against that by geometry below which too many digits are lost. Lessons stay above it,
+/// the governor with its thin rods by least: 1e-5.
 constexpr double kDigitsAreLost = 1e-6;
 
 }  // namespace
@@ -76,8 +76,19 @@ void BlockEquations<B>::solve_by_pivoting() {
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
     VectorX x = VectorX::Constant(size, std::numeric_limits<double>::quiet_NaN());
-    if (lu.info() == Eigen::Success) { x = lu.solve(right); }
+    if (lu.info() == Eigen::Success) {
+        x = lu.solve(right);
+        // what is left of a light body's rows is small by the heavy ones' after the first pass
+        x += lu.solve(right - matrix * x);
+    }
     std::copy_n(x.data(), columns, six_.data());
+}
+
+template <int B>
+double BlockEquations<B>::pivot_of(std::size_t node, int row) const {
+    const double inverse = row_size_[node * B + at(row)] * matrix_.inverse_pivot(static_cast<int>(node), row);
+    // a pivot that rounding made negative is none at all
+    return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 
 template <int B>

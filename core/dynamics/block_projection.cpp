@@ -3,12 +3,9 @@
 #include <bit>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "core/dynamics/constraint_rounding.hpp"
-#include "core/numerics/svd.hpp"
 
-/// What the block equations do besides accelerations: back onto the constraints, choice of rows, freedoms.
+/// Projection onto the constraints, and choice of rows, of the block equations.
 namespace jw {
 
 namespace {
@@ -18,31 +15,38 @@ namespace {
 constexpr double kVanishes = 1e-12;
 /// As long as a round leaves less than this share, the factorisation of an earlier one is good enough.
 constexpr double kFastConvergence = 1e-2;
-/// A motion that changes the equations by less than this share of what any motion changes is free.
-constexpr double kFree = 1e-9;
 
 double vanishing_size(double extent) { return std::pow(kVanishes * std::min(1.0, 1.0 / extent), 2); }
+
+/// Rows of a node, a bit each.
+struct ChoiceOfRows {
+    unsigned kept = 0;
+    unsigned doubtful = 0;  ///< too little is left of them, but more than of repetitions
+};
 
 /// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, keep more than the share `least` of
 /// themselves: diagonal pivoting.
 template <int B>
-unsigned independent_rows_of(const double* block, const double* row_size, unsigned candidates, double least) {
+ChoiceOfRows independent_rows_of(
+    const double* block, const double* row_size, unsigned candidates, double least) {
     double a[B * B];
     std::copy(block, block + B * B, a);
-    unsigned chosen = 0;
+    ChoiceOfRows out;
     for (;;) {
         int best = -1;
         double best_ratio = least;
+        out.doubtful = 0;
         for (int row = 0; row < B; ++row) {
-            const bool open = (((candidates & ~chosen) >> row) & 1U) != 0;
+            const bool open = (((candidates & ~out.kept) >> row) & 1U) != 0;
             const double ratio = a[row * B + row] / row_size[row];
+            if (open && ratio > kRepeats) { out.doubtful |= 1U << row; }
             if (open && ratio > best_ratio) {
                 best = row;
                 best_ratio = ratio;
             }
         }
-        if (best < 0) { return chosen; }
-        chosen |= 1U << best;
+        if (best < 0) { return out; }
+        out.kept |= 1U << best;
         for (int row = 0; row < B; ++row) {
             if (row == best) { continue; }
             const double factor = a[row * B + best] / a[best * B + best];
@@ -135,10 +139,12 @@ void BlockEquations<B>::strike_rows(int n, double* diagonal) {
     }
 }
 
-/// Rows that keep more than the share `least` of themselves beside those before them, squared.
+/// Rows that keep more than the share `least` of themselves beside those before them, squared. What is left
+/// of the `doubtful` ones beside all of them is less.
 /// @return how many
 template <int B>
-int BlockEquations<B>::keep_rows_beyond(double least) {
+int BlockEquations<B>::keep_rows_beyond(double least, std::vector<RowOfNode>& doubtful) {
+    doubtful.clear();
     for (Node& node : nodes_) { node.kept = (1U << node.link.rows) - 1U; }
     form_matrix();
     const double vanishing = vanishing_size(extent_);
@@ -148,7 +154,11 @@ int BlockEquations<B>::keep_rows_beyond(double least) {
         for (int row = 0; row < B; ++row) {
             if (row_size_[at(n) * B + at(row)] < vanishing) { node.kept &= ~(1U << row); }
         }
-        node.kept = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept, least);
+        const ChoiceOfRows choice = independent_rows_of<B>(diagonal, &row_size_[at(n) * B], node.kept, least);
+        node.kept = choice.kept;
+        for (int row = 0; row < B; ++row) {
+            if (has(choice.doubtful, row)) { doubtful.push_back({at(n), row}); }
+        }
         count += std::popcount(node.kept);
         strike_rows(n, diagonal);
     });
@@ -168,55 +178,77 @@ void BlockEquations<B>::factor_kept_rows(const std::vector<double>& all) {
     matrix_.factor();
 }
 
-/// What is left of a row beside all that are kept, squared, in the metric of geometry.
+/// Projection of `six_` onto the motions that the kept rows leave free, in the metric of the last
+/// factorisation.
 template <int B>
-double BlockEquations<B>::share_left_of(const std::vector<double>& all, std::size_t n, int row) {
-    std::ranges::fill(six_, 0.0);
-    const double per_square = 1.0 / (extent_ * extent_);
-    const auto along_row = [&](const auto& f) {
-        for (const int body : {0, 1}) {
-            const int moving = body == 0 ? nodes_[n].moving_i : nodes_[n].moving_j;
-            const std::size_t side = side_at(2 * static_cast<int>(n) + body);
-            for (int k = 0; moving >= 0 && k < 6; ++k) {
-                const double j = all[side + at(k * B + row)];
-                f(six_[6 * at(moving) + at(k)], k < 3 ? j : per_square * j, j);
-            }
-        }
-    };
-    double before = 0.0;
-    along_row([&](double& six, double weighed, double j) {
-        six += weighed;
-        before += weighed * j;
-    });
-    if (before < vanishing_size(extent_)) { return 0.0; }
+void BlockEquations<B>::take_out_rows() {
     std::ranges::fill(lambda_, 0.0);
     subtract_products(six_.data(), lambda_.data());
     matrix_.solve(lambda_.data());
     add_reactions(lambda_.data(), six_.data());
-    double left = 0.0;
-    along_row([&](double six, double, double j) { left += six * j; });
-    return left / before;
 }
 
-/// The row that says most of what the kept ones do not. @return whether there was one
+/// Product of a row of `all` with six numbers per body.
 template <int B>
-bool BlockEquations<B>::keep_one_more(const std::vector<double>& all) {
-    double most = kRepeats;
-    std::size_t best_node = nodes_.size();
-    int best_row = 0;
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        for (int row = 0; row < nodes_[n].link.rows; ++row) {
-            const double left = has(nodes_[n].kept, row) ? 0.0 : share_left_of(all, n, row);
-            if (left > most) {
-                most = left;
-                best_node = n;
-                best_row = row;
-            }
+double BlockEquations<B>::along(const std::vector<double>& all, const RowOfNode& row, const double* x) const {
+    double sum = 0.0;
+    for (const int body : {0, 1}) {
+        const int moving = body == 0 ? nodes_[row.node].moving_i : nodes_[row.node].moving_j;
+        const double* j = &all[side_at(2 * static_cast<int>(row.node) + body) + at(row.row)];
+        for (std::size_t k = 0; moving >= 0 && k < 6; ++k) { sum += j[k * B] * x[6 * at(moving) + k]; }
+    }
+    return sum;
+}
+
+/// `six_`: what is left of a row beside all that are kept, in the metric of geometry.
+/// @return its square, by that of the row; 0 for a row of nothing
+template <int B>
+double BlockEquations<B>::what_is_left_of(const std::vector<double>& all, RowOfNode& row) {
+    std::ranges::fill(six_, 0.0);
+    const double per_square = 1.0 / (extent_ * extent_);
+    for (const int body : {0, 1}) {
+        const int moving = body == 0 ? nodes_[row.node].moving_i : nodes_[row.node].moving_j;
+        const double* j = &all[side_at(2 * static_cast<int>(row.node) + body) + at(row.row)];
+        for (std::size_t k = 0; moving >= 0 && k < 6; ++k) {
+            six_[6 * at(moving) + k] = (k < 3 ? 1.0 : per_square) * j[k * B];
         }
     }
-    if (best_node == nodes_.size()) { return false; }
-    nodes_[best_node].kept |= 1U << best_row;
-    return true;
+    row.square = along(all, row, six_.data());
+    if (row.square < vanishing_size(extent_)) { return 0.0; }
+    take_out_rows();
+    return along(all, row, six_.data()) / row.square;
+}
+
+/// Rows that say something the kept ones do not, the one with the most left first: Cholesky's method with
+/// pivoting on what is left of them beside the kept ones.
+template <int B>
+void BlockEquations<B>::keep_what_is_left(
+    const std::vector<double>& all, const std::vector<RowOfNode>& doubtful) {
+    std::vector<RowOfNode> rows;
+    for (RowOfNode row : doubtful) {
+        if (what_is_left_of(all, row) > kRepeats) { rows.push_back(row); }
+    }
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    MatrixX products(count, count);
+    for (Eigen::Index c = 0; c < count; ++c) {
+        what_is_left_of(all, rows[at(c)]);
+        for (Eigen::Index r = 0; r < count; ++r) {
+            products(r, c) =
+                along(all, rows[at(r)], six_.data()) / std::sqrt(rows[at(r)].square * rows[at(c)].square);
+        }
+    }
+    MatrixX factor(count, count);
+    VectorX left = products.diagonal();
+    for (Eigen::Index rank = 0; rank < count; ++rank) {
+        Eigen::Index best = 0;
+        if (!(left.maxCoeff(&best) > kRepeats)) { return; }
+        nodes_[rows[at(best)].node].kept |= 1U << rows[at(best)].row;
+        factor.col(rank) = products.col(best);
+        factor.col(rank) -= factor.leftCols(rank) * factor.row(best).head(rank).transpose();
+        factor.col(rank) /= std::sqrt(left(best));
+        left -= factor.col(rank).cwiseAbs2();
+        left(best) = 0.0;
+    }
 }
 
 /// A joint may hold a row that nearly repeats those before it, where one of another joint says the same
@@ -224,12 +256,14 @@ bool BlockEquations<B>::keep_one_more(const std::vector<double>& all) {
 /// come first, and of the others what is left beside all of them decides.
 template <int B>
 void BlockEquations<B>::keep_independent_rows() {
-    constexpr double sure = 1e-2;
-    weigh(Metric::geometry);
-    const int rank = keep_rows_beyond(kRepeats);
-    if (smallest_pivot() > sure || keep_rows_beyond(sure) == rank) { return; }
+    std::vector<RowOfNode> doubtful;
+    const int rank = keep_rows_beyond(kRepeats, doubtful);
+    if (smallest_pivot() > kSurelyIndependent) { return; }
+    if (keep_rows_beyond(kSurelyIndependent, doubtful) == rank) { return; }
     const std::vector<double> all = j_;
-    do { factor_kept_rows(all); } while (keep_one_more(all));
+    factor_kept_rows(all);
+    keep_what_is_left(all, doubtful);
+    factor_kept_rows(all);
 }
 
 /// Of all equations, from the sizes of their rows.
@@ -243,17 +277,30 @@ void BlockEquations<B>::measure_units() {
     }
 }
 
+/// Jacobians and units of all rows, which are all kept then.
+template <int B>
+void BlockEquations<B>::look_at_all_rows(double t, const double* y) {
+    for (Node& node : nodes_) { node.kept = (1U << node.link.rows) - 1U; }
+    set_bodies<false>(y);
+    evaluate_links<false>(t);
+    measure_units();
+}
+
+template <int B>
+bool BlockEquations<B>::rows_are_sound(double t, const double* y) {
+    look_at_all_rows(t, y);
+    std::vector<RowOfNode> doubtful;
+    keep_rows_beyond(kRepeats, doubtful);
+    std::fill(j_.begin(), j_.end(), 0.0);
+    return smallest_pivot() > kSurelyIndependent;
+}
+
 template <int B>
 bool BlockEquations<B>::choose_rows(double t, const double* y) {
     kept_before_.clear();
     masses_apart_before_ = masses_apart_;
-    for (Node& node : nodes_) {
-        kept_before_.push_back(node.kept);
-        node.kept = (1U << node.link.rows) - 1U;
-    }
-    set_bodies<false>(y);
-    evaluate_links<false>(t);
-    measure_units();
+    for (const Node& node : nodes_) { kept_before_.push_back(node.kept); }
+    look_at_all_rows(t, y);
     keep_independent_rows();
     bool changed = false;
     std::fill(j_.begin(), j_.end(), 0.0);
@@ -297,43 +344,18 @@ std::pair<double, double> BlockEquations<B>::violation(double t, const double* y
     return {position, velocity};
 }
 
-template <int B>
-MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
-    set_bodies<false>(y);
-    evaluate_links<false>(t);
-    const auto columns = static_cast<Eigen::Index>(6 * moving_.size());
-    MatrixX jacobian = MatrixX::Zero(static_cast<Eigen::Index>(nodes_.size()) * B, columns);
-    for_each_side([&](std::size_t n, int side, std::size_t moving) {
-        const Eigen::Map<const Eigen::Matrix<double, 6, B, Eigen::RowMajor>> j(&j_[side_at(side)]);
-        jacobian.template block<B, 6>(
-            static_cast<Eigen::Index>(n * B), static_cast<Eigen::Index>(6 * moving)) = j.transpose();
-    });
-    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ. Where masses are far apart their M
-    // would hide constraints of heavy bodies
-    MatrixX root = MatrixX::Zero(columns, columns);
-    for (std::size_t m = 0; m < moving_.size(); ++m) {
-        const auto first = static_cast<Eigen::Index>(6 * m);
-        root.template block<3, 3>(first, first)
-            .diagonal()
-            .setConstant(masses_apart_ ? 1.0 : std::sqrt(moving_[m].mass));
-        root.template block<3, 3>(first + 3, first + 3) =
-            masses_apart_ ? Mat3(extent_ * Mat3::Identity()) : Mat3(moving_[m].J.llt().matrixL());
-    }
-    const auto upper = root.transpose().template triangularView<Eigen::Upper>();
-    if (nodes_.empty()) { return upper.solve(MatrixX::Identity(columns, columns)); }
-    const MatrixX scaled =
-        root.template triangularView<Eigen::Lower>().solve(jacobian.transpose()).transpose();
-    const Svd svd = svd_of(scaled);
-    const double largest = svd.sigma.size() > 0 ? svd.sigma(0) : 0.0;
-    return upper.solve(svd.V.rightCols(columns - svd.rank(kFree * largest)));
-}
-
 template double BlockEquations<3>::largest(const std::vector<double>&, bool) const;
 template double BlockEquations<5>::largest(const std::vector<double>&, bool) const;
 template double BlockEquations<6>::largest(const std::vector<double>&, bool) const;
 template double BlockEquations<3>::project(double, double*);
 template double BlockEquations<5>::project(double, double*);
 template double BlockEquations<6>::project(double, double*);
+template void BlockEquations<3>::take_out_rows();
+template void BlockEquations<5>::take_out_rows();
+template void BlockEquations<6>::take_out_rows();
+template bool BlockEquations<3>::rows_are_sound(double, const double*);
+template bool BlockEquations<5>::rows_are_sound(double, const double*);
+template bool BlockEquations<6>::rows_are_sound(double, const double*);
 template bool BlockEquations<3>::choose_rows(double, const double*);
 template bool BlockEquations<5>::choose_rows(double, const double*);
 template bool BlockEquations<6>::choose_rows(double, const double*);
@@ -343,8 +365,5 @@ template void BlockEquations<6>::take_back_rows();
 template std::pair<double, double> BlockEquations<3>::violation(double, const double*);
 template std::pair<double, double> BlockEquations<5>::violation(double, const double*);
 template std::pair<double, double> BlockEquations<6>::violation(double, const double*);
-template MatrixX BlockEquations<3>::free_motions(double, const double*);
-template MatrixX BlockEquations<5>::free_motions(double, const double*);
-template MatrixX BlockEquations<6>::free_motions(double, const double*);
 
 }  // namespace jw

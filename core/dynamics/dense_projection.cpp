@@ -59,7 +59,8 @@ bool DenseEquations<C>::follow_rule(double t, const double* y) {
     return true;
 }
 
-/// The axis lies at least asin(0.8 / √3) = 0.48 rad beside the plane in which the pair loses its rank.
+/// The axis lies at least asin(0.8 / √3) = 0.48 rad beside the plane in which the pair loses its rank. Turns
+/// of screws are told by the nearest.
 template <class C>
 double DenseEquations<C>::most_turn() const {
     constexpr double margin = 0.4;
@@ -67,7 +68,8 @@ double DenseEquations<C>::most_turn() const {
         const Joint& joint = scene_->mechanism.joints[at(c.joint)];
         return c.dropped >= 0 && joint.parallel_form == ParallelForm::rule;
     };
-    return std::ranges::any_of(system_.constraints(), by_rule) ? margin : MotionEquations::most_turn();
+    if (std::ranges::any_of(system_.constraints(), by_rule)) { return margin; }
+    return state_.theta.empty() ? MotionEquations::most_turn() : kCountedTurn;
 }
 
 template <class C>

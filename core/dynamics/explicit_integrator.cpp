@@ -98,6 +98,7 @@ void ExplicitIntegrator::take_step(double h) {
         const RowsVerdict verdict = evaluate(t_ + table.c[s] * h, y_new_, stages_[s]);
         if (stiffness_.wants(s)) { stiffness_.keep(y_new_); }
         lowest_pivot_ = std::min(lowest_pivot_, verdict.smallest_pivot);
+        verdict_of_last_stage_ = verdict;
     }
     y_new_ = y_;
     for (std::size_t s = 0; s < stages; ++s) { add(y_new_, h * table.b[s], s); }
@@ -119,7 +120,9 @@ RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
         ++counts_.evaluations;
         return equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
     };
-    const RowsVerdict verdict = evaluated();
+    const bool is_known = table_->is_first_same_as_last() && !always;
+    if (is_known) { y_dot_new_ = stages_.back(); }
+    const RowsVerdict verdict = is_known ? verdict_of_last_stage_ : evaluated();
     // beside a singular position a residual is a larger error of the motion, by 1 / pivot of its rates
     const double soft = std::min(1.0, verdict.smallest_pivot / (kNearSingular * regular_pivot_));
     const double drift = kDriftShare * options_.tolerance;
@@ -169,18 +172,19 @@ void ExplicitIntegrator::accept(double t) {
 /// singular position numbers that do not quite fit make rows look independent.
 void ExplicitIntegrator::take_up_rows() {
     constexpr double far = 0.1;
-    double moved = 0.0;
-    for (std::size_t k = 0; k < y_.size(); ++k) {
-        moved = std::max(moved, std::abs(y_[k] - start_[k]) / scales_.of(k));
-    }
-    is_beginning_ = moved < far;
+    is_beginning_ = scales_.way(y_.data(), start_.data()) < far;
     if (counts_.steps > 1 && verdict_.left_out < left_out_asked_) { return; }
     left_out_asked_ = std::max(kAskedFrom, kAskedAgain * verdict_.left_out);
     if (!raise_rank(*equations_, t_, y_.data())) { return; }
     is_beginning_ = false;
     began_singular_ = true;
     ++counts_.row_choices;
+    y_new_ = y_;
+    tried_ = t_;
     project(t_, y_);
+    // what moves against rows that it never followed was locked from the start: to first order only it is
+    // free
+    is_locked_ = scales_.difference(y_.data(), y_new_.data()) > kOneMotion;
     verdict_ = evaluate(t_, y_, stages_.front());
     pivot_at_choice_ = verdict_.smallest_pivot;
 }
@@ -262,7 +266,7 @@ bool ExplicitIntegrator::is_rounding(double error, double h) const {
 }
 
 bool ExplicitIntegrator::step(double t_end) {
-    if (is_contradicted()) { return false; }
+    if (is_contradicted() || is_locked_) { return false; }
     if (is_fixed()) { h_ = options_.fixed_step; }
     int dodges = 0;
     rejected_ = {};

@@ -71,11 +71,13 @@ private:
     std::vector<double> flat_;
     RowsVerdict verdict_;      ///< at the start of the step
     RowsVerdict verdict_new_;  ///< at its end
+    RowsVerdict verdict_of_last_stage_;
     double pivot_at_choice_ = 1.0;
     double regular_pivot_ = 1.0;  ///< largest so far: rows may have been chosen beside a singular position
     std::vector<double> start_;
     bool is_beginning_ = true;
     bool began_singular_ = false;
+    bool is_locked_ = false;  ///< by rows that were left out at the start
     double left_out_asked_ = kAskedFrom;
     double tried_ = 0.0;          ///< end of the last attempt [s]
     double longest_taken_ = 0.0;  ///< longest step so far [s]

@@ -98,7 +98,8 @@ public:
     /// Chooses others where the rule for p1 and p2 asks for them at y, whatever the pivots say: once a pair
     /// has lost its rank, bodies may leave the branch without any kept row saying so. @return true if it did
     virtual bool follow_rule(double /*t*/, const double* /*y*/) { return false; }
-    /// Turn of a body within a step up to which a choice of that rule stays good [rad].
+    /// Turn of a body within a step up to which a choice of that rule stays good, and turns are counted
+    /// [rad].
     virtual double most_turn() const { return std::numeric_limits<double>::infinity(); }
     /// Of the last factorisation, by `evaluate` or `project`; see RowsVerdict.
     virtual double smallest_pivot() const { return 1.0; }
@@ -134,10 +135,17 @@ public:
     }
 };
 
+/// Turn of a body within a step up to which the nearest of all whole turns is the right one [rad]: samples
+/// are taken up to two steps behind, and bodies that turn against each other stay within half a turn.
+inline constexpr double kCountedTurn = 0.75;
+
 /// Chooses rows at y and keeps the choice only if there are more of them. @return whether there are
 bool raise_rank(MotionEquations& equations, double t, const double* y);
 
-/// What independent coordinates and driven mechanisms need besides.
+/// Share of itself, squared, above which a row surely is independent of others.
+inline constexpr double kSurelyIndependent = 1e-2;
+
+/// Equations with what independent coordinates and driven mechanisms need besides.
 class DrivableEquations : public MotionEquations {
 public:
     /// Motions that the constraints allow at y: columns of six numbers per body (ṙ, ω'), orthonormal in the
@@ -153,6 +161,9 @@ public:
     /// altogether, so that one pose and one motion meet the equations. Heavy bodies would hide there how well
     /// light ones are held.
     virtual void forget_masses() = 0;
+    /// Whether the rows of y, taken one node after the other, leave no pivot below `kSurelyIndependent`: then
+    /// a choice of rows costs no more than an evaluation. The rows kept before are lost.
+    virtual bool rows_are_sound(double t, const double* y) = 0;
     /// Pivots are compared with those of the last factorisation from now on.
     virtual void keep_pivots() = 0;
     /// Smallest share that is left of any of them: where small pivots stand beside large ones, the smallest

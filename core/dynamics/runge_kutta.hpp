@@ -21,6 +21,9 @@ struct RungeKuttaTable {
     /// Local error h Σ e_s k_s; all zero where the method has none. Of an 8(5,3) pair the fifth-order one.
     Row e{};
     Row e_third{};  ///< third-order error of an 8(5,3) pair, else zero
+
+    /// Whether the last stage is evaluated at the end of the step, so that it is the first of the next.
+    bool is_first_same_as_last() const { return a[static_cast<std::size_t>(stages) - 1] == b; }
 };
 
 /// One step of ẏ = f(t, y) by a table and nothing else, for those who want to owe the integrators nothing.

@@ -34,11 +34,11 @@ void SaddlePoint::factor(const MatrixX& mass, const MatrixX& jacobian) {
         const int row = kept_[static_cast<std::size_t>(k)];
         transposed.col(k) = columns * jacobian.row(row).transpose() / scaling_.row(row);
     }
-    MatrixX whole = MatrixX::Zero(n + rank, n + rank);
-    whole.topLeftCorner(n, n) = columns * mass * columns;
-    whole.topRightCorner(n, rank) = transposed;
-    whole.bottomLeftCorner(rank, n) = transposed.transpose();
-    lu_.compute(whole);
+    whole_ = MatrixX::Zero(n + rank, n + rank);
+    whole_.topLeftCorner(n, n) = columns * mass * columns;
+    whole_.topRightCorner(n, rank) = transposed;
+    whole_.bottomLeftCorner(rank, n) = transposed.transpose();
+    lu_.compute(whole_);
 
     smallest_pivot_ = 1.0;
     if (rank == 0) { return; }
@@ -58,7 +58,10 @@ void SaddlePoint::solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX&
         const int row = kept_[static_cast<std::size_t>(k)];
         right(n + k) = b(row) / scaling_.row(row);
     }
-    const VectorX solution = lu_.solve(right);
+    VectorX solution = lu_.solve(right);
+    // the second pass makes the rest of every row small by that row: after the first it is small by the
+    // largest of them, and masses may be far apart
+    solution += lu_.solve(right - whole_ * solution);
     x = scaling_.column.cwiseProduct(solution.head(n));
     lambda.setZero(scaling_.row.size());
     for (Eigen::Index k = 0; k < rank; ++k) {

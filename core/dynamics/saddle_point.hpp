@@ -52,7 +52,8 @@ public:
 private:
     Scaling scaling_;
     std::vector<int> kept_;
-    Eigen::PartialPivLU<MatrixX> lu_;  ///< of the whole matrix, in scaled unknowns and rows
+    MatrixX whole_;  ///< in scaled unknowns and rows
+    Eigen::PartialPivLU<MatrixX> lu_;
     double smallest_pivot_ = 1.0;
 };
 

@@ -56,6 +56,15 @@ double StateScales::difference(const double* y, const double* other) const {
     return most;
 }
 
+double StateScales::way(const double* y, const double* other) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < scale_.size(); ++k) {
+        const bool of_pose = numbers_[k].kind == Kind::way || numbers_[k].kind == Kind::turn;
+        if (of_pose) { most = std::max(most, std::abs(y[k] - other[k]) / scale_[k]); }
+    }
+    return most;
+}
+
 double StateScales::size_of(Kind kind) const {
     switch (kind) {
         case Kind::way: return length_;

@@ -52,6 +52,8 @@ public:
     double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
     /// Largest of the differences between two states, each by its size.
     double difference(const double* y, const double* other) const;
+    /// Largest difference of the poses of two states, each number by its size.
+    double way(const double* y, const double* other) const;
     /// A share of the time in which something moves by its size [s].
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 

@@ -65,6 +65,7 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     }
     for (const Link& link : links_) {
         for (const LinkEquation& equation : link.equations) {
+            has_screws_ = has_screws_ || std::holds_alternative<ScrewTurned>(equation.primitive);
             Row row;
             const CoordinateMeasure* asked = coordinate_asked_by(equation);
             needs_p_ = needs_p_ || (asked != nullptr && asked->coordinate >= 3);
@@ -96,6 +97,18 @@ void TreeEquations::set_bodies(const double* y) {
         if (!needs_motion_[at(b)]) { continue; }
         body.r_dot = node.velocity_of_centre();
         OmegaLocal::set_motion(body, node.omega_local());
+    }
+}
+
+/// Turns of the screws that close loops are counted: those of the tree have an angle among their coordinates.
+void TreeEquations::tell_turns_at(Turns turns, double t, const double* y) {
+    if (!has_screws_) { return; }
+    place(y);
+    set_bodies(y);
+    for (Link& link : links_) {
+        for (LinkEquation& equation : link.equations) {
+            tell_turns(equation.primitive, turns, t, bodies_[at(link.body_i)], bodies_[at(link.body_j)]);
+        }
     }
 }
 

@@ -43,6 +43,8 @@ public:
     double project(double t, double* y) override;
     bool choose_rows(double t, const double* y) override;
     void take_back_rows() override;
+    void begin_turns(double t, const double* y) override { tell_turns_at(Turns::of_start, t, y); }
+    void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
     double smallest_pivot() const override { return smallest_pivot_; }
     std::pair<double, double> violation(double t, const double* y) override;
     double kinetic_energy(const double* y) const override;
@@ -99,6 +101,7 @@ private:
     /// What `evaluate` leaves at the nodes, at y.
     void stay_at(double t, const double* y);
     void set_bodies(const double* y);
+    void tell_turns_at(Turns turns, double t, const double* y);
     void write_rates(const double* y, double* y_dot) const;
     Six at_root(int node, const Mat3& A, const Eigen::Matrix<double, 1, 6>& block) const;
     void evaluate_rows(double t, const std::vector<Group>& groups);
@@ -136,6 +139,7 @@ private:
     std::vector<int> looked_at_;      ///< moving bodies of forces, torques, springs and cut joints
     std::vector<bool> needs_motion_;  ///< those of springs and cut joints
     bool needs_p_ = false;            ///< a driver asks for one of e0 ... e3
+    bool has_screws_ = false;         ///< among the equations
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;
     std::vector<double> e_by_D_;

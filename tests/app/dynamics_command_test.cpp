@@ -245,8 +245,8 @@ TEST_CASE(
     std::string text = bytes_of(kPendulum);
     text.replace(
         text.find("[dynamics]"), 0,
-        "[[driver]]\nname = \"pull\"\nquantity = \"coordinate\"\nbody = \"ball\"\ncoordinate = \"x\"\n"
-        "polynomial = [-1, 0, 1]\n");
+        "[[driver]]\nname = \"pull\"\nquantity = \"coordinate\"\nbody = \"ball\"\ncoordinate = \"y\"\n"
+        "polynomial = [0, 0.5, 1]\n");
     const Folder folder;
     const std::string file = folder.file("pulled.toml", text);
     const Ran ran = run({"step", file, "--format", "json"});
@@ -258,6 +258,14 @@ TEST_CASE(
     const Ran plotted = run({"plot", file, "--out", folder.path("plot.csv")});
     CHECK(plotted.status == 3);
     CHECK(plotted.err.find("cannot be met there") != std::string::npos);
+    // along the rod, where it begins, no acceleration of the ball at rest meets the motor's
+    text.replace(text.find("coordinate = \"y\""), 16, "coordinate = \"x\"");
+    text.replace(text.find("[0, 0.5, 1]"), 11, "[-1, 0, 1]");
+    const Ran refused = run({"simulate", folder.file("along.toml", text)});
+    CHECK(refused.status == 3);
+    CHECK(
+        refused.err.find("equations of 'pull' repeat those of other joints or drivers, but ask for other "
+                         "accelerations") != std::string::npos);
 }
 
 TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/dynamics/tree_equations.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
@@ -201,4 +202,41 @@ TEST_CASE("The block equations begin with the turns that a nut's place tells", "
     // a motion that begins there has
     block->begin_turns(0.0, up.data());
     CHECK(block->project(0.0, up.data()) < 1e-12);
+}
+
+TEST_CASE("Joint coordinates know the turns of a screw that closes a loop", "[core][dynamics][forms]") {
+    constexpr double alpha = 0.25;
+    const Vec3 axis(1.0, 2.0, 2.0);
+    test::SceneBuilder lathe;
+    const int spindle = lathe.add_body("spindle", Vec3::Zero());
+    const int carriage = lathe.add_body("carriage", 0.7 * alpha * axis.normalized());
+    lathe.add_joint("revolute", 0, spindle, Vec3::Zero(), axis);
+    lathe.add_joint("prismatic", 0, carriage, Vec3::Zero(), axis);
+    Joint& joint = lathe.add_joint("screw", spindle, carriage, Vec3::Zero(), axis);
+    const Vec3 u_i = perpendicular_to(axis);
+    lathe.measure_angle(joint, u_i, Eigen::AngleAxisd(0.7, axis.normalized()) * u_i);
+    joint.geometry.P_j_local = Vec3::Zero();
+    joint.geometry.alpha = alpha;
+    const Mechanism& mechanism = lathe.mechanism;
+    test::Random random(7);
+    const Centroidal scene =
+        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}});
+    const std::vector<double> flat = flat_start(scene.mechanism);
+    TreeEquations tree(scene, flat);
+    REQUIRE(tree.rows() > 0);
+    std::vector<double> y(static_cast<std::size_t>(tree.size()));
+    tree.from_flat(flat.data(), y.data());
+    tree.choose_rows(0.0, y.data());
+    tree.begin_turns(0.0, y.data());
+    CHECK(tree.violation(0.0, y.data()).first < 1e-12);
+    // a turn up the thread, along the axis only
+    std::vector<double> pulled = y;
+    const std::vector<NumberScale> scales = tree.scales();
+    const auto way = std::ranges::find(scales, NumberScale::Kind::way, &NumberScale::kind);
+    REQUIRE(way != scales.end());
+    pulled[static_cast<std::size_t>(way - scales.begin())] += 2.0 * test::kPi * alpha;
+    CHECK(tree.violation(0.0, pulled.data()).first > 1e-2);
+    // a motion that begins there has made that turn
+    tree.begin_turns(0.0, pulled.data());
+    CHECK(tree.violation(0.0, pulled.data()).first < 1e-12);
 }

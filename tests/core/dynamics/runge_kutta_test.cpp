@@ -87,6 +87,14 @@ TEST_CASE("Nodes are the row sums, and a stage needs earlier ones only", "[core]
     }
 }
 
+TEST_CASE(
+    "Of the tables only Dormand and Prince 5(4) ends where its last stage is",
+    "[core][dynamics][runge-kutta]") {
+    for (const RungeKuttaTable* table : tables()) {
+        CHECK(table->is_first_same_as_last() == (table == &dormand_prince_54()));
+    }
+}
+
 TEST_CASE("Errors fall with the order of the table", "[core][dynamics][runge-kutta]") {
     for (const RungeKuttaTable* table : tables()) {
         CAPTURE(table->order);
