@@ -60,7 +60,8 @@ public:
         if (!(a.contradiction < 1e-8L)) { return not_asked("its rows contradict each other"); }
         expected_ = motion_of(a, placed);
         size_ = size_of(a, generated_.length);
-        limit_ = allowed(a.condition);
+        // rows that repeat others and ask for something else: which of them are kept decides
+        limit_ = allowed(a.condition) + static_cast<double>(10.0L * a.contradiction * a.condition);
         t_ = t;
         return holds();
     }

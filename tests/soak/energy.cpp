@@ -141,8 +141,9 @@ Verdict at_start(const Generated& generated, general::Mechanics& reference, doub
     return holds();
 }
 
-// Gauss's quadrature of eight points, four times along the way: short springs that swing past their end ask
-// for that
+// Gauss's quadrature of eight points, so many times along the way: short springs that swing past their end
+// ask for that
+constexpr int kParts = 4;
 constexpr std::array kGauss{
     std::pair{0.1834346424956498, 0.3626837833783620}, std::pair{0.5255324099163290, 0.3137066458778873},
     std::pair{0.7966664774136267, 0.2223810344533745}, std::pair{0.9602898564975363, 0.1012285362903763}};
@@ -152,8 +153,10 @@ struct Samples {
     std::vector<double> weights;  ///< of the power there [s]
 };
 
-Samples samples_of(const Generated& generated) {
-    const std::vector<double> ends = with_events(generated, {0.0, 0.025, 0.05, 0.075, kDuration});
+Samples samples_of(const Generated& generated, int parts) {
+    std::vector<double> ends{0.0};
+    for (int k = 1; k <= parts; ++k) { ends.push_back(k * kDuration / parts); }
+    ends = with_events(generated, ends);
     Samples out{{0.0}, {0.0}};
     for (std::size_t k = 1; k < ends.size(); ++k) {
         const double middle = 0.5 * (ends[k] + ends[k - 1]);
@@ -175,8 +178,9 @@ struct Balance {
 };
 
 Balance balance_of(
-    const Generated& generated, general::Mechanics& reference, const Way& way, double accelerated) {
-    const Samples samples = samples_of(generated);
+    const Generated& generated, general::Mechanics& reference, const Way& way, double accelerated,
+    int parts) {
+    const Samples samples = samples_of(generated, parts);
     Simulation simulation(generated.mechanism, generated.loads, way.settings);
     const general::PlacedBodies before = reference.bodies_at(reference.start());
     AppliedPower applied(reference.model());
@@ -211,13 +215,18 @@ Verdict along_motion(const Generated& generated, general::Mechanics& reference, 
         Way tight = way;
         tight.settings.tolerance = 1e-9;
         tight.settings.most_steps = 5000;
-        Balance found = balance_of(generated, reference, tight, accelerated);
+        Balance found = balance_of(generated, reference, tight, accelerated, kParts);
         if (!found.refused.empty()) { return holds(); }
         if (found.off <= kAllowed) { continue; }
         // what converges is right
         tight.settings.tolerance = 1e-11;
-        found = balance_of(generated, reference, tight, accelerated);
-        if (!(found.off <= kAllowed)) { return fails(misses(way.name, "kinetic energy", found.off)); }
+        found = balance_of(generated, reference, tight, accelerated, kParts);
+        if (found.off <= kAllowed) { continue; }
+        // where a reach ends, or a pose is singular, power grows beyond all bounds: what the quadrature
+        // misses changes with its parts, and what the motion misses does not
+        const Balance finer = balance_of(generated, reference, tight, accelerated, 4 * kParts);
+        if (!finer.refused.empty() || std::abs(finer.off - found.off) > 0.1 * found.off) { return holds(); }
+        return fails(misses(way.name, "kinetic energy", finer.off));
     }
     return holds();
 }

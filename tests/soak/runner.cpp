@@ -1,6 +1,7 @@
 #include "tests/soak/runner.hpp"
 
 #include <chrono>
+#include <fstream>
 #include <sstream>
 
 #include "lessons/writer.hpp"
@@ -40,6 +41,13 @@ public:
         const rc::detail::TestMetadata& /*metadata*/, const rc::detail::TestResult& /*result*/) override {}
 };
 
+/// A program that throws over a mechanism has not answered.
+Verdict verdict_on(const Property& property, const Generated& generated) {
+    try {
+        return property.of(generated);
+    } catch (const std::exception& error) { return fails(std::string("thrown: ") + error.what()); }
+}
+
 /// One property over many recipes; rapidcheck calls it again with smaller ones once it has failed.
 class Asking {
 public:
@@ -55,7 +63,7 @@ public:
             count("no mechanism, or a singular start", shrinking);
             return;
         }
-        const Verdict verdict = verdict_on(*generated);
+        const Verdict verdict = verdict_on(property_, *generated);
         if (verdict.kind == Verdict::Kind::not_asked) { count(verdict.why, shrinking); }
         if (verdict.kind == Verdict::Kind::holds && !shrinking) { ++answer_.held; }
         if (verdict.kind != Verdict::Kind::fails) { return; }
@@ -68,13 +76,6 @@ public:
 private:
     void count(const std::string& why, bool shrinking) {
         if (!shrinking) { ++answer_.not_asked[why]; }
-    }
-
-    /// A program that throws over a mechanism has not answered.
-    Verdict verdict_on(const Generated& generated) const {
-        try {
-            return property_.of(generated);
-        } catch (const std::exception& error) { return fails(std::string("thrown: ") + error.what()); }
     }
 
     const Property& property_;
@@ -99,6 +100,27 @@ Answer ask(const Property& property, const Asked& asked) {
     const auto one = [&](const Recipe& recipe) { asking(recipe); };
     rc::detail::checkTestable(one, metadata, params, silent);
     return answer;
+}
+
+WrittenDown read_counterexample(const std::filesystem::path& path) {
+    const std::string mark = "Counterexample: ";
+    std::ifstream file(path);
+    WrittenDown out;
+    for (std::string line; out.property.empty() && std::getline(file, line);) {
+        const std::size_t found = line.find(mark);
+        if (found == std::string::npos) { continue; }
+        const std::string rest = line.substr(found + mark.size());
+        out.property = rest.substr(0, rest.find('"'));
+    }
+    const std::optional<Recipe> recipe = recipe_in(file);
+    if (!recipe) { throw std::runtime_error(path.string() + ": no counterexample with its recipe"); }
+    out.recipe = *recipe;
+    return out;
+}
+
+Verdict ask_of(const Property& property, const Recipe& recipe) {
+    const std::optional<Generated> generated = mechanism_of(recipe);
+    return generated ? verdict_on(property, *generated) : not_asked("no mechanism, or a singular start");
 }
 
 std::string lesson_text_of(const Property& property, const Asked& asked, const Counterexample& wrong) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,17 @@ struct Answer {
 };
 
 Answer ask(const Property& property, const Asked& asked);
+
+/// A counterexample that was written down: its recipe among other lines, one of which names the property.
+struct WrittenDown {
+    std::string property;
+    Recipe recipe;
+};
+/// @throws std::runtime_error if the file says neither
+WrittenDown read_counterexample(const std::filesystem::path& path);
+
+/// Verdict on the mechanism of one recipe, as it is.
+Verdict ask_of(const Property& property, const Recipe& recipe);
 
 /// The counterexample as a lesson file. @return its text
 std::string lesson_text_of(const Property& property, const Asked& asked, const Counterexample& wrong);

@@ -7,9 +7,9 @@
 
 #include "tests/soak/runner.hpp"
 
-/// jointwise_soak [MINUTES] [--seed N] [--count N] [--only PROPERTY] [--out FOLDER]: properties of generated
-/// mechanisms, round after round with a new seed, until the time is over. Counterexamples become lesson
-/// files. Status 1 if there is any.
+/// jointwise_soak [MINUTES] [--seed N] [--count N] [--only PROPERTY] [--out FOLDER] [--again FILE]:
+/// properties of generated mechanisms, round after round with a new seed, until the time is over.
+/// Counterexamples become lesson files. Status 1 if there is any.
 namespace jw::test {
 
 namespace {
@@ -20,6 +20,7 @@ struct Options {
     int count = 100;
     std::string only;
     std::filesystem::path out = "soak-findings";
+    std::vector<std::filesystem::path> again;
 };
 
 struct Totals {
@@ -30,10 +31,12 @@ struct Totals {
 
 void usage() {
     std::cerr << "usage: soak [MINUTES] [--seed N] [--count N] [--only PROPERTY] [--out FOLDER]\n"
+                 "       soak --again FILE...\n"
                  "  MINUTES  how long (1); rounds that have begun are finished\n"
                  "  --seed   of the first round (1); the next one adds 1\n"
                  "  --count  mechanisms of a round (100)\n"
                  "  --out    folder of counterexamples (soak-findings)\n"
+                 "  --again  asks counterexamples that were written before once more\n"
                  "properties:\n";
     for (const Property& property : properties()) {
         std::cerr << "  " << property.name << ": " << property.says << '\n';
@@ -52,6 +55,10 @@ bool read(int count, char** arguments, Options& options) {
             continue;
         }
         if (!has_value) { return false; }
+        if (name == "--again") {
+            options.again.assign(arguments + k + 1, arguments + count);
+            return true;
+        }
         const std::string value = arguments[++k];
         if (name == "--seed") {
             options.seed = std::strtoull(value.c_str(), nullptr, 10);
@@ -124,6 +131,21 @@ int soak(const Options& options) {
     return wrong == 0 ? 0 : 1;
 }
 
+/// @return status 1 if one of them still does not hold
+int ask_again(const std::vector<std::filesystem::path>& files) {
+    bool all_hold = true;
+    for (const auto& path : files) {
+        const WrittenDown written = read_counterexample(path);
+        const auto property = std::ranges::find(properties(), written.property, &Property::name);
+        if (property == properties().end()) { throw std::runtime_error("no property " + written.property); }
+        const Verdict verdict = ask_of(*property, written.recipe);
+        const bool held = verdict.kind == Verdict::Kind::holds;
+        all_hold = all_hold && held;
+        std::cout << path.string() << ": " << (held ? "holds" : verdict.why) << std::endl;
+    }
+    return all_hold ? 0 : 1;
+}
+
 }  // namespace
 
 }  // namespace jw::test
@@ -134,5 +156,10 @@ int main(int count, char** arguments) {
         jw::test::usage();
         return 2;
     }
-    return jw::test::soak(options);
+    try {
+        return options.again.empty() ? jw::test::soak(options) : jw::test::ask_again(options.again);
+    } catch (const std::exception& error) {
+        std::cerr << "soak: error: " << error.what() << '\n';
+        return 2;
+    }
 }

@@ -319,8 +319,16 @@ Accelerations Mechanics::accelerations_at(const VecX& y) {
     }
     find_rows(all_);
     if (!all_.empty()) {
-        const VecX off = all.rows * z + values(all_, &Taylor::second);
-        out.contradiction = off.lpNorm<Eigen::Infinity>() / (1.0L + z.lpNorm<Eigen::Infinity>());
+        const VecX second = values(all_, &Taylor::second);
+        const VecX off = all.rows * z + second;
+        // where nothing moves, rounding is no contradiction
+        const Real least = z.norm() + 1e-9L;
+        for (Eigen::Index k = 0; k < off.size(); ++k) {
+            const Real size = all.rows.row(k).norm() * least + std::abs(second(k));
+            const Real here = std::abs(off(k)) / size;
+            // not a number contradicts everything
+            if (!(here <= out.contradiction)) { out.contradiction = here; }
+        }
     }
     return out;
 }

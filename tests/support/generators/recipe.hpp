@@ -1,6 +1,7 @@
 #pragma once
 
-#include <ostream>
+#include <iosfwd>
+#include <optional>
 #include <vector>
 
 /// A recipe of a mechanism: small numbers only, every combination of them is one. `mechanism_of` cooks it.
@@ -71,5 +72,8 @@ struct Recipe {
 };
 
 std::ostream& operator<<(std::ostream& out, const Recipe& recipe);
+
+/// The recipe that was written among other lines; nothing where there is none.
+std::optional<Recipe> recipe_in(std::istream& text);
 
 }  // namespace jw::test
