@@ -7,13 +7,13 @@
 #include "core/dynamics/link_equations.hpp"
 #include "core/dynamics/motion_equations.hpp"
 
-/// The equations of motion over the graph of joints: Φq M⁻¹ Φqᵀ is a block-sparse matrix with one block of
-/// B x B for every pair of links that share a moving body. Included by its parts only.
+/// Equations of motion over the graph of joints: Φq M⁻¹ Φqᵀ is a block-sparse matrix with one block of B x B
+/// for every pair of links that share a moving body. Included only by the sources that implement it.
 namespace jw {
 
 using Kinematics6 = BodyKinematics<OmegaLocal>;
 
-/// A body that moves: its number, its M and M⁻¹.
+/// Moving body: its index in the mechanism, its M and M⁻¹.
 struct MovingBody {
     int body = 0;
     double mass = 0.0;
@@ -22,15 +22,15 @@ struct MovingBody {
     Mat3 inverse_J = Mat3::Zero();
 };
 
-/// A link as it is evaluated: its equations, its bodies and the rows that are kept.
+/// Node of the graph: a link with its equations, its bodies and the kept rows.
 struct Node {
     Link link;
-    int moving_i = -1;  ///< place among the moving bodies, -1 for a fixed one
+    int moving_i = -1;  ///< index among the moving bodies, -1 for a fixed one
     int moving_j = -1;
     unsigned kept = 0;  ///< bit r: row r is kept
 };
 
-/// One product W Jᵀ of the matrix Φq M⁻¹ Φqᵀ; sides are counted 2 node (+ 1 for body j).
+/// One product W Jᵀ of Φq M⁻¹ Φqᵀ; the index of a side is 2 node (+ 1 for body j).
 struct Product {
     int block = 0;
     int w_side = 0;
@@ -68,7 +68,7 @@ public:
 
 private:
     static constexpr int kSide = 6 * B;
-    /// Where the numbers of a side begin in j_ and w_.
+    /// Offset of a side in j_ and w_.
     static std::size_t side_at(int side) { return static_cast<std::size_t>(side) * kSide; }
     static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
     /// Calls `f(n, side, moving)` for every side of node n whose body moves.
@@ -85,20 +85,20 @@ private:
     void tell_turns_at(Turns turns, double t, const double* y);
     template <bool WithMotion>
     void set_bodies(const double* y);
-    /// Φ and Φq of every link, and γ if asked for.
+    /// Evaluates Φ and Φq of every link, and γ with motion.
     template <bool WithMotion>
     void evaluate_links(double t);
     template <class Jet>
     void write_jacobian(const Node& node, int side, const LinkEquation& equation, const Jet& jet);
-    /// W = J M⁻¹ of every side; with Metric::geometry an M that knows no masses: a turn counts as the way of
-    /// a point one extent away.
+    /// W = J M⁻¹ of every side. Metric::geometry replaces M by one without masses: a rotation counts as the
+    /// displacement of a point one extent away.
     enum class Metric { mass, geometry };
     void weigh(Metric metric);
     void measure_units();
     struct RowOfNode {
         std::size_t node = 0;
         int row = 0;
-        double square = 0.0;  ///< of its size, in the metric of geometry
+        double square = 0.0;  ///< square of its size in the metric of geometry
     };
     void look_at_all_rows(double t, const double* y);
     void keep_independent_rows();
@@ -110,26 +110,27 @@ private:
     double what_is_left_of(const std::vector<double>& all, RowOfNode& row);
     void strike_rows(int n, double* diagonal);
     void form_matrix();
-    /// Pivot of a row by its own size.
+    /// Pivot of a row divided by its own size.
     double pivot_of(std::size_t node, int row) const;
-    /// Φq M⁻¹ Φqᵀ of the links as they were evaluated last, factored; with the M of geometry where masses
-    /// are far apart.
+    /// Factors Φq M⁻¹ Φqᵀ of the links as last evaluated; in the metric of geometry where masses are far
+    /// apart.
     void factor_in_metric();
-    /// Whether Φq M⁻¹ Φqᵀ keeps its digits, at the bodies as they were set last.
+    /// Determines whether Φq M⁻¹ Φqᵀ keeps its digits at the bodies as last set.
     void compare_masses(double t);
-    /// M⁻¹ Q of every body becomes its accelerations.
+    /// Turns M⁻¹ Q of every body into its accelerations.
     void solve_by_pivoting();
-    /// Of Φ or Φ̇, each by the size of its equation; of the rows kept or of those left out.
+    /// Largest |Φ| or |Φ̇|, each divided by the size of its equation, over the kept rows or over those left
+    /// out.
     double largest(const std::vector<double>& numbers, bool kept) const;
-    /// λ = numbers of the kept rows, 0 for the others.
+    /// Sets λ to the numbers of the kept rows and to 0 for the others.
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);
     /// Adds M⁻¹ Φqᵀ λ to the accelerations so that Φq q̈ = γ.
     void constrain_accelerations(int passes);
     void write_accelerations(double* y_dot) const;
-    /// M⁻¹ Q of every body.
+    /// Computes M⁻¹ Q of every body.
     void evaluate_forces(double t, const double* y);
-    /// b_node -= J x for six numbers per moving body.
+    /// b_node -= J x, with six numbers per moving body in x.
     void subtract_products(const double* x, double* b) const;
     /// x_body += Wᵀ λ
     void add_reactions(const double* lambda, double* x) const;
@@ -143,8 +144,8 @@ private:
     std::vector<Product> products_;
     BlockStructure structure_;
     BlockMatrix<B> matrix_;
-    std::vector<Kinematics6> bodies_;  ///< of all bodies, fixed ones included
-    std::vector<BodyForce> forces_;    ///< on all bodies
+    std::vector<Kinematics6> bodies_;  ///< kinematics of all bodies, fixed ones included
+    std::vector<BodyForce> forces_;    ///< loads on all bodies
     std::vector<double> j_;            ///< Jᵀ of every side, 6 x B row-major
     std::vector<double> w_;            ///< J M⁻¹ of every side, B x 6 row-major
     std::vector<double> phi_;
@@ -154,12 +155,12 @@ private:
     std::vector<double> inverse_unit_;  ///< 1 / change of every equation when bodies move by one extent
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
     std::vector<double> six_;           ///< six numbers per moving body: accelerations, displacements
-    std::vector<double> kept_pivots_;   ///< to compare with, one per row
+    std::vector<double> kept_pivots_;   ///< reference of share_of_pivots, one per row
     double extent_ = 1.0;
     bool forgets_masses_ = false;
     bool has_screws_ = false;
     bool masses_apart_ = false;         ///< light bodies carry heavy ones: see block_pivoting.cpp
-    bool masses_apart_before_ = false;  ///< before the last choice of rows
+    bool masses_apart_before_ = false;  ///< its value before the last choice of rows
 };
 
 }  // namespace jw

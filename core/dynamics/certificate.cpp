@@ -8,14 +8,15 @@ namespace jw {
 namespace {
 
 constexpr unsigned kSeed = 1;
-/// Share of the fastest body's speed and acceleration that the slowest are measured by at least: rounding is
+/// Least scale of a body's speed and acceleration, as a share of those of the fastest body: rounding is
 /// passed on from body to body through the reactions.
 constexpr double kFloor = 1e-3;
 
-/// Accelerations that take ten days for one extent [1/s²]: where nothing moves all of them are rounding.
+/// Accelerations that need ten days for one extent [1/s²]: where nothing moves, all accelerations are
+/// rounding.
 constexpr double kUnseen = 1e-12;
 
-/// Residuals below this need no drift as an excuse.
+/// Residual below which the drift is not evaluated, since rounding explains it.
 constexpr double kSurelyRounding = 1e-9;
 
 bool asks_for_parameter(const LinkEquation& equation) {
@@ -24,8 +25,9 @@ bool asks_for_parameter(const LinkEquation& equation) {
     return asked != nullptr && asked->coordinate >= 3;
 }
 
-/// Largest work that a force can do along a motion of this size, wherever it acts and about whatever it
-/// turns: of a body that is pushed across and turned along its freedoms every product is rounding.
+/// Largest work that a force can do along a motion of this size, wherever it acts and whatever axis the
+/// motion turns about. A body pushed across its freedoms and turned along them has only products that are
+/// rounding.
 double size_of(const BodyForce& force, const Vec3& way, const Vec3& turn, double extent) {
     return (force.f.lpNorm<1>() * extent + force.n_local.lpNorm<1>()) *
            (way.lpNorm<1>() / extent + turn.lpNorm<1>());
@@ -76,7 +78,8 @@ void Certificate::find_loaded() {
     }
 }
 
-/// Units of the rows at the start pose: of bodies that move by one extent, or turn by 1 rad.
+/// Computes the units of the rows at the start pose: their change when bodies move by one extent, or turn by
+/// 1 rad.
 void Certificate::measure_units() {
     for (const Link& link : links_) {
         first_row_.push_back(inverse_unit_.size());
@@ -108,7 +111,7 @@ std::span<const double> Certificate::draw(int count) {
     return drawn_;
 }
 
-/// q̈ + δ, with δ as large as q̈.
+/// Sets the bodies' accelerations to q̈ + δ, with δ scaled to the size of q̈.
 void Certificate::set_bodies(std::span<const ProbedBody> bodies) {
     const double per_extent = 1.0 / extent_;
     const auto size = [&](const Vec3& way, const Vec3& turn) {
@@ -158,7 +161,7 @@ void Certificate::set_forces(double t, std::span<const ProbedBody> bodies) {
     }
     std::ranges::fill(forces_, BodyForce{});
     add_forces(scene_->loads, loaded_, t, forces_);
-    // where everything is held at rest, accelerations are the rounding of what the forces would do
+    // in a scene held at rest, accelerations are rounding of what the forces would cause
     for (const int body : moving_) {
         const MassProperties& own = *scene_->loads.masses[at(body)];
         const BodyForce& Q = forces_[at(body)];
@@ -179,7 +182,7 @@ double Certificate::force_residual(std::span<const ProbedBody> bodies) const {
         const BodyForce Q{forces_[b].f, forces_[b].n_local + gyroscopic_torque(own.J_local, omega_local)};
         const BodyForce M_q_ddot{own.mass * body.r_ddot, own.J_local * (body.A.transpose() * body.alpha)};
         sum += body.free_way.dot(M_q_ddot.f - Q.f) + free_turn_local.dot(M_q_ddot.n_local - Q.n_local);
-        // free bodies beside driven ones may have no accelerations but rounding
+        // free bodies beside driven ones may have accelerations that are rounding only
         const double inertia = own.mass * extent_ * extent_ + own.J_local.trace();
         const double moved = body.free_way.lpNorm<1>() / extent_ + free_turn_local.lpNorm<1>();
         size += size_of(M_q_ddot, body.free_way, free_turn_local, extent_) +
@@ -208,7 +211,7 @@ void Certificate::for_each_row(double t, F&& f) const {
     }
 }
 
-/// Largest Φ, and Φ̇ by the speed of the fastest body.
+/// Largest |Φ|, and |Φ̇| divided by the speed of the fastest body.
 double Certificate::drift(double t) const {
     double drift = 0.0;
     for_each_row(
@@ -235,7 +238,7 @@ AccelerationResidual Certificate::check(double t, std::span<const ProbedBody> bo
             const double size = of_both(acceleration_) + kFloor * largest_ + f_ddot * by_unit +
                                 alpha * (of_both(speed_) + kFloor * fastest_);
             const double off = std::abs(phi_ddot + alpha * phi_dot + beta * phi) * by_unit;
-            // not a number fails every comparison
+            // NaN fails every comparison
             if (off <= out.constraints * size) { return; }
             out.constraints = size > 0.0 ? off / size : 0.0;
             out.joint = link.joint;
@@ -254,7 +257,7 @@ AccelerationResidual Certificate::check(
     if (!equations.free_motion(t, y.data(), draw(equations.velocities()), probed_)) {
         flat_.resize(at(kNumbersPerBody) * moving_.size());
         equations.to_flat(y.data(), flat_.data());
-        // rows that were sound at another pose may repeat each other at this one
+        // rows that were independent at another pose may be redundant at this one
         in_bodies.choose_rows(t, flat_.data());
         in_bodies.free_motion(t, flat_.data(), draw(in_bodies.velocities()), probed_);
     }

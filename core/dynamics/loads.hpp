@@ -5,7 +5,7 @@
 
 #include "core/mechanism.hpp"
 
-/// What moves a mechanism: masses, gravity, forces, springs. Only scenes that ask for dynamics have them.
+/// Masses and loads of a mechanism: gravity, forces, torques, springs. Only lessons with dynamics have them.
 namespace jw {
 
 /// Mass and inertia of a body.
@@ -22,7 +22,7 @@ enum class Frame { global, local };
 struct AppliedForce {
     int body = 0;
     Vec3 point_local = Vec3::Zero();  ///< [m]
-    Vec3 direction = Vec3::UnitX();   ///< any length; it multiplies the magnitude
+    Vec3 direction = Vec3::UnitX();   ///< any length, which multiplies the magnitude
     Frame frame = Frame::global;      ///< of the direction; local: it turns with the body
     TimeFunction magnitude;           ///< [N]
 };
@@ -52,14 +52,14 @@ struct RotationalSpring {
     int body_j = 0;
     AngleMeasure angle;
     double stiffness = 0.0;   ///< k [N m/rad]
-    double free_angle = 0.0;  ///< θ0 [rad]; beyond half a turn it counts turns, see begin_turns
+    double free_angle = 0.0;  ///< θ0 [rad]; beyond half a turn it includes turns, see begin_turns
     double damping = 0.0;     ///< c [N m s/rad]
-    /// θ - θ0 where the motion was last [rad]: bodies tell it up to whole turns only, which are counted on
-    /// from here. `centroidal` begins the count at the start pose.
+    /// θ - θ0 at the last state of the motion [rad]. Poses determine it up to whole turns only; the turns are
+    /// counted from here. `centroidal` starts the count at the start pose.
     double twist_before = 0.0;
 };
 
-/// Whether it acts about the axis of a joint, between its bodies, from the same angle.
+/// Whether the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
 
 struct Loads {
@@ -71,13 +71,13 @@ struct Loads {
     std::vector<RotationalSpring> rotational_springs;
 };
 
-/// The same mechanism and loads with every body frame moved to the body's centre of mass: there M is block
-/// diagonal, diag(m I, J'). Orientations stay.
+/// Mechanism and loads with every body frame moved to the body's centre of mass, where M is block diagonal,
+/// diag(m I, J'). Orientations are unchanged.
 struct Centroidal {
     Mechanism mechanism;
     Loads loads;  ///< centre_local of all masses is zero
 
-    /// State and motion of the bodies as they were given <-> of the centroidal frames.
+    /// Convert state and motion of the frames as given to those of the centroidal frames, and back.
     State to_centroidal(const State& state) const;
     Motion to_centroidal(const State& state, const Motion& motion) const;
     State as_given(const State& centroidal) const;
@@ -86,7 +86,7 @@ struct Centroidal {
     Motion acceleration_as_given(
         const State& centroidal, const Motion& velocity, const Motion& acceleration) const;
 
-    std::vector<Vec3> centres;  ///< of every body in its frame as given [m]
+    std::vector<Vec3> centres;  ///< centre of mass of every body in its frame as given [m]
 };
 
 /// @throws std::invalid_argument if a moving body has no mass, or a mass or J' is not positive

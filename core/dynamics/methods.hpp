@@ -4,12 +4,12 @@
 #include <array>
 #include <string_view>
 
-/// Names of what an integration can be asked for; the texts are those of lessons and the command line.
+/// Options of an integration and their names, as in lessons and on the command line.
 namespace jw {
 
 enum class Method {
     euler,          ///< explicit, order 1
-    semi_implicit,  ///< velocities first, positions with the new ones; order 1
+    semi_implicit,  ///< symplectic Euler: velocities first, positions with the new ones; order 1
     rk4,            ///< classical Runge-Kutta, order 4
     explicit_5,     ///< Dormand-Prince 5(4), adaptive
     explicit_8,     ///< Dormand-Prince 8(5,3), adaptive
@@ -17,20 +17,20 @@ enum class Method {
     implicit_9,     ///< Radau IIA of five stages
 };
 
-/// How the constraints are kept.
+/// Treatment of the constraints.
 enum class Treatment {
-    none,        ///< only Φq q̈ = γ: the drift is there to be seen
+    none,        ///< only Φq q̈ = γ: the drift is visible
     baumgarte,   ///< γ - 2 α Φ̇ - β² Φ instead of γ
-    projection,  ///< back onto Φ = 0 and Φ̇ = 0 after a step
-    tangent,     ///< coordinates of the tangent space: nothing to stabilise
+    projection,  ///< projection onto Φ = 0 and Φ̇ = 0 after a step
+    tangent,     ///< coordinates of the freedoms only: nothing to stabilise
 };
 
-/// The numbers that are integrated.
+/// Coordinates that are integrated.
 enum class Formulation {
-    /// joint coordinates for adaptive methods that keep the constraints, where they pay; for implicit ones
-    /// only where no loop is left
+    /// joint coordinates for adaptive methods that keep the constraints, where they are cheaper; for implicit
+    /// methods only if no loop is left
     automatic,
-    bodies,  ///< r, p, ṙ, ω' of every body, block-sparse: all that the slides speak of is there to be seen
+    bodies,  ///< r, p, ṙ, ω' of every body, block-sparse: shows everything that the slides discuss
     joints,  ///< coordinates of a tree of joints
 };
 
@@ -44,7 +44,7 @@ inline constexpr std::array kFormulations{
     FormulationName{Formulation::bodies, "bodies"},
 };
 
-/// What a method is made of: it says which equations and treatments go with it.
+/// Family of a method: determines the equations and treatments that it supports.
 enum class MethodKind { runge_kutta, semi_implicit, radau };
 
 struct MethodName {
@@ -88,7 +88,7 @@ constexpr bool drifts(Treatment treatment) {
     return treatment == Treatment::none || treatment == Treatment::baumgarte;
 }
 
-/// Why a method cannot keep the constraints in this way; empty if it can.
+/// Reason why a method does not support a treatment; empty if it does.
 constexpr std::string_view why_not(Method method, Treatment treatment) {
     if (entry_of(method).kind == MethodKind::radau) {
         return drifts(treatment)

@@ -48,8 +48,8 @@ void require(const SimulationSettings& settings) {
     }
 }
 
-/// Where fixed steps and drifts are to be seen, bodies are integrated; with a tolerance only the result
-/// counts.
+/// Whether joint coordinates are an option. Fixed steps and drift are for teaching and need bodies; with a
+/// tolerance only the result counts.
 bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     if (settings.formulation != Formulation::automatic) {
         return settings.formulation == Formulation::joints;
@@ -57,16 +57,17 @@ bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     return entry_of(settings.method).adaptive && !drifts(settings.treatment) && !masses_are_apart;
 }
 
-/// Rows of loops are chosen by comparing each with all others: beyond this many it is felt, and takes room.
+/// Largest number of loop rows in joint coordinates: choosing them compares each with all others, in time and
+/// memory.
 constexpr int kMostLoopRows = 1000;
-/// Products per body beyond which rows of loops cost more in joint coordinates than all the rest in those of
-/// the bodies (7 to 10 thousand instructions a body, about three a product).
+/// Products per body beyond which the loop rows in joint coordinates cost more than everything in those of
+/// the bodies (7 to 10 thousand instructions a body, about three per product).
 constexpr double kMostProducts = 2500.0;
 
-/// Of accelerations in joint coordinates, by their size: rounding through a condition of 1e3, and ten times
-/// that. No tolerance asks for less.
+/// Relative error of accelerations in joint coordinates that is always accepted: rounding times a condition
+/// of 1e3, and a factor of ten. No tolerance demands less.
 constexpr double kDigitsKept = 1e-11;
-/// Share of the tolerance that accelerations may be wrong by.
+/// Relative error of accelerations that is accepted, as a share of the tolerance.
 constexpr double kShareOfTolerance = 0.1;
 
 Baumgarte stabilisation(const SimulationSettings& settings) {
@@ -95,7 +96,8 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     }
 }
 
-/// Implicit methods take them where no loop is left to be closed: independent coordinates are better at that.
+/// Implicit methods use joint coordinates only if no loop is left; independent coordinates handle loops
+/// better.
 void Simulation::take_joints() {
     auto tree = std::make_unique<TreeEquations>(scene_, start_);
     const bool wanted = settings_.formulation == Formulation::joints;
@@ -115,8 +117,8 @@ void Simulation::take_joints() {
     if (wanted || (pays() && keeps_digits(*tree))) { other_ = std::move(tree); }
 }
 
-/// Inertias of heavy bodies are added to those of light ones that carry them, and digits are lost; the block
-/// equations keep both apart. At the start, where both know the rows.
+/// Articulated inertias add those of heavy bodies to those of the light ones that carry them, and digits are
+/// lost; the block equations keep both apart. Compared at the start, where both know the rows.
 bool Simulation::keeps_digits(TreeEquations& tree) const {
     std::vector<double> y(at(tree.size()));
     std::vector<double> y_dot(y.size());
@@ -130,7 +132,7 @@ bool Simulation::keeps_digits(TreeEquations& tree) const {
     block_->evaluate(0.0, start_.data(), flat_dot.data());
     const double per_extent = 1.0 / extent(scene_.mechanism);
     double off = 0.0;
-    // in balance there are no accelerations but rounding of what gravity would do
+    // in equilibrium, accelerations are rounding of what gravity would cause
     double size = per_extent * scene_.loads.gravity.norm();
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const double* six = body_numbers(flat_dot.data(), m) + 7;
@@ -138,7 +140,7 @@ bool Simulation::keeps_digits(TreeEquations& tree) const {
         off = std::max({off, per_extent * (found[m].r_ddot - vec3(six)).norm(), turn_off.norm()});
         size = std::max({size, per_extent * vec3(six).norm(), vec3(six + 3).norm()});
     }
-    // at a singular pose neither says how many digits there are
+    // at a singular pose neither is a reference for the other
     if (block_->smallest_pivot() < kTooNear) { return true; }
     return off <= std::max(kDigitsKept, kShareOfTolerance * settings_.tolerance) * size;
 }
@@ -189,7 +191,7 @@ std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
     return implicit_one(5);
 }
 
-/// What only dampens knows no angle.
+/// Pure damping does not depend on the angle, so only springs with stiffness need turns.
 bool Simulation::counts_turns() const {
     return std::ranges::any_of(
         scene_.loads.rotational_springs, [](const auto& spring) { return spring.stiffness != 0.0; });
@@ -209,17 +211,16 @@ SimulationOutcome Simulation::run(
     const std::unique_ptr<TimeStepper> integration = stepper(end);
     Sampler sampler(integrated(), times, receive, tolerance_of_samples());
     sampler.take(*integration);
-    // an evaluation in joint coordinates costs less than all joints in those of the bodies: of those, a
-    // quarter at every step
+    // checking all joints would cost more than an evaluation in joint coordinates: a quarter of them per step
     const bool in_joints = other_ && !settings_.dense;
     const int shares = in_joints ? 4 : 1;
     Certificate certificate(scene_, stabilisation(settings_), shares);
     SimulationOutcome outcome;
-    // of the start all of them: what contradicts itself there is not begun with
+    // all of them at the start: a contradictory scene is not started
     for (int share = 0; share < shares && !outcome.failure; ++share) {
         outcome.failure = failure_of_proof(certificate, *integration, outcome.residual);
     }
-    // fixed steps are as long as they are asked to be
+    // fixed steps do not stop at events
     const bool adaptive = entry_of(settings_.method).adaptive;
     for (const double event : adaptive ? events_until(end, scene_) : std::vector{end}) {
         while (integration->t() < event && !outcome.failure && !sampler.ended()) {
@@ -247,8 +248,8 @@ SimulationOutcome Simulation::run(
     return outcome;
 }
 
-/// Of what lies between steps. Steps of equal length end on the constraints to rounding: how far their length
-/// leads beside them is not asked for, so lengths are typed with seven digits.
+/// Tolerance of samples between steps. Fixed steps end on the constraints to rounding, but set no tolerance
+/// for what lies between; there the typed precision of lengths, seven digits, applies.
 double Simulation::tolerance_of_samples() const {
     if (drifts(settings_.treatment)) { return std::numeric_limits<double>::infinity(); }
     return entry_of(settings_.method).adaptive ? settings_.tolerance : kRepeatsUpTo;
@@ -314,7 +315,8 @@ Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Ve
                                    vec3(numbers + 10).cross(point_local - scene_.centres[at(body)]);
 }
 
-/// What began at a singular position left out rows that are needed later: of states that others found.
+/// Takes up rows of the block equations that were left out at a singular start but are needed at a state
+/// found with other equations.
 void Simulation::take_up_rows(double t, const std::vector<double>& y) const {
     if (other_ && block_->rows_left_out() > 0) { raise_rank(*block_, t, y.data()); }
 }

@@ -7,12 +7,12 @@
 #include "core/dynamics/certificate.hpp"
 #include "core/dynamics/constraint_rounding.hpp"
 
-/// Why a simulation does not begin, or ends before its time.
+/// Causes for which a simulation does not start, or ends early.
 namespace jw {
 
 namespace {
 
-/// Joint or driver of a row.
+/// Name of the joint or driver of a row.
 std::string name_of(const System& system, int row) {
     const RowOrigin origin = system.origin(row);
     const auto index = at(origin.index);
@@ -23,10 +23,10 @@ std::string name_of(const System& system, int row) {
     return mechanism.joints[at(system.constraints()[index].joint)].name;
 }
 
-/// Residual of accelerations, by the size of what is added up, that rounding explains: 1e-16 times the
-/// condition of the matrix of λ (1 / pivot), a thousand times that for the worst of many, and 1e-8 at least.
-/// Beside the constraints, rows that repeat others ask for something else, by the drift times a condition of
-/// 1e3 at most; on them that is no excuse for more than one per cent.
+/// Relative residual of accelerations that rounding explains: 1e-16 times the condition of the matrix of λ (1
+/// / pivot), times a thousand for the worst of many, and 1e-8 at least. Off the constraints, redundant rows
+/// contradict each other by the drift times a condition of 1e3 at most; a run that stays on the constraints
+/// is allowed one per cent at most.
 double proven_up_to(double pivot, double drift, bool stays_on_constraints) {
     const double rounding = 1e-8 + 1e-13 / std::max(pivot, 1e-13) + 1e3 * drift;
     return stays_on_constraints ? std::min(rounding, 1e-2) : rounding;
@@ -40,7 +40,7 @@ void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
         look_for_contradicting_rates();
         return;
     }
-    // a way back onto equations that nothing satisfies may end anywhere: then the start as it was says more
+    // projecting onto equations that no state satisfies may end anywhere: then the start as given says more
     const double before = block_->violation(0.0, as_given.data()).first;
     if (before < violation) {
         violation = before;
@@ -51,7 +51,7 @@ void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
 
 /// Two drivers may begin at the same place and lead to different ones.
 void Simulation::look_for_contradicting_rates() {
-    constexpr double typed = 1e-4;  // with seven digits at least, and some lost on the way
+    constexpr double typed = 1e-4;  // seven typed digits at least, and some lost on the way
     double fastest = 0.0;
     const double length = extent(scene_.mechanism);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
@@ -107,7 +107,7 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     worst.drift = std::max(worst.drift, here.drift);
     const double rounding =
         proven_up_to(integrated().smallest_pivot(), here.drift, !drifts(settings_.treatment));
-    // not a number fails every comparison
+    // NaN fails every comparison
     const bool forces_hold = here.forces <= rounding;
     if (forces_hold && here.constraints <= rounding) { return std::nullopt; }
     SimulationFailure failure;
@@ -116,7 +116,7 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     failure.cause = Cause::not_proven;
     failure.violation = here.forces;
     if (!forces_hold) { return failure; }
-    // what was left out as a repetition asks for another acceleration
+    // rows left out as redundant demand another acceleration
     if (integrated().rows_left_out() > 0) { failure.cause = Cause::contradiction; }
     failure.violation = here.constraints;
     failure.equation_of = here.driver >= 0 ? scene_.mechanism.drivers[at(here.driver)].name

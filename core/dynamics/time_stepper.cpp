@@ -10,7 +10,7 @@ using Kind = NumberScale::Kind;
 
 StepAhead::StepAhead(double t, double t_end, double wanted) {
     const double left = t_end - t;
-    // what rounding left over is no step of its own
+    // a remainder of rounding is not a step of its own
     last = wanted >= left * (1.0 - 1e-12);
     h = last ? left : std::min(wanted, 0.5 * left);
     end = last ? t_end : t + h;
@@ -22,7 +22,7 @@ StateScales::StateScales(const IntegrationOptions& options, std::vector<NumberSc
       numbers_(std::move(numbers)),
       scale_(numbers_.size(), 1.0) {}
 
-/// Largest of the numbers of a kind, by what they move.
+/// Largest of the numbers of a kind, each times its weight.
 double StateScales::largest(const std::vector<double>& y, NumberScale::Kind kind) const {
     double most = 0.0;
     for (std::size_t k = 0; k < y.size(); ++k) {
@@ -32,13 +32,13 @@ double StateScales::largest(const std::vector<double>& y, NumberScale::Kind kind
 }
 
 void StateScales::include(const std::vector<double>& y, const std::vector<double>& y_dot, double step) {
-    // from rest the speed reached within a step counts
+    // starting from rest, the speed reached within the step counts
     const auto speed = [&](Kind kind) {
         return std::max(largest(y, kind), 0.5 * step * largest(y_dot, kind));
     };
     velocity_ = std::max(velocity_, speed(Kind::velocity));
     omega_ = std::max(omega_, speed(Kind::omega));
-    // what only turns is compared with the speed of points one length away, and the other way round
+    // rotations are compared with the speed of points one length away, and vice versa
     velocity_ = std::max({velocity_, omega_ * length_, slowest_ * length_});
     omega_ = std::max(omega_, velocity_ / length_);
     for (std::size_t k = 0; k < scale_.size(); ++k) {
@@ -50,7 +50,7 @@ double StateScales::difference(const double* y, const double* other) const {
     double most = 0.0;
     for (std::size_t k = 0; k < scale_.size(); ++k) {
         const double d = std::abs(y[k] - other[k]) / scale_[k];
-        // not a number is farther than anything
+        // NaN counts as the largest difference
         if (!(d <= most)) { most = d; }
     }
     return most;

@@ -6,34 +6,34 @@
 
 #include "core/dynamics/motion_equations.hpp"
 
-/// What all integrators have in common: one trajectory, a step at a time.
+/// Common interface of all integrators: one trajectory, one step at a time.
 namespace jw {
 
 struct IntegrationOptions {
     double tolerance = 1e-6;    ///< local error of a step, relative to the scales of the motion
-    double fixed_step = 0.0;    ///< [s]; 0: steps follow the tolerance
-    bool project = true;        ///< back onto the constraints whenever the drift nears the tolerance
-    double length_scale = 1.0;  ///< [m]
-    /// Of a body, within a step that follows the tolerance [rad].
+    double fixed_step = 0.0;    ///< fixed step [s]; 0: steps follow the tolerance
+    bool project = true;        ///< project onto the constraints whenever the drift nears the tolerance
+    double length_scale = 1.0;  ///< extent of the scene [m]
+    /// Largest rotation of a body within a step that follows the tolerance [rad].
     double most_turn = std::numeric_limits<double>::infinity();
-    /// Of a step that follows the tolerance [s]: what drives the scene may swing faster than it moves.
+    /// Longest step that follows the tolerance [s]: a driver may oscillate faster than the scene moves.
     double longest_step = std::numeric_limits<double>::infinity();
-    /// What moves more slowly than by its size in this time counts as being at rest [s].
+    /// Duration of the run [s]; a motion slower than one extent in this time counts as rest.
     double duration = 1e3;
 };
 
 struct IntegrationCounts {
     long steps = 0;
     long rejected = 0;
-    long evaluations = 0;        ///< of accelerations
-    long projections = 0;        ///< onto the constraints
-    long jacobians = 0;          ///< of implicit methods
-    long row_choices = 0;        ///< how often other rows were kept from then on
+    long evaluations = 0;        ///< evaluations of accelerations
+    long projections = 0;        ///< projections onto the constraints
+    long jacobians = 0;          ///< Jacobians of implicit methods
+    long row_choices = 0;        ///< changes of the choice of rows
     long singular_passages = 0;  ///< steps near a singular position
 };
 
-/// A step of about `wanted` [s] from `t` on that does not pass `t_end`. Of what is left the last two steps
-/// are taken in halves, so that none is tiny.
+/// Step of about `wanted` [s] from `t` that does not pass `t_end`. The remainder is divided into two equal
+/// steps if it is shorter than twice that, so that no step is tiny.
 struct StepAhead {
     StepAhead(double t, double t_end, double wanted);
 
@@ -42,19 +42,20 @@ struct StepAhead {
     bool last;
 };
 
-/// Sizes that errors are compared with: lengths of the scene, 1 for p, the fastest motion so far.
+/// Scales of the error norm: the extent for lengths, 1 for p and angles, the fastest motion so far for
+/// velocities.
 class StateScales {
 public:
     StateScales(const IntegrationOptions& options, std::vector<NumberScale> numbers);
     void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
-    /// Of the k-th number of y.
+    /// Scale of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
-    double omega() const { return omega_; }  ///< of the fastest turning [rad/s]
-    /// Largest of the differences between two states, each by its size.
+    double omega() const { return omega_; }  ///< of the fastest rotation so far [rad/s]
+    /// Largest difference between two states, each number divided by its scale.
     double difference(const double* y, const double* other) const;
-    /// Largest difference of the poses of two states, each number by its size.
+    /// Largest difference between the poses of two states, each number divided by its scale.
     double way(const double* y, const double* other) const;
-    /// A share of the time in which something moves by its size [s].
+    /// Length of the first step [s]: a share of the time in which something moves by its scale.
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
 private:
@@ -69,10 +70,10 @@ private:
     double omega_ = 0.0;
 };
 
-/// |ω| of the body that turns fastest at y [rad/s]. @param flat room for the state
+/// |ω| of the body that turns fastest at y [rad/s]. @param flat workspace for the flat state
 double fastest_turn(const MotionEquations& equations, const double* y, std::vector<double>& flat);
 
-/// After every step t, y and ẏ are those of a state on the constraints.
+/// Integrator. After every step t, y and ẏ are those of a state on the constraints.
 class TimeStepper {
 public:
     TimeStepper() = default;
@@ -80,7 +81,7 @@ public:
     TimeStepper(const TimeStepper&) = delete;
     TimeStepper& operator=(const TimeStepper&) = delete;
 
-    /// One step, not beyond `t_end`. @return false if the step became too small to go on
+    /// Takes one step, not beyond `t_end`. @return false if the step became too small to continue
     virtual bool step(double t_end) = 0;
 
     virtual double t() const = 0;
@@ -89,19 +90,19 @@ public:
     virtual const std::vector<double>& y() const = 0;
     virtual const std::vector<double>& y_dot() const = 0;
     virtual const IntegrationCounts& counts() const = 0;
-    /// Of the steps taken lately, the share of those that stability kept short, not accuracy: 0 to 1.
+    /// Share of recent steps whose length stability bounded, not accuracy: 0 to 1.
     virtual double bound_by_stability() const { return 0.0; }
-    /// Whether the method has a polynomial of its own over the last step.
+    /// Whether the method has dense output over the last step.
     virtual bool has_polynomial() const { return false; }
-    /// y within the last step by that, on the constraints. @return false if it is not to be had: what was
-    /// found is no part of this motion
+    /// Computes y within the last step from that polynomial, on the constraints. @return false if the result
+    /// does not belong to this motion
     virtual bool interpolate(double /*t*/, double* /*y*/) { return false; }
-    /// y at `t`, by one step from an earlier state of this motion less than a step before; the motion itself
-    /// stays where it is. @return false if there is no such step
+    /// Computes y at `t` by one step from an earlier state of this motion, less than a step before; the
+    /// integrator itself does not move. @return false if there is no such step
     virtual bool reach(double /*t_from*/, const std::vector<double>& /*from*/, double /*t*/, double* /*y*/) {
         return false;
     }
-    /// What errors are compared with; nothing where a method compares none.
+    /// Scales of the error norm; nullptr for a method without an error estimate.
     virtual const StateScales* scales() const { return nullptr; }
 };
 
