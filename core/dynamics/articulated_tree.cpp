@@ -49,7 +49,7 @@ ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
         node.turn_in_parent = A * joint.turn_local;
         node.shift_in_parent = A * joint.shift_local;
     }
-    turns_.resize((turning_.size() + 4) / 4);  // one more may be looked at than turns
+    turns_.resize((turning_.size() + 4) / 4);  // one more may be read than there are angles
     half_turns_.resize(turns_.size());
 }
 
@@ -209,8 +209,8 @@ void ArticulatedTree::respond(
         for_each_on_way(i, j, [&](int n, Way way) JW_PASS {
             const Node& here = nodes_[at(n)];
             SixOf<V>& wrench = way == Way::from_j ? wrench_j : wrench_i;
-            // joints hold the two wrenches in different shares: what is left of them where they meet is no
-            // pair of opposites any more, and is felt by all joints down to the ground
+            // joints transmit the two wrenches in different shares: where the paths meet, their remainders
+            // are no longer opposite, and all joints down to the ground feel them
             if (way == Way::first_of_both) { wrench = wrench + wrench_j; }
             wrench = tree_passes::respond(here, wrench, e, e_by_D);
             const int numbers = here.hanging == Hanging::axis ? 1 : joint_of(n).velocities();

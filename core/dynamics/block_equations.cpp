@@ -21,7 +21,7 @@ std::vector<MovingBody> moving_bodies(const Centroidal& scene) {
     return moving;
 }
 
-/// Nodes that share a moving body.
+/// Neighbours of every node: nodes that share a moving body with it.
 std::vector<std::vector<int>> neighbours_of(const std::vector<Node>& nodes, std::size_t bodies) {
     std::vector<std::vector<int>> on_body(bodies);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -41,8 +41,8 @@ std::vector<std::vector<int>> neighbours_of(const std::vector<Node>& nodes, std:
     return neighbours;
 }
 
-/// The pivot below which a second pass brings digits back: reactions are wrong by 1e-16 through the pivot,
-/// and accelerations that they give a light body by 1e-16 through its square. 1e-8 was seen at 7e-4.
+/// Pivot below which iterative refinement recovers digits: reactions are wrong by 1e-16 / pivot, and the
+/// accelerations that they give a light body by 1e-16 / pivot². 1e-8 was seen at 7e-4.
 constexpr double kFewDigitsAreLost = 1e-3;
 
 }  // namespace
@@ -65,7 +65,7 @@ BlockEquations<B>::BlockEquations(
     for (Link& link : links) {
         const int i = order_of_body_[at(link.body_i)];
         const int j = order_of_body_[at(link.body_j)];
-        if (i < 0 && j < 0) { continue; }  // between fixed bodies: nothing can move
+        if (i < 0 && j < 0) { continue; }  // between fixed bodies
         const unsigned all = (1U << link.rows) - 1U;
         has_screws_ = has_screws_ || std::ranges::any_of(link.equations, [](const LinkEquation& e) {
                           return std::holds_alternative<ScrewTurned>(e.primitive);
@@ -133,7 +133,7 @@ void BlockEquations<B>::tell_turns_at(Turns turns, double t, const double* y) {
     }
 }
 
-/// Rows that are not kept stay zero.
+/// Writes the Jacobian blocks of kept rows; other rows stay zero.
 template <int B>
 template <class Jet>
 void BlockEquations<B>::write_jacobian(
@@ -241,7 +241,7 @@ double BlockEquations<B>::smallest_pivot() const {
         for (int row = 0; row < B; ++row) {
             const double inverse =
                 row_size_[n * B + at(row)] * matrix_.inverse_pivot(static_cast<int>(n), row);
-            // a pivot that rounding made negative is none at all
+            // a pivot that rounding made negative counts as 0
             largest = std::max(largest, inverse > 0.0 ? inverse : std::numeric_limits<double>::infinity());
         }
     }
@@ -352,7 +352,7 @@ int BlockEquations<B>::rows_left_out() const {
 template class BlockEquations<3>;
 template class BlockEquations<5>;
 template class BlockEquations<6>;
-// what the other parts need besides
+// members that the other sources need
 template void BlockEquations<3>::evaluate_links<false>(double);
 template void BlockEquations<5>::evaluate_links<false>(double);
 template void BlockEquations<6>::evaluate_links<false>(double);

@@ -5,12 +5,12 @@
 #include "core/dynamics/block_equations.hpp"
 #include "core/numerics/svd.hpp"
 
-/// Null space of the block equations' rows: all free motions, or one drawn at random.
+/// Null space of the block equations' rows: all free motions, or a random one.
 namespace jw {
 
 namespace {
 
-/// A motion that changes the equations by less than this share of what any motion changes is free.
+/// Relative threshold of singular values below which a motion is free.
 constexpr double kFree = 1e-9;
 
 }  // namespace
@@ -23,10 +23,10 @@ bool BlockEquations<B>::free_motion(
     evaluate_links<false>(t);
     factor_in_metric();
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-        // turns of 1 rad beside ways of one extent
+        // rotations of 1 rad beside displacements of one extent
         six_[k] = anything_is_free ? drawn[k] * (k % 6 < 3 ? extent_ : 1.0) : 0.0;
     }
-    // twice: the first answer has the rounding of what it takes out
+    // twice: the first solution carries the rounding of what it removes
     for (int pass = 0; anything_is_free && pass < 2; ++pass) { take_out_rows(); }
     for (std::size_t m = 0; m < bodies.size(); ++m) {
         bodies[m].free_way = vec3(&six_[6 * m]);

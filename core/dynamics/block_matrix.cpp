@@ -23,7 +23,7 @@ BlockStructure::BlockStructure(const std::vector<std::vector<int>>& neighbours)
         pivots_.push_back({node, {}, {}});
         const std::set<int> touched = set_of(node);
         rows[static_cast<std::size_t>(node)].assign(touched.begin(), touched.end());
-        // what the pivot touches becomes one clique
+        // the neighbours of the pivot become a clique
         for (const int a : touched) {
             by_degree.erase({set_of(a).size(), a});
             set_of(a).erase(node);

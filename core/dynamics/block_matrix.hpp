@@ -6,24 +6,23 @@
 #include <vector>
 
 /// Symmetric block-sparse matrices with square blocks of one size B, factored as L D Lᵀ without allocation.
-/// Blocks that are smaller are padded: rows of zeros and 1 on the diagonal.
+/// Smaller blocks are padded with rows of zeros and 1 on the diagonal.
 ///
-/// The structure is found once: a fill-reducing order and a list of block operations that a factorisation
-/// runs through from first to last.
+/// The structure is computed once: a fill-reducing order and the list of block operations of a factorisation.
 namespace jw {
 
-/// Which blocks a factorisation has and what it does with them; knows nothing of numbers.
+/// Symbolic factorisation: the blocks and the operations on them, without numbers.
 class BlockStructure {
 public:
-    /// One block above the diagonal, of column `node` in row `pivot`; pivot comes first in the order.
+    /// Block above the diagonal, in column `node` of the pivot's row; the pivot comes first in the order.
     struct Upper {
         int node = 0;
         int block = 0;  ///< index of the block's storage
     };
-    /// One elimination step: S_ij -= X_kiᵀ Y_kj for a pair of blocks of the pivot's row.
+    /// Update of an elimination step: S_ij -= X_kiᵀ Y_kj for a pair of blocks of the pivot's row.
     struct Update {
         int target = 0;  ///< storage of S_ij, i before j; a diagonal block where i = j
-        int left = 0;    ///< X_ki: entry of the pivot's uppers, from 0
+        int left = 0;    ///< X_ki: index in the pivot's uppers
         int right = 0;   ///< Y_kj
     };
     struct Pivot {
@@ -33,17 +32,17 @@ public:
     };
 
     BlockStructure() = default;
-    /// `neighbours[n]`: nodes that share a block with node n, without n itself, each once.
-    /// Least degree first; of equals the lowest node.
+    /// Orders by minimum degree; of equals, the lowest node first.
+    /// @param neighbours [n]: nodes that share a block with node n, without n itself, each once
     explicit BlockStructure(const std::vector<std::vector<int>>& neighbours);
 
     int nodes() const { return static_cast<int>(position_.size()); }
-    /// Blocks in storage: the diagonals in the order of the nodes, then the ones above.
+    /// Number of stored blocks: the diagonal ones in the order of the nodes, then those above.
     int blocks() const { return blocks_; }
     const std::vector<Pivot>& pivots() const { return pivots_; }
-    /// Place of a node in the order of elimination.
+    /// Position of a node in the order of elimination.
     int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
-    /// Storage of block (a, b), a before b in the order.
+    /// Storage index of block (a, b), a before b in the order.
     int block_of(int a, int b) const;
 
 private:
@@ -84,7 +83,7 @@ inline void subtract_transposed_product(double* c, const double* x, const double
 
 }  // namespace kernels
 
-/// Numbers of one such matrix.
+/// Numbers of a matrix with this structure.
 template <int B>
 class BlockMatrix {
 public:
@@ -105,8 +104,8 @@ public:
         return values_.data() + static_cast<std::ptrdiff_t>(index) * kBlock;
     }
 
-    /// L D Lᵀ in place. `on_pivot(node, diagonal)` sees every diagonal block just before it is factored and
-    /// may strike out rows.
+    /// Factors as L D Lᵀ in place. `on_pivot(node, diagonal)` is called with every diagonal block just before
+    /// it is factored and may strike out rows.
     template <class OnPivot>
     void factor(OnPivot&& on_pivot) {
         for (const auto& pivot : structure_->pivots()) {
@@ -175,13 +174,13 @@ public:
         }
     }
 
-    /// 1 / D of a row of a node.
+    /// 1 / D of one row of a node.
     double inverse_pivot(int node, int row) const {
         return inverse_diagonal_[static_cast<std::size_t>(node) * B + static_cast<std::size_t>(row)];
     }
 
 private:
-    /// L below the diagonal of `a`, 1 / D beside it.
+    /// Writes L below the diagonal of `a`, and 1 / D to `inverse`.
     static void factor_diagonal(double* a, double* inverse) {
         for (int column = 0; column < B; ++column) {
             const double pivot = a[column * B + column];

@@ -5,15 +5,14 @@
 #include "core/dynamics/block_equations.hpp"
 
 /// Accelerations where light bodies carry heavy ones. Φq M⁻¹ Φqᵀ adds 1 / m of both bodies of a joint, and
-/// the 1 / m of the heavy one is lost below the rounding of the other. The whole matrix of slide 24 keeps
-/// both, and pivoting finds out who carries whom: a light body follows its constraints, a heavy one its
-/// forces.
+/// the 1 / m of the heavy one is lost in the rounding of the other. The whole matrix of slide 24 keeps both,
+/// and pivoting decides: a light body follows its constraints, a heavy one its forces.
 namespace jw {
 
 namespace {
 
-/// The pivot by mass against that by geometry below which too many digits are lost. Lessons stay above it,
-/// the governor with its thin rods by least: 1e-5.
+/// Ratio of the pivot by mass to that by geometry below which too many digits are lost. Shipped lessons stay
+/// above it; the governor with its thin rods has the smallest, 1e-5.
 constexpr double kDigitsAreLost = 1e-6;
 
 }  // namespace
@@ -78,7 +77,8 @@ void BlockEquations<B>::solve_by_pivoting() {
     VectorX x = VectorX::Constant(size, std::numeric_limits<double>::quiet_NaN());
     if (lu.info() == Eigen::Success) {
         x = lu.solve(right);
-        // what is left of a light body's rows is small by the heavy ones' after the first pass
+        // iterative refinement: after the first pass the residual of a light body's rows is small only
+        // relative to the heavy ones'
         x += lu.solve(right - matrix * x);
     }
     std::copy_n(x.data(), columns, six_.data());
@@ -87,7 +87,7 @@ void BlockEquations<B>::solve_by_pivoting() {
 template <int B>
 double BlockEquations<B>::pivot_of(std::size_t node, int row) const {
     const double inverse = row_size_[node * B + at(row)] * matrix_.inverse_pivot(static_cast<int>(node), row);
-    // a pivot that rounding made negative is none at all
+    // a pivot that rounding made negative counts as 0
     return inverse > 0.0 ? 1.0 / inverse : 0.0;
 }
 

@@ -10,22 +10,22 @@ namespace jw {
 
 namespace {
 
-/// A row of a sound joint has the size 1 or, of directions, 1 / extent; this small it has none, and what is
-/// left is rounding.
+/// Size below which a row counts as zero: a row of a sound joint has size 1 or, for directions, 1 / extent;
+/// what is smaller is rounding.
 constexpr double kVanishes = 1e-12;
-/// As long as a round leaves less than this share, the factorisation of an earlier one is good enough.
+/// Contraction of an iteration up to which an earlier factorisation is good enough.
 constexpr double kFastConvergence = 1e-2;
 
 double vanishing_size(double extent) { return std::pow(kVanishes * std::min(1.0, 1.0 / extent), 2); }
 
-/// Rows of a node, a bit each.
+/// Rows of a node, one bit each.
 struct ChoiceOfRows {
     unsigned kept = 0;
-    unsigned doubtful = 0;  ///< too little is left of them, but more than of repetitions
+    unsigned doubtful = 0;  ///< too little remains of them, but more than of redundant rows
 };
 
-/// Which rows of a block of Φq Φqᵀ, reduced by the nodes before it, keep more than the share `least` of
-/// themselves: diagonal pivoting.
+/// Rows of a block of Φq Φqᵀ, reduced by the nodes before it, whose remainder exceeds the share `least`:
+/// diagonal pivoting.
 template <int B>
 ChoiceOfRows independent_rows_of(
     const double* block, const double* row_size, unsigned candidates, double least) {
@@ -71,7 +71,7 @@ double BlockEquations<B>::project(double t, double* y) {
         if (is_at_rounding(worst, last)) { break; }
         const bool slow = worst > kFastConvergence * last;
         last = worst;
-        // near rounding a factorisation of the round before is as good as a new one
+        // near rounding the factorisation of the iteration before is as good as a new one
         if (!factored || (slow && worst > kNearlyExact)) {
             factor_in_metric();
             factored = true;
@@ -102,7 +102,8 @@ double BlockEquations<B>::largest(const std::vector<double>& numbers, bool kept)
     return worst;
 }
 
-/// With Φq of now and a factorisation from nearby: every round leaves the share by which that is off.
+/// Projects velocities with the current Φq and a factorisation from a nearby pose; every iteration leaves the
+/// share by which the factorisation is off.
 template <int B>
 void BlockEquations<B>::project_velocities(double* y) {
     double size = 0.0;
@@ -116,7 +117,7 @@ void BlockEquations<B>::project_velocities(double* y) {
         set_lambda(nu_);
         subtract_products(six_.data(), lambda_.data());
         const double worst = largest(lambda_, true);
-        // rounding has been reached, as for positions
+        // converged to rounding, as for positions
         if (round > 0 && (worst <= kExact * size || worst > 0.5 * last)) { break; }
         last = worst;
         matrix_.solve(lambda_.data());
@@ -125,7 +126,7 @@ void BlockEquations<B>::project_velocities(double* y) {
     for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(&six_[6 * m], 6, body_numbers(y, m) + 7); }
 }
 
-/// Rows that are not kept leave the matrix, just before the block of their node is factored.
+/// Removes the rows that are not kept from the matrix, just before the block of their node is factored.
 template <int B>
 void BlockEquations<B>::strike_rows(int n, double* diagonal) {
     for (int row = 0; row < B; ++row) {
@@ -139,9 +140,9 @@ void BlockEquations<B>::strike_rows(int n, double* diagonal) {
     }
 }
 
-/// Rows that keep more than the share `least` of themselves beside those before them, squared. What is left
-/// of the `doubtful` ones beside all of them is less.
-/// @return how many
+/// Keeps rows with a pivot above `least`. The pivots of the `doubtful` ones, beside all kept rows, are
+/// smaller.
+/// @return number of kept rows
 template <int B>
 int BlockEquations<B>::keep_rows_beyond(double least, std::vector<RowOfNode>& doubtful) {
     doubtful.clear();
@@ -165,7 +166,8 @@ int BlockEquations<B>::keep_rows_beyond(double least, std::vector<RowOfNode>& do
     return count;
 }
 
-/// The matrix of the rows that are kept, factored. `all`: Jᵀ of every side, with all rows.
+/// Factors the matrix of the kept rows.
+/// @param all Jᵀ of every side, with all rows
 template <int B>
 void BlockEquations<B>::factor_kept_rows(const std::vector<double>& all) {
     j_ = all;
@@ -178,8 +180,7 @@ void BlockEquations<B>::factor_kept_rows(const std::vector<double>& all) {
     matrix_.factor();
 }
 
-/// Projection of `six_` onto the motions that the kept rows leave free, in the metric of the last
-/// factorisation.
+/// Projects `six_` onto the motions that the kept rows leave free, in the metric of the last factorisation.
 template <int B>
 void BlockEquations<B>::take_out_rows() {
     std::ranges::fill(lambda_, 0.0);
@@ -200,8 +201,8 @@ double BlockEquations<B>::along(const std::vector<double>& all, const RowOfNode&
     return sum;
 }
 
-/// `six_`: what is left of a row beside all that are kept, in the metric of geometry.
-/// @return its square, by that of the row; 0 for a row of nothing
+/// Sets `six_` to the remainder of a row beside all kept rows, in the metric of geometry.
+/// @return square of the remainder divided by that of the row; 0 for a zero row
 template <int B>
 double BlockEquations<B>::what_is_left_of(const std::vector<double>& all, RowOfNode& row) {
     std::ranges::fill(six_, 0.0);
@@ -219,8 +220,8 @@ double BlockEquations<B>::what_is_left_of(const std::vector<double>& all, RowOfN
     return along(all, row, six_.data()) / row.square;
 }
 
-/// Rows that say something the kept ones do not, the one with the most left first: Cholesky's method with
-/// pivoting on what is left of them beside the kept ones.
+/// Adds rows that are independent of the kept ones, the one with the largest remainder first: Cholesky's
+/// method with pivoting on the remainders.
 template <int B>
 void BlockEquations<B>::keep_what_is_left(
     const std::vector<double>& all, const std::vector<RowOfNode>& doubtful) {
@@ -251,9 +252,10 @@ void BlockEquations<B>::keep_what_is_left(
     }
 }
 
-/// A joint may hold a row that nearly repeats those before it, where one of another joint says the same
-/// well; and beside such a row rounding looks like a row of its own. Then those that surely are independent
-/// come first, and of the others what is left beside all of them decides.
+/// Chooses the kept rows. A joint may have a row that nearly depends on those before it where a row of
+/// another joint would be well independent; and beside such a row rounding looks like an independent row.
+/// Then the surely independent rows come first, and the remainder beside all of them decides about the
+/// others.
 template <int B>
 void BlockEquations<B>::keep_independent_rows() {
     std::vector<RowOfNode> doubtful;
@@ -266,7 +268,7 @@ void BlockEquations<B>::keep_independent_rows() {
     factor_kept_rows(all);
 }
 
-/// Of all equations, from the sizes of their rows.
+/// Computes the units of all equations from the sizes of their rows.
 template <int B>
 void BlockEquations<B>::measure_units() {
     weigh(Metric::geometry);
@@ -277,7 +279,7 @@ void BlockEquations<B>::measure_units() {
     }
 }
 
-/// Jacobians and units of all rows, which are all kept then.
+/// Computes Jacobians and units of all rows, and marks all rows as kept.
 template <int B>
 void BlockEquations<B>::look_at_all_rows(double t, const double* y) {
     for (Node& node : nodes_) { node.kept = (1U << node.link.rows) - 1U; }

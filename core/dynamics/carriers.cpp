@@ -38,7 +38,7 @@ Place place_of_driver(const Driver& driver, const Mechanism& mechanism, const Bo
     return {j.r, Vec3::UnitZ()};
 }
 
-/// One row's columns of a body: force, and torque about the body's centre of mass over ℓ.
+/// Block of one row and one body as force, and torque about the body's centre of mass over ℓ.
 template <class Block>
 Vec6 pull_of(const Block& row, double length) {
     Vec6 pull = row.transpose();
@@ -46,7 +46,7 @@ Vec6 pull_of(const Block& row, double length) {
     return pull;
 }
 
-/// What λ = 1 of each row does, on body j at the point and on all bodies.
+/// Wrenches of λ = 1 in each row, on body j at the point and on all bodies.
 struct Pulls {
     MatrixX wrench;
     MatrixX equilibrium;
@@ -108,7 +108,7 @@ Place place_of(const Link& link, const Situation& situation) {
 
 Carrier carrier_of(const Link& link, const Vec3& point, const Situation& situation) {
     const Pulls pulls = pulls_of(link, point, situation);
-    // rows of any size count alike
+    // unit columns: the size of a row does not matter
     const VectorX size = pulls.wrench.colwise().norm().transpose();
     const VectorX inverse = (size.array() > 0.0).select(size.cwiseInverse(), 0.0);
     const Svd svd = svd_of(pulls.wrench * inverse.asDiagonal());

@@ -53,9 +53,11 @@ public:
 
     /// Draws the random numbers from which the equations make δ: one per velocity, between -1 and 1.
     std::span<const double> draw(int count);
-    /// Checks the accelerations of the bodies at time t [s]. @param bodies one per moving body, with δ
+    /// Checks the accelerations of the bodies at time t [s].
+    /// @param bodies one per moving body, with δ
     AccelerationResidual check(double t, std::span<const ProbedBody> bodies);
-    /// Checks ẏ at y as `equations` evaluated it. @param in_bodies provides δ where `equations` cannot
+    /// Checks ẏ at y as `equations` evaluated it.
+    /// @param in_bodies provides δ where `equations` cannot
     AccelerationResidual check(
         MotionEquations& equations, MotionEquations& in_bodies, double t, const std::vector<double>& y,
         const std::vector<double>& y_dot);

@@ -140,7 +140,7 @@ void DenseEquations<C>::state_of(const double* value, const double* rate, double
     from_flat(flat.data(), y);
 }
 
-/// θ and θ̇ of every screw: the angle between its bodies nearest to the one before.
+/// Finds θ and θ̇ of every screw: the angle between its bodies, with the turns nearest to the value before.
 template <class C>
 void DenseEquations<C>::find_thetas() {
     std::size_t theta = 0;

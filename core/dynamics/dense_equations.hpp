@@ -7,7 +7,7 @@
 #include "core/dynamics/motion_equations.hpp"
 #include "core/dynamics/saddle_point.hpp"
 
-/// The equations of motion as the slides write them: one dense system in any of the four coordinate choices.
+/// Equations of motion as on the slides: one dense system in any of the four coordinate choices.
 namespace jw {
 
 /// | choice   | y of a body  | ṗ is       | M            | Q                      |
@@ -16,17 +16,17 @@ namespace jw {
 /// | (r, ω)   | r, p, ṙ, ω   | ½ Gᵀ ω     | m I, A J' Aᵀ | f, A (n' - ω̃'J'ω')     |
 /// | (r, p)   | r, p, ṙ, ṗ   | integrated | m I, 4 LᵀJ'L | f, 2 Lᵀ (n' - ω̃'J'ω')  |
 ///
-/// n - ω̃Jω is A (n' - ω̃'J'ω'); the part of Q along p that 2 Lᵀ leaves out is taken up by the λ of pᵀp = 1.
+/// n - ω̃Jω is A (n' - ω̃'J'ω'); the component of Q along p, which 2 Lᵀ omits, goes into the λ of pᵀp = 1.
 ///
-/// Rows are those of the mechanism as given, in the order of System. θ of a screw is no part of y: its value
-/// follows from the bodies, turns being counted on from the last evaluation.
+/// The rows are those of the mechanism as given, in the order of System. θ of a screw is not part of y: its
+/// value follows from the poses, with turns counted from the last evaluation.
 ///
-/// The teaching and reference path: clear, O(n³), and it allocates.
+/// This is the implementation for teaching and reference: clear, O(n³), and it allocates.
 /// @source slides 24 and 25; signs in docs/notation.md
 template <class C>
 class DenseEquations final : public MotionEquations {
 public:
-    /// 13, or 14 where y holds ṗ.
+    /// Numbers of y per body: 13, or 14 where y holds ṗ.
     static constexpr int kNumbers = 10 + C::kAngular;
 
     /// `scene` must outlive this. Rows are chosen at its start pose.
@@ -54,11 +54,11 @@ public:
     int rows() const override { return system_.rows(C::kNormalised); }
     int rows_left_out() const override { return rows() - static_cast<int>(saddle_point_.kept().size()); }
 
-    /// y of a state and a motion of the centroidal frames, and back.
+    /// Convert state and motion of the centroidal frames to y, and back.
     void pack(const State& state, const Motion& motion, double* y) const;
     void unpack(const double* y, State& state, Motion& motion) const;
 
-    /// The system as it was last evaluated, and its solution.
+    /// System, matrices and vectors of the last evaluation, and its solution.
     const System& system() const { return system_; }
     const MatrixX& mass_matrix() const { return mass_; }
     const MatrixX& jacobian() const { return assembler_.jacobian(); }
@@ -66,7 +66,7 @@ public:
     /// γ, with Baumgarte's terms.
     const VectorX& right_side() const { return right_; }
     const VectorX& acceleration() const { return acceleration_; }
-    /// One of many where rows are left out: theirs is 0.
+    /// Multipliers, one per row; not unique where rows are left out, whose λ is 0.
     const VectorX& lambda() const { return lambda_; }
 
 private:
@@ -78,7 +78,7 @@ private:
     void measure_rows();
     double largest(const VectorX& values) const;
     double largest_of_kept_rows(const VectorX& values) const;
-    /// @return how far the worst of the kept rows was off before
+    /// Newton's method in the metric of M. @return largest |Φ| of the kept rows before, divided by its size
     double correct_positions(double t);
 
     const Centroidal* scene_;
@@ -86,7 +86,7 @@ private:
     System system_;
     Assembler<C> assembler_;
     SaddlePoint saddle_point_;
-    System system_before_;  ///< with the rows of the rule before the last choice
+    System system_before_;  ///< system with the rows from before the last choice
     std::vector<int> kept_before_;
     State state_;
     Motion motion_;
@@ -98,10 +98,10 @@ private:
     VectorX right_;
     VectorX acceleration_;
     VectorX lambda_;
-    VectorX inverse_size_;  ///< of every equation
+    VectorX inverse_size_;  ///< 1 / size of every equation
 };
 
-/// The same for a choice known at run time only.
+/// Dense equations in a coordinate choice known at run time only.
 std::unique_ptr<MotionEquations> dense_equations(
     const Centroidal& scene, CoordinateChoice choice, const Baumgarte& baumgarte = {});
 

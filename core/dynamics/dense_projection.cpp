@@ -4,16 +4,17 @@
 #include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/dense_equations.hpp"
 
-/// What the dense equations do besides accelerations: back onto the constraints, choice of rows.
+/// Projection onto the constraints and choice of rows of the dense equations.
 namespace jw {
 
-/// Largest of Φ or Φ̇, each by the change of its equation when bodies move by one extent of the mechanism.
+/// Largest |Φ| or |Φ̇|, each divided by the change of its equation when bodies move by one extent of the
+/// mechanism.
 template <class C>
 double DenseEquations<C>::largest(const VectorX& values) const {
     return values.size() > 0 ? values.cwiseProduct(inverse_size_).cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// The same of the rows that are kept only.
+/// The same over the kept rows only.
 template <class C>
 double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
     double worst = 0.0;
@@ -23,7 +24,7 @@ double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
     return worst;
 }
 
-/// For pᵀp = 1 that is its size itself.
+/// Computes the sizes of the rows; that of pᵀp = 1 is its gradient itself.
 template <class C>
 void DenseEquations<C>::measure_rows() {
     const double length = extent(scene_->mechanism);
@@ -59,8 +60,8 @@ bool DenseEquations<C>::follow_rule(double t, const double* y) {
     return true;
 }
 
-/// The axis lies at least asin(0.8 / √3) = 0.48 rad beside the plane in which the pair loses its rank. Turns
-/// of screws are told by the nearest.
+/// Largest rotation in a step. With the rule, an axis lies at least asin(0.8 / √3) = 0.48 rad from the plane
+/// in which its pair loses rank. Turns of screws are those nearest to the last ones.
 template <class C>
 double DenseEquations<C>::most_turn() const {
     constexpr double margin = 0.4;
@@ -128,7 +129,7 @@ std::pair<double, double> DenseEquations<C>::violation(double t, const double* y
     return {largest(assembler_.phi()), largest(phi_dot)};
 }
 
-// what is called from elsewhere; dense_equations.cpp instantiates the class
+// members used elsewhere; dense_equations.cpp instantiates the class
 #define JW_INSTANTIATE(C)                                                          \
     template double DenseEquations<C>::largest_of_kept_rows(const VectorX&) const; \
     template bool DenseEquations<C>::choose_rows(double, const double*);           \

@@ -4,15 +4,15 @@
 #include <span>
 #include <vector>
 
-/// Symmetric matrices whose rows begin late: of every row the numbers from its first nonzero one to the
-/// diagonal are stored, and no others ever become nonzero in L D Lᵀ. For rows of loops that know their
+/// Symmetric matrices in envelope (skyline) storage: of every row the numbers from its first nonzero to the
+/// diagonal are stored, and no others become nonzero in L D Lᵀ. Suits rows of loops that couple to their
 /// neighbours only.
 namespace jw {
 
 class EnvelopeMatrix {
 public:
     EnvelopeMatrix() = default;
-    /// @param first of every row the column of its first nonzero number
+    /// @param first column of the first nonzero number of every row
     explicit EnvelopeMatrix(std::vector<int> first);
 
     int rows() const { return static_cast<int>(first_.size()); }
@@ -25,7 +25,7 @@ public:
     }
     std::span<double> numbers() { return numbers_; }
 
-    /// L, its unit diagonal replaced by D, takes the matrix's place.
+    /// Factors as L D Lᵀ in place; D replaces the unit diagonal of L.
     void factor();
     /// x = (L D Lᵀ)⁻¹ x
     void solve(double* x) const;

@@ -11,17 +11,17 @@ namespace jw {
 namespace {
 
 constexpr int kMostAttempts = 60;
-/// Of the step control; the last is the exponent of the error before.
+/// Step-size control; kMemory is the exponent of the error before.
 constexpr double kSafety = 0.9;
 constexpr double kMostGrowth = 3.0;
 constexpr double kMemory = 0.05;
-/// Rows are chosen again when the pivot has fallen this much.
+/// Ratio of the pivot to that of the last choice below which rows are chosen again.
 constexpr double kRowsTurnBad = 1e-2;
 constexpr int kMostDodges = 8;
-/// Drift off the constraints that is allowed, by the tolerance of a step.
+/// Allowed drift off the constraints, as a share of the tolerance.
 constexpr double kDriftShare = 0.1;
-/// Share of the longest step so far below which one is no progress towards an end of reach: accelerations
-/// grow beyond bounds there.
+/// Share of the longest step so far below which a step is no progress towards the limit of reach, where
+/// accelerations grow beyond bounds.
 constexpr double kNoProgress = 1e-6;
 
 }  // namespace
@@ -51,7 +51,7 @@ ExplicitIntegrator::ExplicitIntegrator(
     start_ = y_;
 }
 
-/// `y` is moved onto the constraints first where that was decided.
+/// Evaluates ẏ at y, which is projected first if `on_manifold_` is set.
 RowsVerdict ExplicitIntegrator::evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot) {
     if (on_manifold_) { project(t, y); }
     ++counts_.evaluations;
@@ -102,13 +102,13 @@ void ExplicitIntegrator::take_step(double h) {
     }
     y_new_ = y_;
     for (std::size_t s = 0; s < stages; ++s) { add(y_new_, h * table.b[s], s); }
-    // the first stage of the next step: it must not be too near to a singular position either
+    // the end is the first stage of the next step: it must not be too near to a singular position either
     verdict_new_ = evaluate_end(t_ + h);
     lowest_pivot_ = std::min(lowest_pivot_, verdict_new_.smallest_pivot);
 }
 
-/// ẏ at the end of a step, which is moved back onto the constraints if it has drifted. Fixed steps have no
-/// tolerance that a drift could be small against: they are moved always.
+/// Evaluates ẏ at the end of a step, which is projected if it has drifted. Fixed steps have no tolerance to
+/// compare the drift with; their ends are always projected.
 RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     const bool always = options_.project && (is_fixed() || on_manifold_);
     if (on_manifold_) {
@@ -123,7 +123,7 @@ RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     const bool is_known = table_->is_first_same_as_last() && !always;
     if (is_known) { y_dot_new_ = stages_.back(); }
     const RowsVerdict verdict = is_known ? verdict_of_last_stage_ : evaluated();
-    // beside a singular position a residual is a larger error of the motion, by 1 / pivot of its rates
+    // near a singular position a residual is a larger error of the motion: its rates are wrong by 1 / pivot
     const double soft = std::min(1.0, verdict.smallest_pivot / (kNearSingular * regular_pivot_));
     const double drift = kDriftShare * options_.tolerance;
     const double allowed = std::max(soft * drift, std::min(kNearlyExact, drift));
@@ -132,9 +132,9 @@ RowsVerdict ExplicitIntegrator::evaluate_end(double t) {
     return evaluated();
 }
 
-/// Onto the constraints, of a step near a singular position: how far tells whether it stayed on its branch.
+/// Projects the end of a step near a singular position; the distance shows whether it stayed on its branch.
 void ExplicitIntegrator::correct_end(double t) {
-    std::vector<double>& before = y_dot_new_;  // of no use until the end is evaluated
+    std::vector<double>& before = y_dot_new_;  // free until the end is evaluated
     before = y_new_;
     project(t, y_new_);
     correction_ = 0.0;
@@ -143,7 +143,7 @@ void ExplicitIntegrator::correct_end(double t) {
     }
 }
 
-/// The end of the step becomes the start of the next.
+/// Makes the end of the step the start of the next.
 void ExplicitIntegrator::accept(double t) {
     t_ = t;
     std::swap(y_, y_new_);
@@ -167,9 +167,9 @@ void ExplicitIntegrator::accept(double t) {
     regular_pivot_ = std::max(regular_pivot_, verdict_.smallest_pivot);
 }
 
-/// A scene that begins at a singular position leaves out rows that have something to say a step later, or,
-/// from rest, when their residual is no rounding any more. Farther on the rank is not asked again: near a
-/// singular position numbers that do not quite fit make rows look independent.
+/// Takes the rank again near the start. A scene that begins at a singular position leaves out rows that
+/// become independent a step later or, from rest, when their residual exceeds rounding. Farther on the rank
+/// is not taken again: near a singular position, lengths that do not quite fit make rows look independent.
 void ExplicitIntegrator::take_up_rows() {
     constexpr double far = 0.1;
     is_beginning_ = scales_.way(y_.data(), start_.data()) < far;
@@ -182,14 +182,13 @@ void ExplicitIntegrator::take_up_rows() {
     y_new_ = y_;
     tried_ = t_;
     project(t_, y_);
-    // what moves against rows that it never followed was locked from the start: to first order only it is
-    // free
+    // a motion against rows that it never obeyed was locked from the start: it is free to first order only
     is_locked_ = scales_.difference(y_.data(), y_new_.data()) > kOneMotion;
     verdict_ = evaluate(t_, y_, stages_.front());
     pivot_at_choice_ = verdict_.smallest_pivot;
 }
 
-/// Not a number is told by others.
+/// Whether the end of the step violates the kept rows. False for NaN, which other checks report.
 bool ExplicitIntegrator::is_off_constraints() const {
     const double drift = is_fixed() ? 0.0 : kDriftShare * options_.tolerance;
     return options_.project && verdict_new_.violation > std::max(kMet, drift);
@@ -199,7 +198,7 @@ bool ExplicitIntegrator::is_contradicted() const {
     return options_.project && verdict_.left_out > std::max(kContradicts, options_.tolerance);
 }
 
-/// [s]
+/// Longest step allowed by rotations and harmonics [s].
 double ExplicitIntegrator::longest_step() {
     const double most = std::min(options_.most_turn, equations_->most_turn());
     if (!std::isfinite(most)) { return options_.longest_step; }
@@ -207,7 +206,7 @@ double ExplicitIntegrator::longest_step() {
     return omega > 0.0 ? std::min(options_.longest_step, most / omega) : options_.longest_step;
 }
 
-/// Other rows may say the same better. Where all are equally bad the position itself is singular.
+/// Chooses rows again, if others are better. Where all are equally bad, the position itself is singular.
 void ExplicitIntegrator::choose_rows_again() {
     const int left_out = equations_->rows_left_out();
     if (!equations_->choose_rows(t_, y_.data())) { return; }
@@ -223,8 +222,8 @@ void ExplicitIntegrator::choose_rows_again() {
     equations_->take_back_rows();
 }
 
-/// Of the step. The error before has a say too: where errors grow, the next one will be larger still, and
-/// fewer steps are taken in vain.
+/// Growth of the step by a PI controller: where errors grow, the next one will be larger still, so the error
+/// before reduces the number of rejected steps.
 double ExplicitIntegrator::growth_after(double error) {
     const double most = rejected_before_ ? 1.0 : kMostGrowth;
     const double exponent = 1.0 / table_->order - 0.2 * kMemory;
@@ -235,11 +234,11 @@ double ExplicitIntegrator::growth_after(double error) {
 }
 
 bool ExplicitIntegrator::is_near_singular() const {
-    // not a number fails every comparison
+    // NaN fails every comparison
     return options_.project && !(lowest_pivot_ >= kNearSingular * regular_pivot_);
 }
 
-/// With every stage on the constraints. What the last step left is put back.
+/// Takes the step with every stage on the constraints and restores the state of the integrator.
 bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, double t, double* y) {
     const double t_now = t_;
     const std::vector<double> y_now = y_;
@@ -259,8 +258,8 @@ bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, d
     return met;
 }
 
-/// Whether the step before, which was longer, had an error that was hardly larger: that of a motion falls
-/// with the order of the method.
+/// Whether the error is rounding: the previous attempt was longer, and its error hardly larger, whereas the
+/// error of the method falls with its order.
 bool ExplicitIntegrator::is_rounding(double error, double h) const {
     return h < rejected_.h && error > std::pow(h / rejected_.h, 2) * rejected_.error;
 }
@@ -282,15 +281,15 @@ bool ExplicitIntegrator::step(double t_end) {
             on_manifold_ = true;
             take_step(h);
             if (lowest_pivot_ < kTooNear * regular_pivot_ && dodges < kMostDodges) {
-                // where no length helps the whole motion is singular: then the step is as long as it was, or
-                // shorter and shorter ones would never reach the end of the run
+                // where no length helps, the whole motion is singular: then the original length is kept,
+                // since shorter and shorter steps would never reach the end of the run
                 h_ = ++dodges < kMostDodges ? kDodge * h : wanted;
                 continue;
             }
         }
         tried_ = ahead.end;
         if (is_off_constraints()) {
-            // out of reach: nothing but a shorter step may help
+            // out of reach: only a shorter step may help
             if (is_fixed() || h < kNoProgress * longest_taken_) { return false; }
             ++counts_.rejected;
             rejected_before_ = true;

@@ -7,11 +7,12 @@
 #include "core/dynamics/stiffness.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
-/// Explicit Runge-Kutta methods with steps that follow the error, made for constraints.
+/// Explicit Runge-Kutta methods with step-size control, for constrained motion.
 namespace jw {
 
-/// Keeps one set of rows over a step and chooses anew when it turns bad. A step near a singular position is
-/// repeated with every stage moved onto the constraints first, where small residuals do no harm.
+/// Integrator that keeps one choice of rows over a step and chooses again when its pivots turn bad. A step
+/// near a singular position is repeated with every stage projected onto the constraints first, where small
+/// residuals do no harm.
 class ExplicitIntegrator final : public TimeStepper {
 public:
     /// `equations` must outlive this; `y` is projected first.
@@ -38,8 +39,8 @@ private:
     double error_of(double h) const;
     void choose_rows_again();
     void take_up_rows();
-    bool is_off_constraints() const;  ///< at the end of the step, projected or not
-    bool is_contradicted() const;     ///< by rows left out, at its start
+    bool is_off_constraints() const;  ///< whether the end of the step violates the kept rows
+    bool is_contradicted() const;     ///< whether rows left out are violated at the start of the step
     double longest_step();
     bool is_fixed() const { return options_.fixed_step > 0.0; }
     void project(double t, std::vector<double>& y);
@@ -54,35 +55,35 @@ private:
     StateScales scales_;
     StiffnessTest stiffness_;
     double t_;
-    double h_ = 0.0;             ///< to try next [s]
-    double regular_step_ = 0.0;  ///< last one away from singular positions [s]
+    double h_ = 0.0;             ///< step to try next [s]
+    double regular_step_ = 0.0;  ///< last step away from singular positions [s]
     bool rejected_before_ = false;
-    /// Attempt at this step that was refused last; none: no length.
+    /// Last rejected attempt at this step; h = 0 if there is none.
     struct Attempt {
         double h = 0.0;
-        double error = 0.0;  ///< by the tolerance
+        double error = 0.0;  ///< relative to the tolerance
     };
     Attempt rejected_;
-    double last_error_ = 1e-4;  ///< of the last step taken, by the tolerance
+    double last_error_ = 1e-4;  ///< error of the last accepted step, relative to the tolerance
     std::vector<double> y_;
     std::vector<double> y_new_;
     std::vector<double> y_dot_new_;
     std::vector<std::vector<double>> stages_;
     std::vector<double> flat_;
-    RowsVerdict verdict_;      ///< at the start of the step
-    RowsVerdict verdict_new_;  ///< at its end
+    RowsVerdict verdict_;      ///< verdict at the start of the step
+    RowsVerdict verdict_new_;  ///< verdict at its end
     RowsVerdict verdict_of_last_stage_;
     double pivot_at_choice_ = 1.0;
-    double regular_pivot_ = 1.0;  ///< largest so far: rows may have been chosen beside a singular position
+    double regular_pivot_ = 1.0;  ///< largest so far: a choice may have been made near a singular position
     std::vector<double> start_;
     bool is_beginning_ = true;
     bool began_singular_ = false;
-    bool is_locked_ = false;  ///< by rows that were left out at the start
+    bool is_locked_ = false;  ///< whether rows left out at the start lock the motion
     double left_out_asked_ = kAskedFrom;
     double tried_ = 0.0;          ///< end of the last attempt [s]
     double longest_taken_ = 0.0;  ///< longest step so far [s]
-    double lowest_pivot_ = 1.0;   ///< over the stages of the last step
-    double correction_ = 0.0;     ///< of the end of a step on the manifold, by the scales of the motion
+    double lowest_pivot_ = 1.0;   ///< lowest pivot over the stages of the last step
+    double correction_ = 0.0;     ///< projection of the end of a singular step, in scales of the motion
     bool on_manifold_ = false;    ///< stages are projected before they are evaluated
 };
 

@@ -6,7 +6,7 @@
 
 #include "core/mechanism.hpp"
 
-/// The state of the equations of motion as one row of numbers: r, p, ṙ, ω' for every moving body.
+/// Flat state of the equations of motion: an array of r, p, ṙ, ω' for every moving body.
 namespace jw {
 
 inline constexpr int kNumbersPerBody = 13;
@@ -26,30 +26,30 @@ inline const double* body_numbers(const double* y, std::size_t n) {
 }
 
 std::vector<int> moving_bodies_of(const Mechanism& mechanism);
-/// The state as the mechanism's author gave it.
+/// Flat state of the start pose and velocities as given.
 std::vector<double> flat_start(const Mechanism& mechanism);
 
-/// y of a state and a motion; `moving` lists the moving bodies.
+/// Writes a state and a motion to y; `moving` lists the moving bodies.
 void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y);
-/// Back; bodies that do not move stay as they are.
+/// Reads state and motion from y; bodies that do not move are left unchanged.
 void unpack(const double* y, std::span<const int> moving, State& state, Motion& motion);
 
-/// What a number of y is, for those who compare errors.
+/// Kind and weight of a number of y, for error norms.
 struct NumberScale {
     enum class Kind { way, turn, velocity, omega };
     Kind kind = Kind::way;
-    double weight = 1.0;  ///< so many times its size is what it moves
+    double weight = 1.0;  ///< displacement or velocity that the number causes, as a multiple of its size
 };
 
-/// Bodies of r, p, ṙ and three numbers of turning, ω or ω', or four, ṗ.
+/// Scales of bodies with r, p, ṙ and three numbers of rotation, ω or ω', or four, ṗ.
 std::vector<NumberScale> flat_scales(int size, int numbers_per_body);
 
-/// r and p of all bodies, then their rates, then half their second derivatives.
+/// Writes r and p of all bodies, then their rates, then half their second derivatives.
 void flat_derivatives(const double* y, const double* y_dot, int bodies, double* out);
-/// Back, from values and rates; p need not be unit.
+/// Writes y from values and rates of r and p; p need not be unit.
 void flat_state_of(const double* value, const double* rate, int bodies, double* y);
 
-/// y moved by six numbers per body: translation [m] and turn [rad, body frame]; velocities stay.
+/// Moves y by six numbers per body: translation [m] and rotation [rad, body frame]; velocities are unchanged.
 void displace(double* y, const double* six, std::size_t bodies);
 
 }  // namespace jw

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Everything that a function calls is compiled into it: jets of a few numbers cost more to hand over than to
-/// compute. Not with sanitizers, where that takes minutes and gigabytes to compile.
+/// Inlines everything that a function calls: passing jets of a few numbers costs more than computing them.
+/// Disabled with sanitizers, where compiling that takes minutes and gigabytes.
 #if defined(__SANITIZE_ADDRESS__)
 #define JW_FLATTEN
 #else

@@ -13,16 +13,16 @@ namespace {
 using Bodies = std::span<const BodyKinematics<OmegaLocal>>;
 using Forces = std::span<BodyForce>;
 
-/// Force `f` at a point of a body.
+/// Adds a force `f` (global) at a point of a body.
 void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const Vec3& f) {
     forces[at(body)].f += f;
     forces[at(body)].n_local += point_local.cross(bodies[at(body)].A.transpose() * f);
 }
 
-/// Distance of a spring's ends, and how fast it grows.
+/// Distance between a spring's ends, and its rate.
 struct Stretch {
     double length = 0.0;        ///< [m]
-    Vec3 along = Vec3::Zero();  ///< unit, from i to j; zero where the ends meet
+    Vec3 along = Vec3::Zero();  ///< unit vector from i to j; zero where the ends coincide
     double rate = 0.0;          ///< [m/s]
 };
 Stretch stretch_of(const Spring& spring, Bodies bodies) {
@@ -37,7 +37,7 @@ Stretch stretch_of(const Spring& spring, Bodies bodies) {
     return out;
 }
 
-/// θ - θ0, as near as can be to what it was, and θ̇.
+/// θ - θ0 with the turns nearest to the last value [rad], and θ̇ [rad/s].
 struct Twist {
     double angle = 0.0;
     double rate = 0.0;
@@ -102,7 +102,8 @@ void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
 
 void begin_turns(Loads& loads, Bodies bodies) {
     constexpr double half_turn = std::numbers::pi;
-    constexpr double rounding = 1e-9;  // of π typed in degrees, and of a joint that starts half a turn away
+    // of π typed in degrees, and of a joint that starts half a turn away
+    constexpr double rounding = 1e-9;
     for (RotationalSpring& spring : loads.rotational_springs) {
         spring.twist_before = 0.0;
         if (std::abs(spring.free_angle) <= half_turn + rounding) { continue; }

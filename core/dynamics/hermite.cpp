@@ -7,7 +7,7 @@ void HermitePolynomial::fit(std::span<const Node> nodes, Meets meets) {
     const auto node_of = [&](Eigen::Index k) -> const Node& { return nodes[at(k) / each]; };
     size_ = static_cast<Eigen::Index>(each * nodes.size());
     const Eigen::Index rows = nodes.front().known.rows();
-    // as large as it may become, so that no later fit allocates
+    // largest size, so that no later fit allocates
     coefficients_.resize(rows, 3 * kMostNodes);
     differences_.resize(rows, 3 * kMostNodes);
     value_and_rate_.resize(rows, 2);

@@ -12,13 +12,13 @@ namespace jw {
 
 namespace {
 
-/// Smallest share of the largest pivot with which coordinates still tell the freedoms apart.
+/// Smallest ratio of pivots with which coordinates still distinguish the freedoms.
 constexpr double kDistinct = 0.05;
-/// Share of its first value to which the sine between coordinates may fall on the way.
+/// Share of its first value to which the sine of the angle between coordinates may fall during the motion.
 constexpr double kStillDistinct = 0.3;
 
-/// How much a coordinate tells of a motion along its gradient, 1 at best. e_k is a cosine: near ±1 it says
-/// nothing of a turn, and on which side of it the body stands.
+/// Sensitivity of a coordinate to a motion along its gradient, 1 at best. e_k is a cosine: near ±1 it is
+/// insensitive to rotation and does not show on which side of it the body is.
 double sharpness_of(const IndependentCoordinate& c, const MeasureJet& jet) {
     const auto* of_body = std::get_if<CoordinateMeasure>(&c.measure);
     return of_body != nullptr && of_body->coordinate >= 3 ? 2.0 * jet.by_j.norm() : 1.0;
@@ -102,14 +102,14 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     std::vector<double> y_dot(at(equations_->size()));
     equations_->evaluate(t, y, y_dot.data());
     pivot_of_rows_ = equations_->smallest_pivot();
-    // lengths and turns by the size of the scene; orthonormal, so that masses do not decide
+    // displacements and rotations scaled by the extent; orthonormal, so that masses do not decide
     MatrixX free = equations_->free_motions(t, y);
     const double length = extent(scene_->mechanism);
     for (Eigen::Index k = 0; k < free.rows(); ++k) { free.row(k) *= k % 6 < 3 ? 1.0 : length; }
     const Eigen::Index d = free.cols();
     free = (Eigen::HouseholderQR<MatrixX>(free).householderQ() * MatrixX::Identity(free.rows(), d)).eval();
     const auto choose_from = [&](const std::vector<IndependentCoordinate>& candidates) {
-        // what is left of a gradient of size 1: a coordinate at its end tells nothing of any motion
+        // projection of unit gradients; a coordinate at the end of its range is insensitive to any motion
         MatrixX rows = gradients(candidates, y);
         for (Eigen::Index k = 0; k < rows.cols(); ++k) { rows.col(k) /= k % 6 < 3 ? 1.0 : length; }
         for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -125,8 +125,8 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
         for (Eigen::Index k = 0; k < d; ++k) {
             chosen_.push_back(candidates[at(qr.colsPermutation().indices()(k))]);
         }
-        // where no candidate takes part in the free motions all pivots are rounding, and none is smaller
-        // than the first: the number of a body that takes part most is asked, too
+        // where no candidate takes part in the free motions, all pivots are rounding and similar in size;
+        // hence the comparison with the coordinate of a body that takes part most
         const double most = std::max(std::abs(qr.matrixR()(0, 0)), free.rowwise().norm().maxCoeff());
         return std::abs(qr.matrixR()(d - 1, d - 1)) / most;
     };
@@ -169,7 +169,7 @@ double IndependentCoordinates::pivot_left() const {
 
 double IndependentCoordinates::pivot_with_coordinates_left() const { return driven_->share_of_pivots(); }
 
-/// The coordinates become x at t, and go on with their rates.
+/// Sets the drivers of the coordinates to x at t, continuing with their rates.
 void IndependentCoordinates::drive(double t, const VectorX& x) {
     const auto d = static_cast<Eigen::Index>(chosen_.size());
     const int first = static_cast<int>(scene_->mechanism.drivers.size());

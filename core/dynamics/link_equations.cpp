@@ -21,7 +21,7 @@ ScrewTurned screw_turned(const Joint& joint) {
     return {displacement_of(joint), angle_of(joint), g.alpha, g.d_0, g.theta_0};
 }
 
-/// The primitive of a constraint without its artificial coordinate; nothing for the angle row of a screw.
+/// Primitive of a constraint without its artificial coordinate; none for the angle row of a screw.
 std::optional<LinkPrimitive> link_primitive(const Constraint& c, const Joint& joint) {
     return std::visit(
         [&](const auto& p) -> std::optional<LinkPrimitive> {
@@ -44,7 +44,8 @@ void append(Link& link, LinkEquation equation) {
     link.equations.push_back(std::move(equation));
 }
 
-/// The link for another equation of a joint: the last one if it is of the same joint and has room.
+/// Link for another equation of a joint: the last one if it belongs to the same joint and has room, else a
+/// new one.
 Link& link_of_joint(std::vector<Link>& links, const Constraint& c, int rows) {
     if (links.empty() || links.back().joint != c.joint || links.back().rows + rows > kMostRows) {
         links.push_back({c.joint, -1, c.body_i, c.body_j, {}, 0});

@@ -9,18 +9,18 @@
 #include "core/drivers.hpp"
 #include "core/system.hpp"
 
-/// The constraint equations as the equations of motion want them: grouped by the pair of bodies that they
-/// link, without artificial coordinates (which have no mass).
+/// Constraint equations for the equations of motion: grouped by the pair of bodies that they link, without
+/// artificial coordinates (which have no mass).
 namespace jw {
 
-/// The angle of a screw, whole turns included, at a moment of a motion.
+/// Angle of a screw, including whole turns, at a moment of a motion.
 struct TurnsSoFar {
     double t;      ///< [s]
     double theta;  ///< [rad]
     double rate;   ///< [rad/s]
 };
 
-/// A screw without its θ: Φ = (d - d0) - α (θ - θ0) with θ the angle from u_i to u_j (m).
+/// Screw without its coordinate θ: Φ = (d - d0) - α (θ - θ0) [m], with θ the angle from u_i to u_j.
 struct ScrewTurned {
     static constexpr int kEquations = 1;
     DisplacementMeasure displacement;
@@ -28,14 +28,13 @@ struct ScrewTurned {
     double alpha;    ///< [m/rad]
     double d_0;      ///< [m]
     double theta_0;  ///< [rad]
-    /// Two directions tell their angle up to whole turns only. In a motion these are counted on from here, by
-    /// the rate; a pose alone has as many as fit its displacement best.
+    /// Turns of the angle so far. Two directions determine their angle up to whole turns only. During a
+    /// motion these are counted from here by the rate; a pose alone has as many as fit its displacement best.
     std::optional<TurnsSoFar> so_far = std::nullopt;
 
-    /// Φ where the nut has advanced by so much [m] and turned by an angle known up to whole turns [rad] at
-    /// time t [s].
+    /// Φ [m] of an advance [m] and an angle known up to whole turns [rad] at time t [s].
     double residual(double advanced, double turned, double t) const;
-    /// Φ of a pose of which nothing is known but itself: at most half a turn's displacement.
+    /// Φ [m] of a pose alone, at most half a turn's displacement.
     double residual_up_to_turns(double phi) const {
         return std::remainder(phi, 2.0 * std::numbers::pi * alpha);
     }
@@ -48,7 +47,7 @@ inline double ScrewTurned::residual(double advanced, double turned, double t) co
     return missing(expected + std::remainder(turned - expected, 2.0 * std::numbers::pi));
 }
 
-/// A measure that follows a function of time. θ of a screw is driven as its angle.
+/// Driver: a measure minus a function of time. θ of a screw is driven as its angle.
 struct Driven {
     static constexpr int kEquations = 1;
     Measure measure;
@@ -57,7 +56,7 @@ struct Driven {
 
 using LinkPrimitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, Driven>;
 
-/// Equations of one primitive between two bodies; rows of its link that it fills from `first_row` on.
+/// Equations of one primitive between two bodies, in the rows of its link from `first_row` on.
 struct LinkEquation {
     LinkPrimitive primitive;
     int driver = -1;        ///< index in the mechanism, -1 for an equation of a joint
@@ -66,7 +65,7 @@ struct LinkEquation {
     int rows = 0;
 };
 
-/// Rows that are factored together: those of a joint (or a driver) between two bodies.
+/// Link: rows of a joint (or a driver) between two bodies, which are factored together.
 struct Link {
     int joint = -1;   ///< index in the mechanism, -1 for a driver
     int driver = -1;  ///< index in the mechanism, -1 for a joint
@@ -76,27 +75,28 @@ struct Link {
     int rows = 0;
 };
 
-/// All joints and drivers as links of at most `kMostRows` rows. p1 and p2 under the rule (or with all three
-/// equations) become their n1 / n2 pair: condition 1 for every axis, so that no row has to be switched on the
-/// way. Forms chosen by hand stay what they are.
+/// Converts all joints and drivers to links of at most `kMostRows` rows. p1 and p2 under the rule (or with
+/// all three equations) become their n1 / n2 pair, which has condition 1 for every axis, so that no row has
+/// to be switched on the way. Forms chosen by hand are kept.
 inline constexpr int kMostRows = 6;
 std::vector<Link> links_of(const Mechanism& mechanism);
 
-/// The same with the drivers' rows in links of joints between the same bodies, where they have room.
+/// Moves the rows of drivers into links between the same bodies where these have room.
 std::vector<Link> with_drivers_joined(std::vector<Link> links);
 
-/// What is left of Φ where only the pose counts, and not how many turns it took to get there.
+/// Φ without whole turns of a screw, which a pose does not determine.
 double up_to_turns(const LinkPrimitive& primitive, double phi);
 
-/// Tells a screw its turns at `t` [s], of bodies with their motion set; anything else is left alone. A start
-/// has as many as its displacement says; after that they are counted on by the rates, at both ends of a step.
+/// Sets the turns of a screw at `t` [s] from bodies with their motion set; does nothing for other primitives.
+/// At a start the displacement determines them; after that they are counted by the rates at both ends of a
+/// step.
 enum class Turns { of_start, of_motion };
 void tell_turns(
     LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,
     const BodyKinematics<OmegaLocal>& j);
 
-/// Rows of one primitive at a time: value, and as asked for by K the Jacobian or the motion.
-/// Calls `f(jet, f_dot, f_ddot)`; the two are those of a driver's function, else 0.
+/// Evaluates the rows of a primitive: value and, depending on K, Jacobian or motion. Calls `f(jet, f_dot,
+/// f_ddot)`; f_dot and f_ddot are those of a driver's function, else 0.
 template <Content K, class C, class F>
 void visit_rows(
     const LinkPrimitive& primitive, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t, F&& f) {

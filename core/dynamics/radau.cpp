@@ -12,21 +12,21 @@ namespace {
 
 constexpr int kMostAttempts = 60;
 constexpr int kMostIterations = 10;
-/// The polynomial of a step is continued over so many times its length.
+/// Ratio of step lengths up to which the polynomial of the last step predicts y.
 constexpr double kFarthest = 2.0;
 constexpr int kMostDodges = 12;
-/// A step one of whose stages lies so near passes through a singular position; the square of 0.03.
+/// Pivot of a stage below which a step passes through a singular position: the square of 0.03.
 constexpr double kThrough = 1e-3;
 /// Share of the last regular step below which one near a singular position is given up.
 constexpr double kGivesUp = 1e-3;
-/// Contraction of Newton's iteration that makes a new Jacobian worth its evaluations.
+/// Contraction of Newton's iteration from which a new Jacobian is worth its evaluations.
 constexpr double kSlowContraction = 0.1;
-/// Changes that are this small beside the tolerance cannot spoil a step.
+/// Size of a change, relative to the tolerance, that cannot spoil a step.
 constexpr double kRoundingSeen = 1e-3;
-constexpr double kRoundingNear = 0.1;  ///< where no more is to be had, near a singular position
-/// Error of a step through a singular position, by the tolerance, that is taken for rounding.
+constexpr double kRoundingNear = 0.1;  ///< the same near a singular position, where rounding allows no more
+/// Error of a step through a singular position, relative to the tolerance, that is attributed to rounding.
 constexpr double kMostRoundingThrough = 10.0;
-/// Contraction with which a longer step would not converge.
+/// Contraction above which a longer step would not converge.
 constexpr double kNearlyFailed = 0.3;
 
 /// Weights w with Σ w_j p(x_j) = p(x) for all polynomials below the number of nodes.
@@ -76,7 +76,7 @@ void RadauIntegrator::evaluate(
     if (coordinates_->are_projected()) { ++counts_.projections; }
 }
 
-/// What was known of the last step in other coordinates is of no use any more.
+/// Chooses new coordinates; what is stored of the last step in the old ones is discarded.
 void RadauIntegrator::choose_coordinates() {
     x_ = coordinates_->choose(t_, y_.data());
     x_dot_ = VectorX::Zero(x_.size());
@@ -101,7 +101,7 @@ void RadauIntegrator::renew_jacobian() {
     VectorX y_rate(y.size());
     reduced_.resize(n, n);
     for (Eigen::Index k = 0; k < n; ++k) {
-        // forward differences lose half the digits whatever the step; this is the middle
+        // step of forward differences: the square root of rounding
         const double step = 1e-8 * x_scale_(k);
         moved = x_;
         moved(k) += step;
@@ -133,7 +133,7 @@ VectorX RadauIntegrator::weights(double tau) const {
     return lagrange_weights(nodes, tau);
 }
 
-/// Stages to start from: the polynomial of the last step, continued.
+/// Initial stages: the polynomial of the last step, extrapolated.
 void RadauIntegrator::predict(double h) {
     for (Eigen::Index i = 0; i < x_stages_.cols(); ++i) {
         x_stages_.col(i) = x_;
@@ -141,13 +141,13 @@ void RadauIntegrator::predict(double h) {
         if (step_before_ == 0.0) { continue; }
         const VectorX w = weights(1.0 + table_.c(i) * h / step_before_);
         x_stages_.col(i) = x_before_ * w;
-        // far beyond its step a polynomial leads anywhere, also to where another pose is nearer
+        // far beyond its step a polynomial leads anywhere, also near another branch
         if (h <= kFarthest * step_before_) { y_stages_.col(i) = y_before_ * w; }
     }
 }
 
 double RadauIntegrator::norm(const VectorX& change) const {
-    // drivers leave nothing free
+    // no freedoms: the drivers determine everything
     if (change.size() == 0) { return 0.0; }
     return change.cwiseQuotient(x_scale_).norm() / std::sqrt(static_cast<double>(change.size())) /
            options_.tolerance;
@@ -158,7 +158,8 @@ bool RadauIntegrator::NewtonEnd::is_too_near() const {
     return std::min(pivot_left, pivot_with_coordinates_left) < kTooNear;
 }
 
-/// What rounding of accelerations does to velocities in a step near a singular position, by the tolerance.
+/// Effect of the rounding of accelerations on velocities in a step near a singular position, relative to the
+/// tolerance.
 double RadauIntegrator::rounding_through(double h, double pivot) const {
     return h * scales_.omega() * rounding_of_acceleration(pivot) / options_.tolerance;
 }
@@ -166,7 +167,7 @@ double RadauIntegrator::rounding_through(double h, double pivot) const {
 RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
     const Eigen::Index stages = table_.c.size();
     const Eigen::Index n = reduced_.rows();
-    // what is left of the iteration shall not be seen in the error of the step
+    // the remaining error of the iteration must not show in the error of the step
     const double enough = std::max(1e-15 / options_.tolerance, std::min(0.03, std::sqrt(options_.tolerance)));
     NewtonEnd end;
     double last = 0.0;
@@ -196,7 +197,7 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
                                         ? std::max(kRoundingNear, rounding_through(h, end.pivot_left))
                                         : kRoundingSeen;
             if (end.contraction > kSlowContraction && size <= rounding) {
-                // so near, only rounding keeps it from contracting
+                // this close, only rounding prevents contraction
                 end.contraction = kSlowContraction;
                 end.converged = true;
                 return end;
@@ -224,7 +225,7 @@ double RadauIntegrator::error_of(double h, bool doubtful) {
     };
     const VectorX error = filtered(x_dot_);
     if (!doubtful || norm(error) < 1.0) { return norm(error); }
-    // what stiff parts of the first estimate exaggerate is damped by a second one
+    // a second filtering damps what stiff components exaggerate in the first estimate
     VectorX y = start_numbers();
     VectorX y_rate(y.size());
     VectorX rate(x_.size());
@@ -250,31 +251,31 @@ void RadauIntegrator::accept(double h, double t) {
     const double left_out = coordinates_->verdict().left_out;
     const bool ask_again = left_out > left_out_asked_;
     if (ask_again) { left_out_asked_ = kAskedAgain * left_out; }
-    // in the next step: until then what lies within this one is asked for in its own coordinates
+    // chosen in the next step: samples within this one still need its coordinates
     choose_again_ = ask_again || !coordinates_->is_sound();
 }
 
-/// Newton's iteration failed, or a stage lies too near to a singular position.
+/// Prepares another attempt after Newton's iteration failed or a stage lies too near to a singular position.
 /// @return false if there is no more to try
 bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& trial) {
     ++counts_.rejected;
     if (newton.is_near_singular() && !newton.converged && !trial.without_slope) {
-        // slopes of accelerations grow beyond bounds at one point: of the step they say nothing
+        // slopes of accelerations grow beyond bounds at one point and say nothing of the step
         trial.without_slope = true;
         reduced_.setZero();
         factored_step_ = 0.0;
         return true;
     }
     if (newton.is_near_singular() && trial.dodges < kMostDodges) {
-        // shorter steps would only find the singular position: another length steps over it
+        // shorter steps would only find the singular position; another length steps over it
         ++trial.dodges;
         h_ = kDodge * h;
         return true;
     }
-    // to creep up to it is no way past it: accelerations are rounding there
+    // creeping up to it does not lead past it: accelerations are rounding there
     if (newton.is_near_singular() && h < kGivesUp * regular_step_) { return false; }
     if (trial.renewed) { h_ = 0.5 * h; }
-    // what Newton's iteration could not do now it cannot do in the next steps either
+    // a step that did not converge now would not converge in the next steps either
     trial.most_growth = most_growth_ = 1.0;
     if (!trial.renewed) { renew_jacobian(); }
     trial.renewed = true;
@@ -308,7 +309,7 @@ bool RadauIntegrator::step(double t_end) {
         predict(h);
         const NewtonEnd newton = solve_stages(h);
         tried_ = ahead.end;
-        // where nothing meets the equations, a shorter step may stay within reach
+        // where no state satisfies the equations, a shorter step may stay within reach
         if (!newton.converged || newton.is_too_near() || newton.violation > kMet) {
             if (!try_otherwise(h, newton, trial)) { return false; }
             continue;
@@ -344,7 +345,7 @@ bool RadauIntegrator::step(double t_end) {
         if (fixed || ahead.last) { return true; }
         const double slow = newton.contraction > kNearlyFailed ? 1.0 : trial.most_growth;
         const double wanted = std::min(growth, trial.doubtful ? 1.0 : slow);
-        // the factors of this step serve the next one too
+        // keeps h, so that the factors of this step serve the next one too
         h_ = wanted >= 1.0 && wanted <= 1.2 ? h : h * wanted;
         if (singular) { h_ = std::max(h_, kSmallestShare * regular_step_); }
         return true;

@@ -3,15 +3,15 @@
 
 #include "core/dynamics/radau.hpp"
 
-/// Whether the stages of a step, and what lies between them, belong to the motion that led there.
+/// Checks that the stages of a step, and the states between them, belong to the motion that led there.
 namespace jw {
 
 namespace {
 
-/// Of a body within a step [rad]: where drivers leave little or nothing free, no error of the few free
-/// numbers tells that the others were passed over.
+/// Largest rotation of a body within a step [rad]: where drivers leave little or no freedom, no error of the
+/// few independent numbers shows that the others were passed over.
 constexpr double kMostTurn = 1.0;
-/// Share of the way, and of the fastest motion, by which stages may miss where their rates lead.
+/// Deviation of stages from where their rates lead, as a share of the displacement and of the fastest motion.
 constexpr double kMostShareOff = 0.1;
 /// Rounding of acos near 1 [rad].
 constexpr double kNoTurn = 1e-6;
@@ -36,8 +36,9 @@ RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {
     return turning;
 }
 
-/// From rest, or where a driver begins to turn, the rate is known on the way only; and a pose that no
-/// velocity leads to is another one that satisfies the same equations. h_ is a shorter step then.
+/// Whether a body turned too far; sets h_ to a shorter step then. From rest, or where a driver begins to
+/// turn, the rate is known only within the step; and a pose that no velocity leads to belongs to another
+/// solution of the same equations.
 bool RadauIntegrator::turned_too_far(double h) {
     const Turning turning = turning_of_stages();
     const double rate = std::max(fastest_turn(*equations_, y_.data(), flat_), turning.rate);
@@ -50,9 +51,9 @@ bool RadauIntegrator::turned_too_far(double h) {
     return true;
 }
 
-/// Stages y_i = y_0 + h Σ a_ij ẏ_j hold for all numbers of a motion up to the error of the method, and only
-/// the independent ones are made to. A stage that lies on another branch, or a turn of a thread farther, is
-/// where no velocity leads.
+/// Stages y_i = y_0 + h Σ a_ij ẏ_j hold for all numbers of a motion up to the error of the method, but only
+/// the independent ones are made to satisfy them. No velocity leads to a stage on another branch, or a turn
+/// of a thread away.
 bool RadauIntegrator::is_one_motion(double h) const {
     if (!coordinates_->are_projected()) { return true; }
     const MatrixX led = (h * y_rates_ * table_.a.transpose()).colwise() + start_numbers();
@@ -74,8 +75,8 @@ bool RadauIntegrator::is_one_motion(double h) const {
 
 double RadauIntegrator::most_turn() const { return std::min(kMostTurn, options_.most_turn); }
 
-/// Where the independent coordinates hardly tell where the others are, the pose that they lead to may be one
-/// of another branch: then the nearest one on the constraints is meant.
+/// Where the independent coordinates hardly determine the others, the pose that they lead to may be on
+/// another branch; then the polynomial of all numbers is projected onto the constraints instead.
 bool RadauIntegrator::interpolate(double t, double* y) {
     const VectorX w = weights(1.0 - (t_ - t) / last_step_);
     const VectorX estimate = y_before_ * w;

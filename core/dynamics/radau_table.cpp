@@ -24,7 +24,7 @@ VectorX radau_nodes(int stages) {
     };
     const auto value = [&](double x) { return legendre(stages, x) - legendre(stages - 1, x); };
     for (int i = 0; i < stages - 1; ++i) {
-        // each of these intervals holds exactly one
+        // each of these intervals contains exactly one zero
         double left = -std::cos(std::numbers::pi * i / (stages - 0.5));
         double right = -std::cos(std::numbers::pi * (i + 1) / (stages - 0.5));
         const bool rising = value(left) < 0.0;
@@ -43,7 +43,8 @@ VectorX radau_nodes(int stages) {
 RadauTable radau_table(int stages) {
     RadauTable table;
     table.c = radau_nodes(stages);
-    // a integrates every polynomial below degree s exactly from 0 to c_i: a V = C, V and C of powers
+    // a integrates polynomials of degree below s exactly from 0 to c_i: a V = C with the powers V and their
+    // integrals C
     MatrixX powers(stages, stages);
     MatrixX integrals(stages, stages);
     for (int i = 0; i < stages; ++i) {

@@ -16,17 +16,17 @@ namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-/// A component belongs to the family if it takes part by more than this: far above the error of a null
-/// vector, which is the error of the state over the smallest singular value.
+/// Share above which a component takes part in a member of the family: far above the error of a null vector,
+/// which is the error of the state over the smallest singular value.
 constexpr double kTakesPart = 1e-6;
 
-// accelerations are solved for by factors of Φq M⁻¹ Φqᵀ, whose condition is that of Φq squared
+// accelerations come from factors of Φq M⁻¹ Φqᵀ, whose condition is that of Φq squared
 constexpr double kRoundings = 1e5;
 
 /// M q̈ - Q of every moving body: forces, then torques about the centre of mass over ℓ, global.
 struct Needed {
     VectorX wrenches;
-    double size = 0.0;  ///< of the terms whose difference this is
+    double size = 0.0;  ///< size of the terms whose difference this is
 };
 Needed needed_wrenches(const Situation& s, const Motion& velocity, const Motion& acceleration) {
     const Loads& loads = s.scene->loads;
@@ -63,7 +63,7 @@ Mat3 axes_along(const Vec3& direction) {
     return axes;
 }
 
-/// Everything but the numbers of its wrench.
+/// Reaction of a link without its wrench.
 Reaction reaction_of(const Link& link, const Situation& situation) {
     const Place place = place_of(link, situation);
     Reaction out;
@@ -83,7 +83,7 @@ public:
 
     const std::vector<Reaction>& reactions() const { return reactions_; }
     std::size_t size() const { return carriers_.size(); }
-    /// x = (smallest answer, then the family).
+    /// Columns: the smallest solution x, then the family.
     MatrixX answers(const VectorX& needed) const;
     double residual(const VectorX& x, const Needed& needed) const;
     double bound() const;
@@ -147,7 +147,7 @@ double Bracing::first_lambda(std::size_t link, const VectorX& x) const {
     return carriers_[link].lambda.row(0).dot(part(link, x));
 }
 
-/// Force or torque along what the driver prescribes: λ belongs to f, or to f² of a distance.
+/// Force or torque along the quantity that the driver prescribes: λ belongs to f, or to f² for a distance.
 double effort_of(const Driver& driver, double lambda, double t) {
     const bool squared = std::holds_alternative<SquaredDistanceMeasure>(driver.measure);
     return squared ? 2.0 * driver.function.at(t).f * lambda : lambda;

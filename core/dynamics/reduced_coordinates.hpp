@@ -3,7 +3,7 @@
 #include "core/dynamics/motion_equations.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
-/// What implicit methods integrate: ẋ = f(t, x) with few numbers that no constraint binds.
+/// Coordinates of implicit methods: ẋ = f(t, x) with few numbers that no constraint couples.
 namespace jw {
 
 class ReducedCoordinates {
@@ -13,30 +13,30 @@ public:
     ReducedCoordinates(const ReducedCoordinates&) = delete;
     ReducedCoordinates& operator=(const ReducedCoordinates&) = delete;
 
-    /// Chooses what x is at y. @return x there
+    /// Chooses coordinates at y. @return x there
     virtual VectorX choose(double t, const double* y) = 0;
-    /// Whether the choice is still good where it was evaluated last.
+    /// Whether the choice is still valid at the last evaluation.
     virtual bool is_sound() const = 0;
-    /// Smallest pivot of the rows where it was evaluated last, by the best that any choice began with: falls
-    /// as (distance)² to a singular position.
+    /// Smallest pivot of the rows at the last evaluation, relative to the best at any choice: falls as
+    /// (distance)² towards a singular position.
     virtual double pivot_left() const { return 1.0; }
-    /// The same of rows and coordinates together, by what this choice began with: falls also where the
-    /// coordinates stop telling the freedoms apart.
+    /// The same for rows and coordinates together, relative to their pivots at this choice: falls also where
+    /// the coordinates stop distinguishing the freedoms.
     virtual double pivot_with_coordinates_left() const { return 1.0; }
-    /// Moves y, an estimate, to where the coordinates are x, and tells ẏ and ẋ.
+    /// Moves y, an estimate, to the state with coordinates x, and computes ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
-    /// The motion has come to y: whole turns are counted on from there.
+    /// Continues the count of whole turns at y, the next state of the motion.
     virtual void follow_turns(double /*t*/, const double* /*y*/) {}
-    /// Whether that takes a projection.
+    /// Whether `evaluate` projects y.
     virtual bool are_projected() const { return true; }
-    /// Of the equations there.
+    /// Verdict of the equations at the last evaluation.
     virtual RowsVerdict verdict() const { return {}; }
-    /// Sizes that changes of x are compared with.
+    /// Scales for changes of x.
     virtual VectorX sizes(const StateScales& scales) const = 0;
 };
 
-/// Equations without rows: x is y itself. They must outlive this.
+/// Coordinates of equations without rows: x is y itself. The equations must outlive this.
 class FreeCoordinates final : public ReducedCoordinates {
 public:
     explicit FreeCoordinates(MotionEquations& equations) : equations_(&equations) {}

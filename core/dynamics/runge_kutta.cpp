@@ -21,7 +21,7 @@ Row row(std::initializer_list<Entry> entries) {
     return out;
 }
 
-/// Fills in the nodes c, the row sums of a.
+/// Sets the nodes c to the row sums of a.
 RungeKuttaTable with_nodes(RungeKuttaTable table) {
     for (std::size_t s = 0; s < table.a.size(); ++s) {
         table.c[s] = std::accumulate(table.a[s].begin(), table.a[s].end(), 0.0);

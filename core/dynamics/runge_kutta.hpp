@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-/// Explicit Runge-Kutta methods as tables.
+/// Tableaux of explicit Runge-Kutta methods.
 namespace jw {
 
 /// y_new = y + h Σ b_s k_s,  k_s = f(t + c_s h, y + h Σ a_sm k_m).
@@ -18,16 +18,17 @@ struct RungeKuttaTable {
     std::array<Row, kMostStages> a{};
     Row b{};
     Row c{};
-    /// Local error h Σ e_s k_s; all zero where the method has none. Of an 8(5,3) pair the fifth-order one.
+    /// Weights of the error estimate h Σ e_s k_s, zero if the method has none; of an 8(5,3) pair those of
+    /// order five.
     Row e{};
-    Row e_third{};  ///< third-order error of an 8(5,3) pair, else zero
+    Row e_third{};  ///< weights of order three of an 8(5,3) pair, else zero
 
-    /// Whether the last stage is evaluated at the end of the step, so that it is the first of the next.
+    /// Whether the last stage is evaluated at the end of the step and is the first stage of the next (FSAL).
     bool is_first_same_as_last() const { return a[static_cast<std::size_t>(stages) - 1] == b; }
 };
 
-/// One step of ẏ = f(t, y) by a table and nothing else, for those who want to owe the integrators nothing.
-/// `f(t, y, y_dot)` fills y_dot.
+/// Takes one step of ẏ = f(t, y) by a tableau, independently of the integrators. `f(t, y, y_dot)` fills
+/// y_dot.
 template <class F>
 void take_step(const RungeKuttaTable& table, const F& f, double t, double h, std::vector<double>& y) {
     const auto stages = static_cast<std::size_t>(table.stages);
@@ -46,13 +47,13 @@ void take_step(const RungeKuttaTable& table, const F& f, double t, double h, std
     y = moved(table.b, stages);
 }
 
-/// First order.
+/// Explicit Euler, order 1.
 const RungeKuttaTable& explicit_euler();
-/// The classical one of fourth order.
+/// Classical Runge-Kutta, order 4.
 const RungeKuttaTable& runge_kutta_4();
-/// Dormand and Prince 5(4).
+/// Dormand-Prince 5(4).
 const RungeKuttaTable& dormand_prince_54();
-/// Dormand and Prince 8(5,3), Hairer's error estimate.
+/// Dormand-Prince 8(5,3) with Hairer's error estimate.
 const RungeKuttaTable& dormand_prince_853();
 
 }  // namespace jw

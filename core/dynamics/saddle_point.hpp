@@ -9,11 +9,11 @@
 #include "core/least_squares.hpp"
 #include "core/rank.hpp"
 
-/// The linear system of slides 24 and 25, dense.
+/// Dense linear system of slides 24 and 25.
 namespace jw {
 
-/// What rows at a state with this residual (scaled) may be told apart by: see rank.hpp. A state that is not
-/// assembled says nothing about redundancy.
+/// Relative threshold for independent rows at a state with this residual (scaled), see rank.hpp. A state that
+/// is not assembled says nothing about redundancy.
 inline double rank_threshold(double residual) {
     return residual <= kAssembledResidual ? std::max(kRankThreshold, kErrorFactor * residual)
                                           : kRankThreshold;
@@ -24,21 +24,20 @@ inline double rank_threshold(double residual) {
 ///   | M   Φqᵀ | |  x |   | f |
 ///   | Φq   0  | | -λ | = | b |
 ///
-/// by Gauss with pivoting, for accelerations, velocities and displacements alike, over rows that do not
-/// repeat each other. M may be singular (a screw's θ has no mass, nor has the length of p) as long as no
-/// motion that is left free is without kinetic energy. The condition of Φq enters once, not squared as in
-/// Φq M⁻¹ Φqᵀ, and masses may be far apart: pivots decide whether a body follows its forces or its
-/// constraints.
+/// by Gaussian elimination with pivoting, for accelerations, velocities and displacements alike, over
+/// independent rows. M may be singular (a screw's θ has no mass, nor has the length of p) provided every free
+/// motion has kinetic energy. The condition of Φq enters once, not squared as in Φq M⁻¹ Φqᵀ, and masses may
+/// be far apart: pivoting decides whether a body follows its forces or its constraints.
 class SaddlePoint {
 public:
     explicit SaddlePoint(Scaling scaling);
 
-    /// Chooses rows by pivots: one counts if its part that is independent of those before is above
+    /// Chooses rows by QR with column pivoting: a row counts if its remainder beside those before it is above
     /// `relative_threshold` of the largest (scaled rows). @return true if the choice changed
     bool choose_rows(const MatrixX& jacobian, double relative_threshold);
-    /// Rows that count, the most independent first.
+    /// Kept rows, the most independent first.
     const std::vector<int>& kept() const { return kept_; }
-    /// A choice made before.
+    /// Restores a choice made before.
     void keep(std::vector<int> rows) { kept_ = std::move(rows); }
 
     /// @param mass [columns x columns], symmetric, positive semidefinite
@@ -46,13 +45,13 @@ public:
     /// @param lambda one per row; 0 for those left out
     void solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX& lambda) const;
 
-    /// Square of the sine between a row and those before it, the smallest one.
+    /// Smallest squared sine of the angle between a row and those before it.
     double smallest_pivot() const { return smallest_pivot_; }
 
 private:
     Scaling scaling_;
     std::vector<int> kept_;
-    MatrixX whole_;  ///< in scaled unknowns and rows
+    MatrixX whole_;  ///< whole matrix in scaled unknowns and rows
     Eigen::PartialPivLU<MatrixX> lu_;
     double smallest_pivot_ = 1.0;
 };

@@ -12,7 +12,7 @@ using Meets = HermitePolynomial::Meets;
 
 namespace {
 
-/// Tolerances below which only rounding would be looked at; velocities lose more digits beside singular
+/// Least tolerances: below them only rounding would be compared. Velocities lose more digits near singular
 /// positions.
 constexpr double kLeastOff = 1e-11;
 constexpr double kLeastRateOff = 1e-8;
@@ -42,7 +42,7 @@ void Sampler::take(TimeStepper& stepper) {
     }
     node.known.resize(equations_->interpolated(), 3);
     equations_->derivatives(stepper.y().data(), stepper.y_dot().data(), node.known.data());
-    // one step behind: times between the two nodes in the middle are known best
+    // one step behind: the polynomial is most accurate between the two middle nodes
     if (known_ == kNodes) { give_until(nodes_[2].t); }
 }
 
@@ -109,7 +109,7 @@ bool Sampler::find_between(double t) {
     return meets(t, y_) || correct(t) || meets_as_well_as_nodes(t, y_);
 }
 
-/// What the polynomial gave, back onto the constraints, or a step of its own.
+/// Replaces the polynomial's state by its projection onto the constraints, or by a step of its own.
 bool Sampler::correct(double t) {
     const StateScales* scales = stepper_->scales();
     moved_ = y_;
@@ -138,8 +138,8 @@ bool Sampler::meets(double t, const std::vector<double>& y) const {
            velocity <= std::max(tolerance_, kLeastRateOff) * fastest;
 }
 
-/// Rows that repeat others hold as well as the lesson was typed, and no better between steps than at their
-/// ends.
+/// Whether a state meets the constraints as well as the ends of its step do. Redundant rows hold only to the
+/// precision of the typed lesson, between steps as at their ends.
 bool Sampler::meets_as_well_as_nodes(double t, const std::vector<double>& y) {
     if (meets(t, y)) { return true; }
     if (equations_->rows_left_out() == 0) { return false; }
@@ -181,9 +181,11 @@ HermitePolynomial& Sampler::polynomial_at(double t) {
     return *chosen_;
 }
 
-/// Of `ends` and the node after it: the one of highest degree that what is nearer bears out, halfway.
+/// Polynomial between `ends` and the node after it: the one of highest degree that agrees halfway with one
+/// through nearer data.
 HermitePolynomial& Sampler::polynomial_between(const Node* ends) {
-    constexpr double agrees = 0.01;  // by the way from one end to the other; smooth steps: far below
+    // share of the displacement from one end to the other; smooth steps are far below
+    constexpr double agrees = 0.01;
     const std::span<const Node> two(ends, 2);
     const double h = two[1].t - two[0].t;
     const double halfway = two[0].t + 0.5 * h;

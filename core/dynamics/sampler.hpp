@@ -11,26 +11,26 @@
 #include "core/dynamics/hermite.hpp"
 #include "core/dynamics/time_stepper.hpp"
 
-/// The state at asked times, between the steps of an integrator.
+/// Dense output: states at given times, between the steps of an integrator.
 namespace jw {
 
-/// Polynomials of degree 11 through four ends of steps: positions and their two derivatives are known there,
-/// so that no evaluation is needed. The error, (step)¹², is below that of the methods. Where steps had to
-/// become short at once, and what is far off bends the polynomial, it goes through the two ends beside only.
-/// Methods with a polynomial of their own (stiff ones, whose accelerations are less exact than their
-/// positions) give it instead.
+/// Samples of a trajectory. They are taken from polynomials of degree 11 through four ends of steps, where
+/// positions and their two derivatives are known, so that no evaluation is needed; the error, (step)¹², is
+/// below that of the methods. Between steps that had to become short at once, the polynomial goes through the
+/// two adjacent ends only, where the farther ones would bend it. Methods with a polynomial of their own
+/// (implicit ones, whose accelerations are less exact than their positions) provide it instead.
 ///
-/// A polynomial knows nothing of constraints. Every state is put into them: what misses them by more than the
-/// tolerance is moved onto them; where that is no small change, it is integrated anew from the end of a step
-/// before. What does not even then belong to this motion is not given, and neither is what follows.
+/// A polynomial does not satisfy the constraints. Every state is checked: one that misses them by more than
+/// the tolerance is projected onto them or, if that is no small change, integrated from the end of the step
+/// before. If the result still does not belong to this motion, neither it nor any later state is given out.
 class Sampler {
 public:
     using Receive = std::function<void(double t, const std::vector<double>& y)>;
 
-    /// Calls `receive` once per time, in order, as soon as it is known; `times` ascend. What it gets is flat
-    /// (flat_state.hpp) whatever the coordinates of `equations`, which must outlive this.
-    /// @param tolerance of Φ by the sizes of its equations, and of Φq q̇ - ν by the fastest motion besides;
-    ///        infinite where the motion may leave the constraints
+    /// Calls `receive` once per time, in order, as soon as its state is known; `times` ascend. States passed
+    /// to it are flat (flat_state.hpp) whatever the coordinates of `equations`, which must outlive this.
+    /// @param tolerance of Φ divided by the size of its equation, and of Φq q̇ - ν divided by the fastest
+    ///        motion as well; infinite where the motion may leave the constraints
     Sampler(
         MotionEquations& equations, std::vector<double> times, Receive receive,
         double tolerance = std::numeric_limits<double>::infinity())
@@ -39,13 +39,14 @@ public:
           receive_(std::move(receive)),
           tolerance_(tolerance) {}
 
-    /// To be called with the start and after every step. `stepper` must outlive the last call.
+    /// Takes the state of the stepper into account: to be called at the start and after every step. `stepper`
+    /// must outlive the last call.
     void take(TimeStepper& stepper);
-    /// What follows is no smooth continuation: no polynomial reaches across the end of the last step.
+    /// Marks a discontinuity: no polynomial reaches across the end of the last step.
     void begin_anew();
-    /// After the last step: what is left.
+    /// Gives out the remaining samples after the last step.
     void finish();
-    /// The first time whose state could not be told; from there on none is.
+    /// First time whose state could not be determined; no later state is given out.
     std::optional<double> ended() const { return ended_; }
 
 private:
@@ -54,7 +55,7 @@ private:
 
     void give_until(double t_end);
     void give_by_method(double t_end);
-    /// y_ at `t`, which lies between the ends of steps.
+    /// Finds y_ at `t`, between the ends of steps. @return false if there is no state of this motion
     bool find_between(double t);
     bool correct(double t);
     void interpolate(double t);
@@ -62,7 +63,7 @@ private:
     HermitePolynomial& polynomial_between(const Node* ends);
     const Node& node_before(double t) const;
     void read(const Node& node, std::vector<double>& y) const;
-    /// Of a state in the numbers of the equations.
+    /// Whether a state, in the numbers of the equations, meets the tolerance.
     bool meets(double t, const std::vector<double>& y) const;
     bool meets_as_well_as_nodes(double t, const std::vector<double>& y);
     void give(double t, const std::vector<double>& y);
@@ -75,14 +76,14 @@ private:
     std::optional<double> ended_;
     std::size_t next_ = 0;
     std::array<Node, kNodes> nodes_;
-    std::size_t known_ = 0;          ///< nodes that are set, the latest last
-    HermitePolynomial wide_;         ///< through all nodes
-    HermitePolynomial near_;         ///< through two
-    bool fitted_ = false;            ///< `wide_`, to the nodes of now
-    bool even_ = true;               ///< no step of theirs is much longer than another
-    const Node* between_ = nullptr;  ///< this one and the next the polynomial has been chosen for
+    std::size_t known_ = 0;          ///< number of nodes set, the latest last
+    HermitePolynomial wide_;         ///< polynomial through all nodes
+    HermitePolynomial near_;         ///< polynomial through two nodes
+    bool fitted_ = false;            ///< whether `wide_` is fitted to the current nodes
+    bool even_ = true;               ///< whether no step between nodes is much longer than another
+    const Node* between_ = nullptr;  ///< first of the two nodes for which a polynomial has been chosen
     HermitePolynomial* chosen_ = nullptr;
-    std::vector<double> y_;  ///< in the numbers of the equations
+    std::vector<double> y_;  ///< state in the numbers of the equations
     std::vector<double> moved_;
     std::vector<double> flat_;
 };

@@ -24,7 +24,7 @@ bool SemiImplicitEuler::step(double t_end) {
         const double* y_dot = y_dot_.data() + body;
         for (int k = 7; k < kNumbersPerBody; ++k) { y[k] += h * y_dot[k]; }
         vec3(y) += h * vec3(y + 7);
-        // a turn by h ω': p stays unit
+        // rotation by h ω': p stays unit
         vec4(y + 3) = turned_local(vec4(y + 3), h * vec3(y + 10));
     }
     tried_ = ahead.end;
@@ -34,7 +34,7 @@ bool SemiImplicitEuler::step(double t_end) {
     }
     verdict_ = equations_->evaluate(tried_, y_new_.data(), y_dot_.data());
     ++counts_.evaluations;
-    // not a number is told by others
+    // NaN is reported by another check
     if (options_.project && verdict_.violation > kMet) { return false; }
     std::swap(y_, y_new_);
     t_ = tried_;

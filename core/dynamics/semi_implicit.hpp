@@ -4,8 +4,8 @@
 
 namespace jw {
 
-/// Semi-implicit Euler, for teaching: velocities first, positions with the new velocities. Order 1, but its
-/// energy stays near the true one where that of explicit Euler grows.
+/// Semi-implicit (symplectic) Euler, for teaching: velocities first, positions with the new velocities. Order
+/// 1, but its energy stays near the true one where that of explicit Euler grows.
 class SemiImplicitEuler final : public TimeStepper {
 public:
     /// `equations` must outlive this. @param options fixed_step > 0

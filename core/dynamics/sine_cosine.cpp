@@ -9,15 +9,15 @@ namespace jw {
 
 namespace {
 
-// 2/π, and π/2 in three parts of which the first two have 33 bits: products with up to 20 bits of quarter
-// turns are exact
+// 2/π, and π/2 in three parts, the first two of 33 bits (Cody and Waite): products with up to 20 bits of
+// quarter turns are exact
 constexpr double kQuartersPerRadian = 6.36619772367581382433e-01;
 constexpr double kQuarter = 1.57079632673412561417e+00;
 constexpr double kQuarterNext = 6.07710050630396597660e-11;
 constexpr double kQuarterLast = 2.02226624879595063154e-21;
-/// 2^20 quarter turns [rad]; farther ones are rare, and go to the standard library.
+/// 2^20 quarter turns [rad]; larger angles are rare and go to the standard library.
 constexpr double kFar = 1.6e6;
-/// 1.5 2^52: what is added to it is rounded to a whole number, which is then its last bits.
+/// 1.5 · 2^52: adding it rounds a number to an integer, which is then in the last bits.
 constexpr double kRounds = 6755399441055744.0;
 
 /// (sin r - r) / r³ and (cos r - 1 + r²/2) / r⁴ in powers of r², minimax on |r| <= π/4.
@@ -28,8 +28,8 @@ const std::array kCosine{4.16666666666666019037e-02, -1.38888888888741095749e-03
                          2.48015872894767294178e-05, -2.75573143513906633035e-07,
                          2.08757232129817482790e-09, -1.13596475577881948265e-11};
 
-/// Of as many angles as a register holds: sin and cos of what is left of a quarter turn, then the right one
-/// of the two with the right sign.
+/// Sine and cosine of as many angles as a register holds: those of the remainder modulo a quarter turn, then
+/// the right one of the two with the right sign.
 template <Lanes V>
 JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     using Register = typename V::Register;
@@ -38,7 +38,7 @@ JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     const Register rounded = x * kQuartersPerRadian + kRounds;
     const Register quarters = rounded - kRounds;
     const Bits count = reinterpret_cast<const Bits&>(rounded);
-    // r, and the part of it that it has no room for
+    // r, and its rounding error
     const Register without_first = x - quarters * kQuarter;
     const Register next = quarters * kQuarterNext;
     const Register without_next = without_first - next;
@@ -63,7 +63,7 @@ JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     *reinterpret_cast<Bits*>(cosine) = ((c_bits & ~is_odd) | (s_bits & is_odd)) ^ ((count + 1) >> 1 << 63);
 }
 
-/// Not a number is far, too.
+/// Whether the standard library is needed; true for NaN.
 bool is_far(double angle) { return !(std::abs(angle) < kFar); }
 
 }  // namespace

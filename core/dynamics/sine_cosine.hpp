@@ -2,20 +2,19 @@
 
 #include <span>
 
-/// Sines and cosines of many angles at once, with the same numbers on every machine. Those of the standard
-/// library, one after the other, were a sixth of an evaluation in joint coordinates, and differ in their last
-/// bits from processor to processor.
+/// Sines and cosines of many angles at once, with bit-identical results on every machine. Those of the
+/// standard library, one after the other, were a sixth of an evaluation in joint coordinates, and differ in
+/// their last bits from processor to processor.
 namespace jw {
 
-/// Four angles [rad].
+/// Four angles [rad] with their cosines and sines.
 struct alignas(32) FourTurns {
     double angle[4] = {0.0, 0.0, 0.0, 0.0};
     double cosine[4] = {1.0, 1.0, 1.0, 1.0};
     double sine[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// Sets `cosine` and `sine`, to 1.2e-16 of the true ones; of angles beyond 1.6e6 rad as the standard library
-/// has them.
+/// Sets `cosine` and `sine` with an error of at most 1.2e-16; beyond 1.6e6 rad by the standard library.
 void find_sines_and_cosines(std::span<FourTurns> turns);
 
 }  // namespace jw

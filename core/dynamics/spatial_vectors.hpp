@@ -2,19 +2,19 @@
 
 #include "core/dynamics/triples.hpp"
 
-/// Forces with torques, velocities with ω, and inertias that join them: six numbers at a point, along the
-/// global axes.
+/// Spatial vectors and inertias: wrenches, velocities with ω, and the inertias that relate them, at a point,
+/// along the global axes.
 namespace jw {
 
-/// Force and torque, or (of motions) the linear and the angular part; at a point, global axes. In registers
-/// V.
+/// Spatial vector in registers V: force and torque, or the linear and the angular part of a motion; at a
+/// point, global axes.
 template <Lanes V>
 struct SixOf {
     V linear;
     V angular;
 };
 
-/// [f; n] = [M H; Hᵀ J] [v̇; ω̇], at a point, global axes. In registers V.
+/// Spatial inertia in registers V: [f; n] = [M H; Hᵀ J] [v̇; ω̇], at a point, global axes.
 template <Lanes V>
 struct InertiaOf {
     Columns<V> M;
@@ -79,15 +79,16 @@ JW_INLINE InertiaOf<V> operator+(const InertiaOf<V>& a, const InertiaOf<V>& b) {
     return {a.M + b.M, a.H + b.H, a.J + b.J};
 }
 
-/// A body's, J about its centre of mass, at a point that lies `arm` before that.
+/// Inertia of a body, J about its centre of mass, at a point that lies `arm` before the centre of mass.
 template <Lanes V>
 JW_INLINE InertiaOf<V> inertia_at_root(double mass, const Columns<V>& J, const V& arm) {
     const V moment = -mass * arm;
     return {diagonal<V>(mass), tilde(moment), J - diagonal<V>(dot(arm, moment)) + dyad(arm, moment)};
 }
 
-/// The same inertia at a point that lies `arm` before this one: Xᵀ I X with X the accelerations here by those
-/// there. J + ã H + (ã H)ᵀ - ã M ã is J + ã K + (ã K)ᵀ with K in the middle between the two H.
+/// Transfers an inertia to the point that lies `arm` before its own: Xᵀ I X, with X the transfer of
+/// accelerations from there to here. J + ã H + (ã H)ᵀ - ã M ã is computed as J + ã K + (ã K)ᵀ with K the mean
+/// of the two H.
 template <Lanes V>
 JW_INLINE InertiaOf<V> at_root_of(const InertiaOf<V>& inertia, const V& arm) {
     const Columns<V> H = inertia.H - times_tilde(inertia.M, arm);
@@ -95,13 +96,13 @@ JW_INLINE InertiaOf<V> at_root_of(const InertiaOf<V>& inertia, const V& arm) {
     return {inertia.M, H, inertia.J + turned + transposed(turned)};
 }
 
-/// The same for a wrench.
+/// Transfers a wrench in the same way.
 template <Lanes V>
 JW_INLINE SixOf<V> at_root_of(const SixOf<V>& wrench, const V& arm) {
     return {wrench.linear, wrench.angular + cross(arm, wrench.linear)};
 }
 
-/// Velocity or acceleration at the end of an arm; what turning adds to accelerations is not in it.
+/// Velocity or acceleration at the end of an arm, without the centripetal acceleration.
 template <Lanes V>
 JW_INLINE SixOf<V> at_end_of(const SixOf<V>& motion, const V& arm) {
     return {motion.linear + cross(motion.angular, arm), motion.angular};

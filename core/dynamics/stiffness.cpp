@@ -8,18 +8,18 @@ namespace jw {
 
 namespace {
 
-// of DOPRI5 and DOP853, on the negative real axis, where both are a little short of 3.3 and 6.2
+// stability limits of DOPRI5 and DOP853 on the negative real axis, a little below 3.3 and 6.2
 constexpr double kEdge5 = 3.25;
 constexpr double kEdge8 = 6.1;
-// on the imaginary axis, where springs without dampers and light bodies between heavy ones swing, both leave
-// stability sooner; the estimate is a lower bound besides
+// on the imaginary axis, where undamped springs and light bodies between heavy ones oscillate, the stability
+// limits are smaller; besides, the estimate is a lower bound
 constexpr double kPartOfEdge = 0.5;
-// a hundred steps of one kind are an opinion
+// weight of a step: about a hundred steps of one kind decide
 constexpr double kFading = 0.02;
-// below this part of the scales the two states differ by rounding only
+// share of the scales below which the two states differ by rounding only
 constexpr double kRounding = 1e-14;
 
-/// The last stage at the end of the step whose state is not the result itself.
+/// Index of the last stage at the end of the step whose state is not the result itself; 0 if there is none.
 std::size_t stage_to_compare(const RungeKuttaTable& table) {
     constexpr double rounding = 1e-12;
     for (auto s = static_cast<std::size_t>(table.stages) - 1; s > 0; --s) {

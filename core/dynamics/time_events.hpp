@@ -4,15 +4,15 @@
 
 #include "core/dynamics/loads.hpp"
 
-/// What the functions of time of a scene ask of the steps that follow a tolerance: no stage tells of what
-/// lies between the stages.
+/// Bounds on adaptive steps from the functions of time of a scene: stages see nothing of what lies between
+/// them.
 namespace jw {
 
-/// Times between 0 and `end` at which a driver or a load begins or ends to change, ascending, and `end` [s].
+/// Times between 0 and `end` at which a driver or a load starts or stops changing, ascending, then `end` [s].
 std::vector<double> events_until(double end, const Centroidal& scene);
 
-/// Half the period of the fastest harmonic [s], infinite without any: the stages of a longer step might all
-/// see the same of it.
+/// Half the period of the fastest harmonic [s], infinite if there is none: the stages of a longer step might
+/// all see the same phase of it.
 double half_of_fastest_swing(const Centroidal& scene);
 
 }  // namespace jw

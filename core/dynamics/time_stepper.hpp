@@ -70,7 +70,8 @@ private:
     double omega_ = 0.0;
 };
 
-/// |ω| of the body that turns fastest at y [rad/s]. @param flat workspace for the flat state
+/// |ω| of the body that turns fastest at y [rad/s].
+/// @param flat workspace for the flat state
 double fastest_turn(const MotionEquations& equations, const double* y, std::vector<double>& flat);
 
 /// Integrator. After every step t, y and ẏ are those of a state on the constraints.

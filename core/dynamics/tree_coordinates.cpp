@@ -2,11 +2,10 @@
 
 #include "core/dynamics/tree_equations.hpp"
 
-/// What the numbers of joint coordinates are: their sizes, the bodies that follow from them, and what lies
-/// between steps.
+/// Joint coordinates: their scales, conversion to and from poses, and the numbers that are interpolated.
 namespace jw {
 
-/// A turn counts as the way of the farthest point that it moves.
+/// Weights a rotation by the displacement of the farthest point that it moves.
 std::vector<NumberScale> TreeEquations::scales() const {
     using Kind = NumberScale::Kind;
     std::vector<NumberScale> out(at(size()));
@@ -57,7 +56,7 @@ void TreeEquations::from_flat(const double* flat, double* y) const {
         if (joint.hanging == Hanging::free) { std::copy_n(numbers, 7, y + joint.position); }
         if (joint.hanging == Hanging::ball) { std::copy_n(numbers + 3, 4, y + joint.position); }
     }
-    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta): what they do as forces on what is at rest
+    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta): their effect as forces on a tree at rest
     std::vector<BodyForce> momenta(bodies_.size());
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const MassProperties& own = *scene_->loads.masses[at(moving_[m])];
@@ -71,13 +70,13 @@ void TreeEquations::from_flat(const double* flat, double* y) const {
     add_velocities(y);
 }
 
-/// y with the last u̇ added to its velocities.
+/// Adds the last u̇ to the velocities of y.
 void TreeEquations::add_velocities(double* y) const {
     double* u = y + joints().positions();
     for (const double change : tree_.u_dot()) { *u++ += change; }
 }
 
-/// y moved by the last u̇.
+/// Moves the positions of y by the last u̇.
 void TreeEquations::displace(double* y) const {
     const auto way = [&](int velocity) { return &tree_.u_dot()[at(velocity - joints().positions())]; };
     joints().for_each_part(

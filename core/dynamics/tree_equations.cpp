@@ -15,7 +15,7 @@ State start_of(const Mechanism& mechanism, const std::vector<double>& flat) {
     return state;
 }
 
-/// The joints of the cuts, and the drivers.
+/// Links of the cut joints and of the drivers.
 std::vector<Link> links_left_by(const JointTree& tree, const Mechanism& mechanism) {
     std::vector<Link> links = links_of(mechanism);
     std::erase_if(links, [&](const Link& link) {
@@ -25,8 +25,8 @@ std::vector<Link> links_left_by(const JointTree& tree, const Mechanism& mechanis
     return links;
 }
 
-/// Of a driver that asks for a coordinate of one body; all other equations say the same wherever their two
-/// bodies are together.
+/// Measure of a driver that prescribes a coordinate of one body, else nullptr. All other equations depend
+/// only on the relative pose of their two bodies.
 const CoordinateMeasure* coordinate_asked_by(const LinkEquation& equation) {
     const auto* driven = std::get_if<Driven>(&equation.primitive);
     return driven != nullptr ? std::get_if<CoordinateMeasure>(&driven->measure) : nullptr;
@@ -85,7 +85,7 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     evaluated_y_dot_ = evaluated_y_;
 }
 
-/// Where the bodies are that loads and equations ask for, and how they move where that counts.
+/// Sets the poses of bodies that loads and equations refer to, and their motion where it matters.
 void TreeEquations::set_bodies(const double* y) {
     if (needs_p_) { tree_.find_p(y); }
     for (const int b : looked_at_) {
@@ -100,7 +100,7 @@ void TreeEquations::set_bodies(const double* y) {
     }
 }
 
-/// Turns of the screws that close loops are counted: those of the tree have an angle among their coordinates.
+/// Counts the turns of screws that close loops; those of the tree have their angle as a coordinate.
 void TreeEquations::tell_turns_at(Turns turns, double t, const double* y) {
     if (!has_screws_) { return; }
     place(y);
@@ -173,7 +173,7 @@ void TreeEquations::motion_of_bodies(
     }
 }
 
-/// Forces drawn at random move the tree, held by the rows that are kept.
+/// Moves the tree by random forces, subject to the kept rows.
 bool TreeEquations::free_motion(
     double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) {
     if (velocities() <= static_cast<int>(kept_.size())) {
@@ -195,7 +195,7 @@ bool TreeEquations::free_motion(
     return true;
 }
 
-/// E D⁻¹ e of a row.
+/// Row of E D⁻¹ e.
 double TreeEquations::along_row(const Row& row) const {
     double sum = 0.0;
     const double* e_by_D = e_by_D_.data() + row.first_e;

@@ -9,8 +9,8 @@
 #include "core/dynamics/link_equations.hpp"
 #include "core/dynamics/motion_equations.hpp"
 
-/// The equations of motion in joint coordinates: q̇ = B u with u the velocities of a tree of joints, whose
-/// constraints hold by themselves. Loops are cut, and the joints of the cuts stay equations, as drivers do.
+/// Equations of motion in joint coordinates: q̇ = B u with u the velocities of a tree of joints, whose
+/// constraints hold identically. Loops are cut; the joints of the cuts remain equations, as drivers do.
 ///
 ///   Bᵀ M B u̇ - (Φq B)ᵀ λ = Bᵀ (Q - M Ḃ u),   Φq B u̇ = γ - Φq Ḃ u
 ///
@@ -18,7 +18,8 @@
 ///
 ///   E D⁻¹ Eᵀ λ = γ - Φq Ḃ u - E D⁻¹ e,   e = F⁻¹ Bᵀ (Q - M Ḃ u),   u̇ = F⁻ᵀ D⁻¹ (e + Eᵀ λ)
 ///
-/// A row of E knows the joints of its own loop only, and the matrix of λ only rows that share some.
+/// A row of E has entries for the joints of its own loop and of the path from there to the ground; the matrix
+/// of λ couples rows that share a joint.
 /// @source q̇ = B u: Nikravesh ch. 13, velocity transformation
 namespace jw {
 
@@ -32,7 +33,8 @@ public:
     int bodies() const override { return static_cast<int>(moving_.size()); }
     std::vector<NumberScale> scales() const override;
     void to_flat(const double* y, double* flat) const override;
-    /// Of the pose of the start only; of the velocities the nearest that the tree allows, in the metric of M.
+    /// Valid for the pose of the start only; velocities are the nearest that the tree allows, in the metric
+    /// of M.
     void from_flat(const double* flat, double* y) const override;
     int interpolated() const override { return joints().positions(); }
     void derivatives(const double* y, const double* y_dot, double* out) const override;
@@ -58,8 +60,8 @@ public:
     bool free_motion(
         double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
 
-    /// About how many products an evaluation adds for the rows of loops, if the share `kept` of them is kept:
-    /// of nested loops on moving bodies every row is felt by all joints down to the ground.
+    /// Estimated number of products that the rows of loops add to an evaluation, if the share `kept` of them
+    /// is kept. All joints down to the ground feel every row of nested loops on moving bodies.
     double products_of_rows(double kept) const;
 
     const JointTree& joints() const { return tree_.joints(); }
@@ -67,21 +69,21 @@ public:
 private:
     using Node = ArticulatedTree::Node;
     using Metric = ArticulatedTree::Metric;
-    /// A row of a cut joint or a driver: what a unit λ does to its two bodies.
+    /// Row of a cut joint or a driver, with the wrenches of a unit λ on its two bodies.
     struct Row {
         int node_i = 0;
         int node_j = 0;
-        std::vector<int> path;    ///< where in u it is felt
-        std::size_t first_e = 0;  ///< where its numbers begin in e_of_rows_ and in e_by_D_
-        Six on_i;                 ///< at the root of the node
+        std::vector<int> path;    ///< indices in u where it has entries
+        std::size_t first_e = 0;  ///< offset of its numbers in e_of_rows_ and in e_by_D_
+        Six on_i;                 ///< wrench at the root of the node
         Six on_j;
         double phi = 0.0;
         double rate = 0.0;  ///< Φq q̇ - ν
         double gamma = 0.0;
         double inverse_unit = 1.0;  ///< 1 / change when bodies move by one extent
-        double size = 1.0;          ///< squared, for bodies that nothing holds, by M⁻¹
+        double size = 1.0;          ///< diagonal entry of Φq M⁻¹ Φqᵀ, for unconstrained bodies
     };
-    /// Rows that one primitive gives.
+    /// Rows of one primitive.
     struct Group {
         const Link* link;
         const LinkEquation* equation;
@@ -94,11 +96,11 @@ private:
         std::size_t e_by_D;
     };
 
-    /// Poses and velocities of the nodes at y. What the last evaluation left is lost.
+    /// Computes poses and velocities of the nodes at y; results of the last evaluation are lost.
     void place(const double* y) const;
-    /// Whether the nodes are what `evaluate` left at y.
+    /// Whether the nodes hold the results of `evaluate` at y.
     bool is_evaluated_at(double t, const double* y) const;
-    /// What `evaluate` leaves at the nodes, at y.
+    /// Ensures that the nodes hold the results of `evaluate` at y.
     void stay_at(double t, const double* y);
     void set_bodies(const double* y);
     void tell_turns_at(Turns turns, double t, const double* y);
@@ -107,17 +109,17 @@ private:
     void evaluate_rows(double t, const std::vector<Group>& groups);
     void evaluate_rows_of(const Group& group, double t);
     void measure_rows();
-    /// E, and E D⁻¹ beside it, of these rows.
+    /// Computes E and E D⁻¹ of these rows.
     void respond(const std::vector<int>& rows);
-    /// Of the last responses of all rows.
+    /// Chooses independent rows from the last responses of all rows.
     std::vector<int> independent_rows() const;
     void keep(std::vector<int> rows);
-    /// E D⁻¹ Eᵀ of the kept rows.
+    /// Forms and factors E D⁻¹ Eᵀ of the kept rows.
     void factor_rows();
     double along_row(const Row& row) const;
-    /// λ from the right sides in lambda_; e + Eᵀ λ.
+    /// Solves for λ from the right sides in lambda_, and adds Eᵀ λ to e.
     void add_answer_of_rows();
-    /// Changes of u that take `number` out of the kept rows.
+    /// Computes the change of u that cancels `number` in the kept rows.
     void take_out(double Row::*number);
     double largest_of_kept_rows(double Row::*number) const;
     void displace(double* y) const;
@@ -126,7 +128,7 @@ private:
     const Centroidal* scene_;
     double extent_;
     std::vector<int> moving_;
-    // conversions use it as evaluations do; no call relies on what another one has left there
+    // workspace of conversions and evaluations; no call relies on the results of another
     mutable ArticulatedTree tree_;
     mutable std::vector<double> y_;
     std::vector<Link> links_;
@@ -134,12 +136,12 @@ private:
     std::vector<Group> groups_;
     std::vector<int> kept_;
     std::vector<int> kept_before_;
-    std::vector<Group> kept_groups_;                  ///< with a row that is kept
+    std::vector<Group> kept_groups_;                  ///< groups with a kept row
     std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
-    std::vector<int> looked_at_;      ///< moving bodies of forces, torques, springs and cut joints
-    std::vector<bool> needs_motion_;  ///< those of springs and cut joints
-    bool needs_p_ = false;            ///< a driver asks for one of e0 ... e3
-    bool has_screws_ = false;         ///< among the equations
+    std::vector<int> looked_at_;                      ///< moving bodies that loads and cut joints refer to
+    std::vector<bool> needs_motion_;                  ///< bodies of springs and cut joints
+    bool needs_p_ = false;                            ///< a driver asks for one of e0 ... e3
+    bool has_screws_ = false;                         ///< whether the equations contain screws
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;
     std::vector<double> e_by_D_;
@@ -147,7 +149,7 @@ private:
     EnvelopeMatrix matrix_;
     std::vector<double> lambda_;
     double smallest_pivot_ = 1.0;
-    /// Time and y of the last evaluation, while the nodes are what it left.
+    /// Whether the nodes hold the results of the evaluation at the time and y below.
     mutable bool is_evaluated_ = false;
     std::vector<double> evaluated_y_;
     double evaluated_t_ = 0.0;

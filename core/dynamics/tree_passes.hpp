@@ -2,7 +2,7 @@
 
 #include "core/dynamics/articulated_tree.hpp"
 
-/// What the passes of ArticulatedTree do at one node, in registers V.
+/// Passes of ArticulatedTree at one node, in registers V.
 namespace jw::tree_passes {
 
 using Node = ArticulatedTree::Node;
@@ -12,7 +12,8 @@ JW_INLINE void store(const V& v, double* numbers) {
     for (int k = 0; k < 3; ++k) { numbers[k] = v[k]; }
 }
 
-/// @param cosine, sine of its coordinate, if it turns
+/// Computes pose and arms.
+/// @param cosine, sine of its angle, if it turns
 template <Lanes V>
 JW_INLINE void place(Node& node, const Node& parent, const double* y, double cosine, double sine) {
     const Columns<V> A_parent = parent.A;
@@ -73,7 +74,7 @@ JW_INLINE void move(Node& node, const Node& parent, const double* y) {
     node.inwards = cross(omega, cross(omega, V(node.own_arm)));
 }
 
-/// J' along the global axes.
+/// J along the global axes, A J' Aᵀ.
 template <Lanes V>
 JW_INLINE Columns<V> J_of(const Node& node) {
     const Columns<V> A = node.A;
@@ -82,7 +83,8 @@ JW_INLINE Columns<V> J_of(const Node& node) {
     return dyad(A.x, J.x.number[0] * A.x) + dyad(A.y, J.y.number[1] * A.y) + dyad(A.z, J.z.number[2] * A.z);
 }
 
-/// Its own inertia, and Q - M Ḃ u. @param Q nullptr if it is massless
+/// Sets the node's own inertia and the wrench Q - M Ḃ u.
+/// @param Q nullptr if it is massless
 template <Lanes V>
 JW_INLINE void set_inertia_and_wrench(Node& node, const BodyForce* Q) {
     if (Q == nullptr) {
@@ -102,13 +104,14 @@ JW_INLINE void set_inertia_and_wrench(Node& node, const BodyForce* Q) {
     node.wrench = SixOf<V>{force, torque + cross(arm, force)};
 }
 
-/// Down. @param e the node's numbers
+/// Pass down over a joint with one coordinate.
+/// @param e the node's numbers
 template <Lanes V>
 JW_INLINE void fold_axis(Node& node, Node& parent, double* e) {
     const InertiaOf<V> inertia = node.inertia;
     const SixOf<V> wrench = node.wrench;
     const SixOf<V> axis = node.axis;
-    // of what only turns; what shifts, too, has more
+    // for rotation only; translation adds terms
     SixOf<V> column{inertia.H * axis.angular, inertia.J * axis.angular};
     double D = dot(axis.angular, column.angular);
     *e = dot(axis.angular, wrench.angular);
@@ -123,14 +126,14 @@ JW_INLINE void fold_axis(Node& node, Node& parent, double* e) {
     const SixOf<V> column_by_D = node.inverse_D * column;
     node.column_by_D = column_by_D;
     if (node.parent == 0) { return; }
-    // first to the parent's root, then less what is let go: of the two only the second waits for D
+    // transfer first, then reduce: only the reduction depends on D
     const InertiaOf<V> all = InertiaOf<V>(parent.inertia) + at_root_of(inertia, arm);
     const SixOf<V> all_wrench = SixOf<V>(parent.wrench) + at_root_of(wrench, arm);
     parent.inertia = without_square(all, column, column_by_D);
     parent.wrench = all_wrench - *e * column_by_D;
 }
 
-/// What a ball lets go: all torques. @return the M that is left
+/// Reduces the inertia by three rotations, which transmit no torque. @return the remaining M
 template <Lanes V>
 JW_INLINE Columns<V> let_go_of_turning(Node& node) {
     const InertiaOf<V> inertia = node.inertia;
@@ -141,7 +144,7 @@ JW_INLINE Columns<V> let_go_of_turning(Node& node) {
     return inertia.M - H_inverse_J * transposed(inertia.H);
 }
 
-/// The force that is left of a wrench, all of whose torque is let go.
+/// Force that remains of a wrench when the joint transmits no torque.
 template <Lanes V>
 JW_INLINE V force_without_torque(const Node& node, const SixOf<V>& wrench) {
     return wrench.linear - Columns<V>(node.H_inverse_J) * wrench.angular;
@@ -180,7 +183,8 @@ JW_INLINE void fold(Node& node, Node& parent, double* e) {
     }
 }
 
-/// Up. @param e, u_dot the node's numbers
+/// Pass up.
+/// @param e, u_dot the node's numbers
 template <Lanes V>
 JW_INLINE void unfold(Node& node, const Node& parent, const double* e, double* u_dot) {
     const SixOf<V> of_parent = parent.acceleration;
@@ -203,7 +207,8 @@ JW_INLINE void unfold(Node& node, const Node& parent, const double* e, double* u
     node.acceleration = acceleration;
 }
 
-/// B u̇. @param u_dot the node's numbers
+/// Acceleration B u̇ of the node.
+/// @param u_dot the node's numbers
 template <Lanes V>
 JW_INLINE void accelerate(Node& node, const Node& parent, const double* u_dot) {
     SixOf<V> acceleration = at_end_of(SixOf<V>(parent.acceleration), V(node.arm));
@@ -222,7 +227,8 @@ JW_INLINE void accelerate(Node& node, const Node& parent, const double* u_dot) {
     node.acceleration = acceleration;
 }
 
-/// What a joint gives way to goes to e, and D⁻¹ e. @return what it holds, at the parent's root
+/// Writes the components of a wrench along the joint's freedoms to e, and D⁻¹ e. @return the transmitted
+/// wrench, at the parent's root
 template <Lanes V>
 JW_INLINE SixOf<V> respond(const Node& node, const SixOf<V>& wrench, double* e, double* e_by_D) {
     const V arm = node.arm;

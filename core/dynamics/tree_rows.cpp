@@ -7,8 +7,8 @@
 #include "core/dynamics/flatten.hpp"
 #include "core/dynamics/tree_equations.hpp"
 
-/// What the loops of a tree ask for: the rows of the joints that were cut, which of them are kept, and the
-/// way back onto them.
+/// Rows of the loops of a tree: those of the cut joints, the choice of independent rows, and projection onto
+/// them.
 namespace jw {
 
 namespace {
@@ -17,7 +17,7 @@ bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
 
 }  // namespace
 
-/// A row's block of a body, in ω', as a wrench at the root of its node.
+/// Converts a row's block of a body, in ω', to a wrench at the root of its node.
 Six TreeEquations::at_root(int node, const Mat3& A, const Eigen::Matrix<double, 1, 6>& block) const {
     return tree_.at_root(node, block.head<3>().transpose(), A * block.tail<3>().transpose());
 }
@@ -76,7 +76,7 @@ void TreeEquations::factor_rows() {
     smallest_pivot_ = 1.0;
     for (int k = 0; k < matrix_.rows(); ++k) {
         const double share = matrix_(k, k) / rows_[at(kept_[at(k)])].size;
-        // a pivot that rounding made negative is none at all
+        // a pivot that rounding made negative counts as 0
         smallest_pivot_ = std::min(smallest_pivot_, share > 0.0 ? share : 0.0);
     }
 }
@@ -124,7 +124,7 @@ double TreeEquations::project(double t, double* y) {
         take_out(&Row::phi);
         displace(y);
     }
-    // twice: the first answer has the rounding of the rates it takes out
+    // twice: the first solution carries the rounding of the rates that it cancels
     take_out(&Row::rate);
     add_velocities(y);
     tree_.move(y);
@@ -135,7 +135,7 @@ double TreeEquations::project(double t, double* y) {
     return before;
 }
 
-/// Sizes of the rows beside bodies that nothing holds.
+/// Computes the sizes of the rows for unconstrained bodies.
 void TreeEquations::measure_rows() {
     for (Row& row : rows_) {
         double by_mass = 0.0;
@@ -154,8 +154,8 @@ void TreeEquations::measure_rows() {
     }
 }
 
-/// Gram and Schmidt over the rows of E, the one that keeps most of itself first. Loops that share no joint
-/// have nothing to take from each other: of every row only the stretch of u that it reaches is looked at.
+/// Gram-Schmidt over the rows of E, the one with the largest remainder first. Loops without a common joint
+/// are orthogonal: of every row only the range of u that it reaches is used.
 std::vector<int> TreeEquations::independent_rows() const {
     struct Stretch {
         Eigen::Index first;
@@ -274,7 +274,7 @@ double TreeEquations::products_of_rows(double kept) const {
     const auto velocities = at(joints().velocities());
     std::vector<double> rows_on(velocities, 0.0);
     std::vector<std::size_t> first_on(velocities, rows_.size());
-    // along a path a wrench is moved by some fifty products
+    // transferring a wrench along a path takes some fifty products per joint
     constexpr double per_joint = 50.0;
     double products = 0.0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -292,7 +292,7 @@ double TreeEquations::products_of_rows(double kept) const {
 }
 
 std::pair<double, double> TreeEquations::violation(double t, const double* y) {
-    // asked of the end of a step, which has just been evaluated
+    // usually called at the end of a step, which has just been evaluated
     if (!is_evaluated_at(t, y)) {
         place(y);
         set_bodies(y);

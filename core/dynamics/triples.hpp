@@ -4,18 +4,18 @@
 
 #include "core/dynamics/flat_state.hpp"
 
-/// Vectors of three, and matrices of three columns, in registers: four lanes of which the last is zero. The
-/// passes over a tree of bodies compute with them; everything else has Eigen's.
+/// Vectors of three numbers, and matrices of three columns, in SIMD registers: four lanes of which the last
+/// is zero. The passes over a tree of bodies compute with them; all other code uses Eigen's.
 ///
-/// There are two kinds of registers, Wide for processors that have them. Both do the same operations in the
-/// same order, and none of them multiplies and adds at once: numbers are equal on every machine.
+/// There are two kinds of registers; Wide needs AVX2. Both do the same operations in the same order, without
+/// fused multiply-add, so results are bit-identical on every machine.
 namespace jw {
 
-/// Into its caller whatever the size: what a function computes in is decided by who calls it.
+/// Always inlined, whatever the size: the caller determines the registers that a function computes in.
 #define JW_INLINE [[gnu::always_inline]] inline
-#define JW_PASS __attribute__((always_inline))  // of a lambda
+#define JW_PASS __attribute__((always_inline))  // for lambdas
 
-/// The whole vector in one register; computes only within run_wide.
+/// Vector in one wide register; usable only within run_wide.
 struct Wide {
     using Register = double __attribute__((vector_size(32), may_alias));
     using Bits = long long __attribute__((vector_size(32), may_alias));
@@ -33,7 +33,7 @@ JW_INLINE Wide operator*(double factor, const Wide& a) { return {factor * a.xyz0
 /// (y, z, x)
 JW_INLINE Wide next(const Wide& a) { return {__builtin_shufflevector(a.xyz0, a.xyz0, 1, 2, 0, 3)}; }
 
-/// In two registers of the base set.
+/// Vector in two registers of the base instruction set.
 struct Narrow {
     using Register = double __attribute__((vector_size(16), may_alias));
     using Bits = long long __attribute__((vector_size(16), may_alias));
@@ -61,7 +61,7 @@ JW_INLINE Narrow next(const Narrow& a) {
 template <class V>
 concept Lanes = std::is_same_v<V, Wide> || std::is_same_v<V, Narrow>;
 
-/// A matrix of three columns.
+/// Matrix of three columns.
 template <Lanes V>
 struct Columns {
     V x;
@@ -160,14 +160,14 @@ template <Lanes V>
 JW_INLINE Columns<V> dyad(const V& a, const V& b) {
     return {b[0] * a, b[1] * a, b[2] * a};
 }
-/// Of a symmetric matrix.
+/// Inverse of a symmetric matrix.
 template <Lanes V>
 JW_INLINE Columns<V> inverse_of_symmetric(const Columns<V>& m) {
     const Columns<V> cofactors{cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y)};
     return (1.0 / dot(m.x, cofactors.x)) * cofactors;
 }
 
-/// A vector in memory; read and written as one of either registers.
+/// Vector in memory; read and written in either kind of register.
 struct alignas(32) Triple {
     double number[4] = {0.0, 0.0, 0.0, 0.0};
 
@@ -186,7 +186,7 @@ struct alignas(32) Triple {
     }
 };
 
-/// A matrix in memory.
+/// Matrix in memory.
 struct Triples {
     Triple x;
     Triple y;
@@ -218,7 +218,7 @@ inline Mat3 mat3(const Triples& m) {
     return out;
 }
 
-/// Whether this processor has the wide registers. Tests take them away.
+/// Whether this processor has the wide registers. Tests can switch them off.
 inline bool& has_wide_registers() {
 #if defined(__x86_64__)
     static bool has = __builtin_cpu_supports("avx2") > 0;
@@ -235,8 +235,8 @@ template <class Pass>
 }
 #endif
 
-/// Runs a pass in the widest registers there are. It must be JW_PASS, and JW_INLINE what it hands registers
-/// to.
+/// Runs a pass in the widest registers available. The pass must be JW_PASS, and every function that it passes
+/// registers to JW_INLINE.
 /// @param pass called with std::type_identity of Wide or Narrow
 template <class Pass>
 void in_registers(const Pass& pass) {
