@@ -48,7 +48,7 @@ Motion Layout<C>::motion_of(const State& state, const VectorX& columns) const {
 
 template <class C>
 Motion Layout<C>::acceleration_of(const State& state, const VectorX& columns) const {
-    // ω̇' = 2 L p̈ and ω̇ = A ω̇' have no extra terms (slide 13), so the map is that of the velocities
+    // ω̇' = 2 L p̈ and ω̇ = A ω̇' have no extra terms (slide 13), so the map is the one for velocities
     return motion_of(state, columns);
 }
 

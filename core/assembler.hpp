@@ -5,10 +5,11 @@
 #include "core/numerics/sparse_rows.hpp"
 #include "core/system.hpp"
 
-/// Numbers of a system at a state: Φ, Φq and, only when asked, the right sides of velocity and acceleration.
+/// Assembly of a system at a state: Φ, Φq and, on demand, the right sides of velocity and acceleration
+/// equations.
 namespace jw {
 
-/// Columns of one coordinate choice <-> bodies.
+/// Conversion between the columns of a coordinate choice and the bodies.
 template <class C>
 class Layout {
 public:
@@ -21,38 +22,38 @@ public:
     Motion motion_of(const State& state, const VectorX& columns) const;
     /// Accelerations as columns -> r̈, ω̇', θ̈ (p̈ and ω̇ converted as on slide 13).
     Motion acceleration_of(const State& state, const VectorX& columns) const;
-    /// q + Δq: p + Δp (not normalised here) or p turned by Δq; fixed bodies stay.
+    /// Adds Δq to a state: p + Δp (not normalised here), or p rotated by Δq; fixed bodies are unchanged.
     void advance(State& state, const VectorX& delta) const;
-    /// Largest turn of a body that `delta` stands for [rad].
+    /// Largest rotation of a body by `delta` [rad].
     double largest_turn(const VectorX& delta) const;
 
 private:
     const System* system_;
 };
 
-/// Assembles into memory that is allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in
-/// the (r, p) choices unless they are left out. Columns: 7 or 6 per moving body, then the artificial
-/// coordinates. Φq is held as its few entries per row; whoever asks for `jacobian()` gets all of its zeros.
+/// Assembles into memory that is allocated once. Rows: joints, drivers, then pᵀp - 1 per moving body in the
+/// (r, p) choices unless omitted. Columns: 7 or 6 per moving body, then the artificial coordinates. Φq is
+/// stored sparse, a few entries per row; `jacobian()` converts it to a dense matrix.
 template <class C>
 class Assembler {
 public:
-    /// `system` must outlive the assembler; rows may be chosen anew in between.
+    /// @param system must outlive the assembler; its rows may be chosen again in between
     explicit Assembler(const System& system, bool normalisation_rows = true);
 
     const Layout<C>& layout() const { return layout_; }
     const System& system() const { return *system_; }
 
-    /// Φ and Φq at `state` and time `t` [s].
+    /// Assembles Φ and Φq at `state` and time `t` [s].
     void assemble_phi_and_jacobian(const State& state, double t);
-    /// ν = -Φ_t of the velocity equations Φq q̇ = ν.
+    /// Assembles ν = -Φ_t of the velocity equations Φq q̇ = ν.
     void assemble_nu(double t);
-    /// γ of the acceleration equations Φq q̈ = γ at velocities `motion`.
+    /// Assembles γ of the acceleration equations Φq q̈ = γ at velocities `motion`.
     void assemble_gamma(const State& state, const Motion& motion, double t);
 
     const VectorX& phi() const { return phi_; }
-    /// Φq, its entries alone.
+    /// Φq in sparse storage.
     const SparseRows& sparse_jacobian() const { return sparse_; }
-    /// Φq [rows x columns]; the first call of all allocates it.
+    /// Φq as a dense matrix [rows x columns]; the first call allocates it.
     const MatrixX& jacobian() const;
     const VectorX& nu() const { return nu_; }
     const VectorX& gamma() const { return gamma_; }
@@ -76,7 +77,7 @@ private:
     VectorX gamma_;
 };
 
-/// Φ of all equations of a constraint at `state`, those without a row included.
+/// Φ of all equations of a constraint at `state`, including those without a row.
 VectorX values_of(const Constraint& constraint, const State& state);
 
 /// Value, rate and acceleration of a measure between two bodies (θ for a screw) at given motion.

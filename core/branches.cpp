@@ -10,9 +10,10 @@ namespace jw {
 
 namespace {
 
-// a start pose whose side vectors are less than 6 deg from the axis' plane of decision says nothing
+// a start pose does not determine the side if its side vectors are less than 6 deg from the plane that
+// separates the sides
 constexpr double kClearSide = 0.1;
-// a lesson's own numbers may close to 1e-7 only; the pair that the rule keeps passes on twice that
+// a lesson's numbers may close to 1e-7 only; the pair kept by the rule passes on twice that
 constexpr double kHolds = 1e-6;
 
 const Joint& joint_of(const System& system, const Constraint& c) {
@@ -23,24 +24,24 @@ Vec3 turned(const State& state, int body, const Vec3& s_local) {
     return rotation_matrix(state.p[static_cast<std::size_t>(body)]) * s_local;
 }
 
-/// Cosine between the two axes of p1.
+/// Cosine of the angle between the two axes of p1.
 double alignment(const Joint& joint, const State& state) {
     const Vec3 s_i = turned(state, joint.body_i, joint.geometry.s_i_local.normalized());
     return s_i.dot(turned(state, joint.body_j, joint.geometry.s_j_local.normalized()));
 }
 
-/// False where equations taken out by hand leave the axes of the constraint's joint free to part.
+/// Whether the axes of the constraint's joint are held together; false where equations were removed by hand.
 bool axes_held(const System& system, const Constraint& c, const State& state) {
     for (const Constraint& other : system.constraints()) {
         if (other.joint != c.joint || other.role != Role::axes_parallel || other.taken_out == 0) { continue; }
         if (other.rows() < 2) { return false; }
-        // two rows taken by hand say nothing of an axis that lies in their plane
+        // two rows chosen by hand do not constrain an axis that lies in their plane
         if (values_of(other, state).cwiseAbs().maxCoeff() > kHolds * other.unit) { return false; }
     }
     return true;
 }
 
-/// (h_i x h_j)·s_i of unit vectors.
+/// Handedness (h_i x h_j)·s_i of unit vectors.
 double handedness(const Joint& joint, const State& state) {
     const Vec3 h_i = turned(state, joint.body_i, joint.geometry.h_i_local.normalized());
     const Vec3 h_j = turned(state, joint.body_j, joint.geometry.h_j_local.normalized());

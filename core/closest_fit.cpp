@@ -12,21 +12,21 @@ namespace jw {
 
 namespace {
 
-constexpr int kDampedSteps = 200;  // linear at worst; enough for three digits of the fit
-constexpr int kNewtonSteps = 40;   // quadratic at last; before, half a radian at a time
-constexpr int kStepsAcross = 10;   // down the walls of a valley: quadratic from the start
+constexpr int kDampedSteps = 200;  // linear convergence at worst; enough for three digits of the fit
+constexpr int kNewtonSteps = 40;   // quadratic convergence at the end; before, half a radian at a time
+constexpr int kStepsAcross = 10;   // descent across a valley: quadratic from the start
 // central differences of the gradient: truncation h² = 1e-10 and rounding 1e-16 / h both far below the
 // curvatures that matter, which are of the size of the gap
 constexpr double kDifference = 1e-5;
-// each step of Newton's costs two gradients per column and an eigenvalue problem
+// each Newton step costs two gradients per column and an eigenvalue problem
 constexpr Eigen::Index kMostColumns = 200;
-constexpr double kShortest = 1e-6;  // share of a step; where even that does not go down, nothing does
-constexpr int kRounds = 3;          // of damped steps and Newton's: where one stops early the other goes on
-constexpr double kFlat = 1e-12;     // of ‖φ‖: rounding of the gradient
-constexpr double kSettled = 1e-6;   // likewise: far below what counts as a closest fit
-// of the largest: along less than this nothing is to be had; along less than a valley's there is next to
-// nothing, since the gap of a loop hardly depends on where the loop stands, and every step along the valley
-// climbs its walls a little
+constexpr double kShortest = 1e-6;  // share of a step; where even that gives no decrease, nothing does
+constexpr int kRounds = 3;  // rounds of damped and Newton steps: where one stops early the other continues
+constexpr double kFlat = 1e-12;    // relative to ‖φ‖: rounding of the gradient
+constexpr double kSettled = 1e-6;  // relative to ‖φ‖: far below the gradient that counts as a closest fit
+// relative to the largest: along a smaller curvature nothing is gained; along less than a valley's there is
+// next to nothing, since the gap of a loop hardly depends on the position of the loop, and every step along
+// the valley climbs its walls a little
 constexpr double kFlatCurvature = 1e-9;
 constexpr double kValley = 1e-4;
 
@@ -53,7 +53,7 @@ State descended(ScaledEquations& equations, State state) {
     return state;
 }
 
-/// Second derivatives of ½ ‖φ‖², those of Φ included.
+/// Second derivatives of ½ ‖φ‖², including those of Φ.
 MatrixX curvature_at(ScaledEquations& equations, const State& state) {
     const Eigen::Index n = equations.columns();
     MatrixX curvature(n, n);
@@ -67,9 +67,9 @@ MatrixX curvature_at(ScaledEquations& equations, const State& state) {
     return (curvature + curvature.transpose()) / (4.0 * kDifference);
 }
 
-/// Newton's method on the gradient: with the curvature of Φ it goes on where damped steps creep. Directions
-/// of negative curvature are taken downhill.
-/// @param flat curvatures, by the largest, along which no step is taken
+/// Newton's method on the gradient: with the curvature of Φ it continues where damped steps creep. Directions
+/// of negative curvature are followed downhill.
+/// @param flat curvature relative to the largest below which no step is taken
 State polished(ScaledEquations& equations, State state, int steps, double flat) {
     equations.look(state);
     for (int k = 0; k < steps; ++k) {

@@ -3,16 +3,16 @@
 #include "core/assembler.hpp"
 #include "core/least_squares.hpp"
 
-/// The pose that misses the equations least, where none meets them.
+/// Pose with the smallest residual, where no pose satisfies the equations.
 namespace jw {
 
-/// Φ and Φq in the scene's units, as functions of the state. Some rows may be made to weigh more than others.
+/// Φ and Φq in the scene's units, as functions of the state, with optional weights of the rows.
 class ScaledEquations {
 public:
     ScaledEquations(const System& system, double t)
         : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
-    /// @param weights one per row; an equation of weight 100 is met a hundred times as well where not all can
-    /// be
+    /// @param weights one per row; an equation of weight 100 is satisfied a hundred times as well where not
+    ///        all can be
     ScaledEquations(const System& system, double t, const VectorX& weights) : ScaledEquations(system, t) {
         if (weights.size() > 0) { scaling_.row = scaling_.row.cwiseQuotient(weights).eval(); }
     }
@@ -30,7 +30,7 @@ public:
             .cwiseProduct(scaling_.column);
     }
     Eigen::Index columns() const { return scaling_.column.size(); }
-    /// `state` moved by `delta` in scaled columns, no body turned by more than a Newton step may.
+    /// State moved by `delta` in scaled columns, with no body turned by more than a Newton step allows.
     State moved(State state, const VectorX& delta) const;
 
 private:
@@ -39,9 +39,9 @@ private:
     double t_;
 };
 
-/// Goes down from `state` to where ‖Φ‖, scaled and weighted, is smallest: damped steps (Levenberg-Marquardt),
-/// then, since these creep where the equations contradict each other, Newton's method on the gradient.
-/// @param weights empty: all rows count alike
+/// Minimises ‖Φ‖, scaled and weighted, from `state`: damped steps (Levenberg-Marquardt), then, since these
+/// creep where the equations contradict each other, Newton's method on the gradient.
+/// @param weights if empty, all rows have weight 1
 State closest_fit(const System& system, State state, double t, const VectorX& weights = {});
 
 }  // namespace jw

@@ -11,14 +11,15 @@ namespace jw {
 
 namespace {
 
-// all others are met so much better than the last that four digits of its gap are its own
+// weight of all other equations: they are satisfied so much better that four digits of the last one's gap are
+// its own
 constexpr double kWeightOfOthers = 300.0;
-// of the largest residual at the closest fit: who has less of it has next to nothing to do with it
+// share of the largest residual at the closest fit: joints with a smaller one are not involved
 constexpr double kShares = 0.02;
-// every one left out is a solve of its own
+// every omission costs a solve
 constexpr std::size_t kMostTried = 64;
 
-/// Parts of a system, tried one by one.
+/// Subsystems, solved one by one.
 class Parts {
 public:
     Parts(const System& whole, const State& start, double t) : whole_(&whole), start_(&start), t_(t) {}
@@ -41,12 +42,12 @@ private:
     double t_;
 };
 
-/// The first entry of `all` that does not close together with those before it; -1 if there is none.
+/// First entry of `all` that does not close together with those before it; -1 if there is none.
 /// @param with the selection of the first n of them
 template <class With>
 int first_that_fails(const Parts& parts, const std::vector<int>& all, const With& with) {
     if (all.size() > kMostTried) { return -1; }
-    // as a rule the last one was added to what closed
+    // usually the last one was added to a system that closed
     if (!all.empty() && parts.closes(with(all.size() - 1))) { return static_cast<int>(all.size()) - 1; }
     for (std::size_t n = 1; n <= all.size(); ++n) {
         if (!parts.closes(with(n))) { return static_cast<int>(n) - 1; }
@@ -58,7 +59,7 @@ std::vector<int> first_of(const std::vector<int>& all, std::size_t count) {
     return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// Where all rows but those marked hold.
+/// Pose at which all rows except those marked hold.
 template <class IsLast>
 State fit_of_others(const System& system, const State& fit, double t, const IsLast& is_last) {
     VectorX weights(system.rows());
@@ -68,7 +69,7 @@ State fit_of_others(const System& system, const State& fit, double t, const IsLa
     return closest_fit(system, fit, t, weights);
 }
 
-/// Root of what is squared in the equations of distances.
+/// Length of a squared distance; 0 if rounding made it negative.
 double length_of(double square) { return std::sqrt(std::max(square, 0.0)); }
 
 double gap_of(const System& system, const Constraint& c, const State& state) {
@@ -88,7 +89,7 @@ double gap_of(const System& system, const Constraint& c, const State& state) {
     return values.norm();
 }
 
-/// Joints with a part in the largest residual at the closest fit, `last` as the last of them.
+/// Joints that share the largest residual at the closest fit, with `last` as the last of them.
 std::vector<int> joints_that_share(const System& system, const State& fit, double t, int last) {
     ScaledEquations equations(system, t);
     equations.look(fit);

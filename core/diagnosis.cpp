@@ -12,15 +12,16 @@ namespace jw {
 
 namespace {
 
-constexpr double kFlatGradient = 1e-5;  // of |Φq||Φ|: the residual can be lowered no further
-// directions below this part of the largest singular value count as lost where the residual is as large:
-// a loop that misses by its typed digits slides along them without end
+constexpr double kFlatGradient = 1e-5;  // relative to |Φq||Φ|: the residual cannot be reduced further
+// directions below this share of the largest singular value count as lost where the residual is as large: a
+// loop that misses by its typed digits slides along them without end
 constexpr double kLargestSlack = 1e-3;
-constexpr double kLostSingularValue = 1e-6;  // of the largest, at the closest fit
-// where the gradient vanishes at a maximum or a saddle (parallel arms of a universal joint, a rod of no
-// length), a push of this size [scene's unit, rad] lets the descent go on; a closest fit is returned to
+constexpr double kLostSingularValue = 1e-6;  // relative to the largest, at the closest fit
+// where the gradient vanishes at a maximum or a saddle point (parallel arms of a universal joint, a rod
+// without length), a perturbation of this size [scene's unit, rad] lets the descent continue; a closest fit
+// is returned to
 constexpr double kPush = 1e-2;
-constexpr double kClearlyLower = 0.9;  // of ‖Φ‖: far from the digits in which two fits of one pose differ
+constexpr double kClearlyLower = 0.9;  // of ‖Φ‖: far from the digits in which two fits differ
 
 struct Fit {
     State state;
@@ -30,7 +31,7 @@ struct Fit {
     double smallest_singular_value = 0.0;
 };
 
-/// How good and how final the fit at `state` is.
+/// Evaluates the quality of the fit at `state`, and whether it can be improved.
 Fit fit_at(const System& system, State state, double t) {
     for (Vec4& p : state.p) { p.normalize(); }
     ScaledEquations equations(system, t);
@@ -39,7 +40,7 @@ Fit fit_at(const System& system, State state, double t) {
     if (!fit.phi.allFinite()) { return fit; }
     const Svd svd = svd_of(equations.jacobian());
     if (!svd.sound) {
-        fit.smallest_singular_value = 1.0;  // nothing can be said of it
+        fit.smallest_singular_value = 1.0;  // not available
         return fit;
     }
     const VectorX& sigma = svd.sigma;
@@ -47,7 +48,7 @@ Fit fit_at(const System& system, State state, double t) {
     const VectorX gradient =
         (sigma.array() > slack * sigma(0)).select(sigma.cwiseProduct(svd.U.transpose() * fit.phi), 0.0);
     fit.flatness = gradient.norm() / std::max(sigma(0) * fit.phi.norm(), 1e-300);
-    // smallest among those that should not vanish: redundancy aside, the last ratio that is no rounding
+    // smallest of those that should not vanish: apart from redundancy, the last ratio above rounding
     for (const double s : sigma) {
         if (s > 1e-12 * sigma(0)) { fit.smallest_singular_value = s / sigma(0); }
     }
@@ -59,13 +60,13 @@ Fit closest_fit_from(const System& system, const State& start, const State& reac
     return fit.flatness < kFlatGradient ? fit : fit_at(system, closest_fit(system, start, t), t);
 }
 
-/// True if parts that rest at `fit` come closer once they are pushed: it was no closest fit.
+/// Whether the fit improves after a perturbation: then it was not a closest fit.
 bool gives_way(const System& system, const Fit& fit, double t) {
-    // a maximum misses by the size of the parts; by less, it would be typed digits that miss
+    // at a maximum the residual has the size of the parts; a smaller one comes from typed digits
     if (fit.phi.cwiseAbs().maxCoeff() < kLargestSlack) { return false; }
     ScaledEquations equations(system, t);
     VectorX push(Layout<OmegaLocal>(system).columns());
-    // no two entries alike, so that no symmetry of the scene survives
+    // no two entries are equal, so that no symmetry of the scene survives
     for (Eigen::Index k = 0; k < push.size(); ++k) {
         push(k) = kPush * std::cos(1.0 + 2.4 * static_cast<double>(k));
     }

@@ -15,10 +15,10 @@ namespace {
 // 1, 1/4, 1/16, 1/64 of a step
 constexpr int kMostAttempts = 4;
 constexpr double kShorter = 0.25;
-// of the tangent's promise, where no curve follows the tangent
+// share of the predicted movement, where no curve follows the tangent
 constexpr double kKeptAtCorner = 0.1;
 constexpr double kLargestCornerCorrection = 1.5;
-constexpr double kNoDirection = 1e-12;  // of the one before: nothing of it is free any more
+constexpr double kNoDirection = 1e-12;  // relative to the one before: no part of it is free any more
 
 class Follower {
 public:
@@ -32,7 +32,7 @@ public:
           newton_(system_),
           sides_(intended_sides(system_)) {}
 
-    /// States after `state`, one per step.
+    /// Follows a direction from `state`. @return the states after it, one per step
     std::vector<State> follow(State state, VectorX direction, int steps, double length) {
         std::vector<State> states;
         while (static_cast<int>(states.size()) < steps && make_unit(direction)) {
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// Largest turn, displacement in sizes of the machine, or θ made 1.
+    /// Scales a direction so that its largest rotation, displacement in sizes of the machine, or θ is 1.
     bool make_unit(VectorX& direction) const {
         double largest = 0.0;
         for (const int body : system_.moving_bodies()) {
@@ -59,7 +59,7 @@ private:
         return largest > kNoDirection && direction.allFinite();
     }
 
-    /// A step of `length`, in pieces where it must be.
+    /// Takes a step of `length`, in pieces where necessary.
     bool advance(State& state, VectorX& direction, double length) {
         for (double left = length; left > 0.0;) {
             const double done = piece(state, direction, left);
@@ -69,7 +69,8 @@ private:
         return true;
     }
 
-    /// @return the length of the piece taken, 0 if none can be; `direction` is then the tangent at its end
+    /// Takes a piece of a step. @return its length, 0 if none can be taken; `direction` becomes the tangent
+    /// at its end
     double piece(State& state, VectorX& direction, double length) {
         system_.choose_rows(state);
         State way_out;
@@ -118,14 +119,14 @@ private:
         return assembler_.layout().columns_of(from, motion);
     }
 
-    /// ω' is carried along in the body.
+    /// Projects the direction onto the free motions at `state`; ω' is kept in body components.
     void keep_free_part(const State& state, VectorX& direction) {
         assembler_.assemble_phi_and_jacobian(state, t_);
         least_squares_.compute(assembler_.sparse_jacobian());
         least_squares_.keep_free_part(reliable_rank(least_squares_, newton_.outcome()->residual), direction);
     }
 
-    System system_;  // a copy: rows are chosen anew on the way
+    System system_;  // a copy: rows are chosen again on the way
     double t_;
     double size_;
     Assembler<OmegaLocal> assembler_;

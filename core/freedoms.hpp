@@ -4,24 +4,25 @@
 
 #include "core/system.hpp"
 
-/// Free motions followed: does a null vector of Φq belong to a motion, or to a velocity only?
+/// Finite and instantaneous free motions: whether a null vector of Φq belongs to a motion, or is a velocity
+/// only.
 namespace jw {
 
 struct FollowedMotion {
     std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
-    int start = 0;              ///< where that is in `states`
-    bool finite = false;        ///< false: instantaneous, no way leads on in either sense
+    int start = 0;              ///< index of the start in `states`
+    bool finite = false;        ///< false: instantaneous, no motion in either sense
 };
 
 /// Follows a free motion in both senses along the assembled states: a step along the tangent nearest to the
-/// one before, then Newton.
+/// one before, then Newton's method.
 ///
-/// Whether it is finite is told by the first step. The tangent promises a movement h; Newton brings that onto
-/// Φ = 0 and leaves a movement m. Along a curve m/h tends to 1 as h shrinks, and a correction of less than a
-/// third is asked for. Where branches cross, a vector between their tangents keeps a fixed part: a tenth is
-/// enough. Where the null vector is a velocity only (bars in line), Newton goes all the way back: m is what Φ
-/// of order h² hides below Newton's tolerance of 1e-13, a few 1e-7, and m/h is next to nothing. Asked for h,
-/// h/4, h/16, h/64; none of them kept in either sense means instantaneous.
+/// The first step decides whether it is finite. The tangent predicts a movement h; Newton's method projects
+/// it onto Φ = 0 and leaves a movement m. Along a curve m/h tends to 1 as h shrinks, and the correction must
+/// be less than a third. Where branches cross, a vector between their tangents keeps a fixed part: a tenth is
+/// enough. Where the null vector is a velocity only (bars in line), Newton's method returns all the way: m is
+/// what Newton's tolerance of 1e-13 hides of a Φ of order h², a few 1e-7, and m/h is next to nothing. Tested
+/// for h, h/4, h/16, h/64; if none of them is kept in either sense, the freedom is instantaneous.
 ///
 /// @param state satisfies the constraints at time `t`, at which drivers stand still
 /// @param direction columns of (r, ω') and θ with Φq direction = 0, as RankReport::free_motions; any size

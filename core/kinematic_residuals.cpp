@@ -13,7 +13,8 @@ namespace {
 
 using C = OmegaGlobal;
 
-// Newton stops at 1e-13 times the scene's coordinates; the rows are evaluated here in other coordinates
+// Newton's method stops at 1e-13 times the scene's coordinates; the rows are evaluated in other coordinates
+// here
 constexpr double kPosition = 1e-12;
 constexpr double kRoundings = 1e4;
 
@@ -28,7 +29,7 @@ Theta theta_of(int theta, const State& state, const Motion& motion) {
     return {state.theta[at(theta)], motion.theta_dot[at(theta)]};
 }
 
-/// Calls `use(row, terms, target)` for every equation, `terms` along `motion`, `target` of a driver's
+/// Calls `use(row, terms, target)` for every equation: `terms` along `motion`, `target` from a driver's
 /// function.
 template <class Use>
 void for_each_row(const System& system, const State& state, const Motion& motion, double t, const Use& use) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRounding = 1e-15;  // as in rank.cpp
 
-/// Rows of one joint, or of one driver, stay together when dependence is told.
+/// Groups for dependence: the rows of one joint, or of one driver, stay together.
 std::vector<int> groups_in_order(const System& system) {
     std::vector<int> group_of_row;
     int group = -1;

@@ -3,20 +3,22 @@
 #include "core/numerics/sparse_rows.hpp"
 #include "core/rank.hpp"
 
-/// The rank of large systems, from sparse factors instead of singular values.
+/// Rank of large systems from sparse factors instead of singular values.
 namespace jw {
 
-/// Of more columns (fifty bodies) singular values and free motions take longer than anybody waits unasked.
+/// Number of columns (fifty bodies) above which singular values and free motions take too long to be computed
+/// unasked.
 inline constexpr int kMostColumnsWithSpectrum = 300;
 
-/// The same verdicts as analyse_rank, from a factorisation whose work grows with the bodies. Where its error
-/// bounds do not prove what the singular values would say, these are computed after all.
+/// Reaches the verdicts of analyse_rank by a factorisation whose work grows with the bodies, not with their
+/// cube. Where its error bounds do not prove the verdict of the singular values, these are computed after
+/// all.
 /// @param jacobian the (r, ω') matrix at a state, as Assembler<OmegaLocal>::sparse_jacobian gives it
-/// @param phi its residuals there
+/// @param phi residuals at that state
 RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, const VectorX& phi);
 
-/// The one or the other by the number of columns.
-/// @param spectrum true: singular values and free motions whatever that takes
+/// Calls analyse_rank or analyse_large_rank depending on the number of columns.
+/// @param spectrum true: compute singular values and free motions at any size
 RankReport analyse_rank_of_any_size(
     const System& system, const SparseRows& jacobian, const VectorX& phi, bool spectrum);
 

@@ -9,11 +9,11 @@ namespace jw {
 
 namespace {
 
-// as Newton asks first: pivots below it are taken for rounding
+// first threshold of Newton's method: pivots below it count as rounding
 constexpr double kFirstThreshold = 1e-9;
-// rows that repeat others and contradict them by no more than this (scaled) contradict them by rounding
+// contradiction of redundant rows (scaled) that is rounding
 constexpr double kRounding = 1e-14;
-// of conjugate gradients: far below what positions are solved to, and a reserve of steps (tens are enough)
+// conjugate gradients: far below the tolerance of positions, and a reserve of steps (tens are enough)
 constexpr double kSpreadTolerance = 1e-12;
 constexpr int kMostSpreadSteps = 300;
 
@@ -78,7 +78,7 @@ double LeastSquares::relative_pivot(int k) const {
 
 int LeastSquares::rank(double relative_threshold) const {
     if (sparse_) {
-        // another threshold makes another choice of rows only if it counts other pivots
+        // another threshold changes the choice of rows only if it counts other pivots
         const auto above = [&](double threshold) {
             return std::ranges::count_if(pivots_, [&](double pivot) { return pivot > threshold; });
         };
@@ -172,7 +172,8 @@ void LeastSquares::solve_transposed(const VectorX& force, int rank, VectorX& lam
 }
 
 void LeastSquares::keep_free_part(int rank, VectorX& x) {
-    // Q1ᵀ x is what the independent rows see: the reflections applied first to last, and back without it
+    // Q1ᵀ x is the part that the independent rows constrain: apply the reflections first to last, and back
+    // without that part
     y_ = x.cwiseQuotient(scaling_.column);
     if (sparse_) {
         reach_rank(rank);
@@ -194,7 +195,7 @@ void LeastSquares::factor_sparsely(double threshold) const {
     std::ranges::sort(pivots_, std::greater<>());
 }
 
-/// Factors anew where a caller counts fewer or more rows than the present factors.
+/// Factors again where a caller counts fewer or more rows than the present factors.
 void LeastSquares::reach_rank(int rank) const {
     if (sparse_->rank() == rank || rank > static_cast<int>(pivots_.size())) { return; }
     factor_sparsely(rank < static_cast<int>(pivots_.size()) ? pivots_[at(rank)] : 0.0);
@@ -210,9 +211,9 @@ void LeastSquares::solve_sparsely(const VectorX& b, VectorX& x) {
     x = y_.cwiseProduct(scaling_.column);
 }
 
-/// As in the dense case [I; W] z = [c1; c2] in least squares, z = c1 + Wᵀ (I + W Wᵀ)⁻¹ (c2 - W c1), where the
-/// inverse is taken by conjugate gradients: W is known by its products only. Rows that do not contradict the
-/// others leave c1 as it is.
+/// Distributes the contradiction of redundant rows. As in the dense case, [I; W] z = [c1; c2] in least
+/// squares, z = c1 + Wᵀ (I + W Wᵀ)⁻¹ (c2 - W c1), where the inverse is applied by conjugate gradients: W is
+/// known by its products only. Rows that do not contradict the others leave c1 unchanged.
 void LeastSquares::spread_inconsistency(VectorX& c) {
     const std::vector<int>& repeating = sparse_->repeating();
     if (repeating.empty()) { return; }
@@ -222,7 +223,7 @@ void LeastSquares::spread_inconsistency(VectorX& c) {
         for (Eigen::Index k = 0; k < count; ++k) { part(k) = all(repeating[at(k)]); }
         return part;
     };
-    // Wᵀ u, zero for the rows that repeat
+    // Wᵀ u, zero for redundant rows
     const auto w_transposed = [&](const VectorX& u) {
         VectorX v = VectorX::Zero(c.size());
         for (Eigen::Index k = 0; k < count; ++k) { v(repeating[at(k)]) = -u(k); }

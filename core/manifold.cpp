@@ -15,29 +15,30 @@ namespace {
 
 constexpr int kMostSteps = 5;
 constexpr double kLargestTurnOfStep = 0.2;  // [rad]; an arc of 0.2 leaves its tangent by a tenth of the step
-constexpr double kLargestShift = 0.2;       // of the machine
-constexpr double kReached = 1e-9;           // of the machine: a millionth of a pixel
-// targets further off say no more than their direction; nearer ones keep digits for the last steps
+constexpr double kLargestShift = 0.2;       // sizes of the machine
+constexpr double kReached = 1e-9;           // sizes of the machine: a millionth of a pixel
+// a target further off counts only by its direction; a nearer one keeps digits for the last steps
 constexpr double kFar = 10.0;  // sizes of the machine
 constexpr double kHuge = 1e100;
-// a fall of ½ distance² below this part of it is rounding
+// a decrease of ½ distance² below this share of it is rounding
 constexpr double kSmallestGain = 1e-13;
 constexpr double kSufficient = 1e-4;  // Armijo, as in newton.cpp
-// conjugate directions: as many as there are freedoms, but no more than pay off in one step
+// conjugate directions: as many as there are freedoms, but not more than are worth their cost in one step
 constexpr int kMostDirections = 8;
 constexpr double kDirectionRest = 1e-3;
-// differences of slopes: truncation 1e-6, rounding 1e-16 / 1e-6
+// differences of gradients: truncation 1e-6, rounding 1e-16 / 1e-6
 constexpr double kDifference = 1e-6;
-// 1, 1/4 ... 1/64 of a step; where corrections stay in proportion to it, the pose is a corner
+// 1, 1/4 ... 1/64 of a step; where corrections stay proportional to it, the pose is a corner
 constexpr int kMostAttempts = 4;
 constexpr double kShorter = 0.25;
-// quadratic convergence takes 4 from a good prediction
+// quadratic convergence needs 4 from a good prediction
 constexpr int kMostCorrections = 8;
-// at a corner the tangent is that of no branch: a solution next to it is taken if it is as far from here
+// at a corner the tangent belongs to no branch: a solution near the prediction is accepted if it is about as
+// far from the start
 constexpr double kLargestCornerCorrection = 1.5;
 constexpr double kSmallestCornerStep = 0.3;
 
-/// Displacements count in sizes of the machine, so that a small machine is moved rather than turned.
+/// Scaling with displacements in sizes of the machine, so that a small machine is moved rather than turned.
 Scaling scaling_by_size(const System& system, double size) {
     Scaling scaling = scaling_of<OmegaLocal>(system);
     for (const int body : system.moving_bodies()) {
@@ -102,8 +103,8 @@ void Dragger::keep_free_part(VectorX& scaled) {
     scaled = scaled.cwiseQuotient(scaling_.column);
 }
 
-/// Downhill slope of ½ |goal - point|² + λᵀΦ at `state`, in scaled unknowns; λ are the multipliers that make
-/// it a free motion at the present state.
+/// Negative gradient of ½ |goal - point|² + λᵀΦ at `state`, in scaled unknowns; the multipliers λ make it a
+/// free motion at the present state.
 void Dragger::slope_at(const State& state, VectorX& slope) {
     assembler_.assemble_phi_and_jacobian(state, t_);
     if (least_squares_.is_sparse()) {
@@ -120,7 +121,7 @@ void Dragger::slope_at(const State& state, VectorX& slope) {
     slope = slope.cwiseProduct(scaling_.column);
 }
 
-/// Second derivative of the same along a free motion, by a difference of slopes.
+/// Second derivative of the same along a free motion, by a difference of gradients.
 void Dragger::curvature_along(const VectorX& direction, VectorX& curvature) {
     const double h = kDifference / direction.norm();
     step_ = h * direction.cwiseProduct(scaling_.column);
@@ -131,8 +132,8 @@ void Dragger::curvature_along(const VectorX& direction, VectorX& curvature) {
     keep_free_part(curvature);
 }
 
-/// Newton's direction by conjugate gradients within the free motions; the slope itself where the distance
-/// curves the wrong way.
+/// Newton direction by conjugate gradients within the free motions; the gradient itself where the curvature
+/// of the distance is negative.
 void Dragger::find_direction() {
     direction_.setZero();
     rest_ = conjugate_ = slope_;
@@ -167,7 +168,7 @@ void Dragger::shorten_direction() {
     if (excess > 1.0) { direction_ /= excess; }
 }
 
-/// Newton on Φ from the tangent; the result stands in `newton_` if it has converged.
+/// Newton's method on Φ from the tangent; the result is in `newton_` if it has converged.
 bool Dragger::correct(double fraction, DragOutcome& outcome) {
     step_ = fraction * direction_.cwiseProduct(scaling_.column);
     trial_ = state_;
@@ -178,14 +179,14 @@ bool Dragger::correct(double fraction, DragOutcome& outcome) {
     return newton_.outcome() && newton_.outcome()->converged;
 }
 
-/// @return false if no step brings the point nearer
+/// Takes one step. @return false if no step brings the point nearer
 bool Dragger::step(DragOutcome& outcome) {
     const Vec3 e = target_ - point(state_);
     const Vec3 way = e * (kFar * size_ / std::max(e.norm(), kFar * size_));
     goal_ = point(state_) + way;
     const double value = 0.5 * way.squaredNorm();
 
-    // the pull, and what of it the constraints do not hold
+    // the pull, and the part of it that the constraints leave free
     multipliers_.setZero();
     slope_at(state_, slope_);
     step_ = slope_.cwiseQuotient(scaling_.column);
@@ -217,7 +218,7 @@ bool Dragger::step(DragOutcome& outcome) {
             way_out_ = reached;
         }
     }
-    // corrections in proportion to the step however short: branches meet here, and none is along the tangent
+    // corrections proportional to the step, however short: branches meet here, and none is along the tangent
     if (!corner || !has_way_out) { return false; }
     accept(way_out_);
     return true;

@@ -4,37 +4,38 @@
 
 #include "core/newton.hpp"
 
-/// Motion by hand on the set of assembled states: a point of a body is pulled, everything else follows.
+/// Dragging on the manifold of assembled states: a point of a body is pulled, everything else follows.
 namespace jw {
 
-/// Rank by pivots at a pose assembled to `residual` (scaled). As in the motion tracker the weakest equation
-/// does not count where it is close to lost: next to a singular pose what it says is mostly position error.
+/// Rank by pivots at a pose assembled to `residual` (scaled). As in the motion tracker, the weakest equation
+/// does not count where it is close to lost: near a singular pose it is mostly position error.
 int reliable_rank(const LeastSquares& least_squares, double residual);
 
-/// Brings `state` to an assembled state next to it by Newton; rows are chosen there anew.
-/// @return false, and `state` as it was, if Newton does not converge to a state that is meant
+/// Moves `state` to a nearby assembled state by Newton's method; rows are chosen again there.
+/// @return false, with `state` unchanged, if Newton's method does not converge to an intended state
 bool project(System& system, State& state, double t);
 
 struct DragOutcome {
-    double distance = 0.0;  ///< from the point to the target afterwards [m]; 0 for a target that is ignored
-    int freedoms = 0;       ///< columns - rank at the last pose looked at
+    double distance = 0.0;  ///< from the point to the target [m]; 0 for a target that is ignored
+    int freedoms = 0;       ///< columns - rank at the last pose
     bool blocked = false;   ///< short of the target, and no freedom moves the point towards it
     int newton_iterations = 0;
     double residual = 0.0;  ///< largest |Φ|, scaled
 };
 
-/// Moves an assembled state so that a point of a body comes as near as possible to a target. A pull is a few
+/// Drags an assembled state so that a point of a body comes as near as possible to a target. A pull is a few
 /// steps along the free motions (r, ω'): Newton's method on the distance, with the curvature of the
-/// constraints, each step corrected by Newton on Φ. A step is taken only if the distance falls, so pulls at a
-/// target out of reach end at the nearest point of the way there and stay. Time and drivers stand still.
+/// constraints, each step corrected by Newton's method on Φ. A step is taken only if the distance decreases,
+/// so pulls at a target out of reach end at the nearest point on the way there and stay. Time and drivers are
+/// fixed.
 class Dragger {
 public:
-    /// @param system must outlive this; its rows are chosen anew between the steps
+    /// @param system must outlive this; its rows are chosen again between the steps
     /// @param state satisfies the constraints at time `t`
     Dragger(System& system, State state, double t);
 
-    /// At most five steps, each with turns up to 0.2 rad and displacements up to a fifth of the machine.
-    /// Numbers that are not finite are ignored.
+    /// Takes at most five steps, each with rotations up to 0.2 rad and displacements up to a fifth of the
+    /// machine. Targets that are not finite are ignored.
     /// @param point_local in the body [m]
     /// @param target global [m]
     /// @throws std::invalid_argument for a body that is not in the mechanism
@@ -58,7 +59,7 @@ private:
     System* system_;
     State state_;
     double t_;
-    double size_;  ///< of the machine [m]
+    double size_;  ///< size of the machine [m]
     Assembler<OmegaLocal> assembler_;
     Scaling scaling_;
     LeastSquares least_squares_;
@@ -67,11 +68,11 @@ private:
     int rank_ = 0;
     double residual_ = 0.0;
 
-    // what is pulled
+    // pulled point
     int body_ = 0;
     Vec3 point_local_ = Vec3::Zero();
     Vec3 target_ = Vec3::Zero();
-    Vec3 goal_ = Vec3::Zero();  ///< the target, or a place on the way to one that is far away
+    Vec3 goal_ = Vec3::Zero();  ///< the target, or a point on the way to one that is far away
 
     // work space: scaled unknowns
     State trial_;

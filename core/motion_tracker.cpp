@@ -9,9 +9,9 @@ namespace jw {
 
 namespace {
 
-// 2^-12 of a frame: where this does not help, the motion ends
+// 2^-12 of a frame: where such a step fails, the motion ends
 constexpr double kSmallestStep = 1.0 / 4096.0;
-// the tangent is a few thousandths off at first: four secant steps reach rounding, the rest is reserve
+// the tangent is a few thousandths off at first: four secant steps reach rounding, the rest are reserve
 constexpr int kMostSecantSteps = 8;
 constexpr double kFirstSecantStep = 1e-3;
 
@@ -31,7 +31,7 @@ State predicted(const System& system, const MotionFrame& frame, double h) {
     return state;
 }
 
-/// motion + h * rate
+/// Computes motion + h * rate.
 Motion after(const System& system, const Motion& motion, const Motion& rate, double h) {
     Motion sum = motion;
     for (const int body : system.moving_bodies()) {
@@ -68,7 +68,7 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
 
 MotionTracker::~MotionTracker() = default;
 
-/// Where the rows are sound again after a thorough step.
+/// Resumes quick steps where the rows are sound again after a full step.
 void MotionTracker::restart_quick_way() {
     quick_is_sound_ = quick_ && !frame_.change_point && frame_.velocity_verdict.unique &&
                       frame_.velocity_verdict.consistent && frame_.acceleration_verdict.consistent &&
@@ -90,7 +90,7 @@ void MotionTracker::analyse(double h) {
         kinematics_.set_state(frame_.state, frame_.t);
     }
 
-    // nearest to the expected velocity: at a change point this is the tangent of the branch that one came on
+    // nearest to the expected velocity: at a change point this is the tangent of the current branch
     VelocityOutcome velocity = kinematics_.solve_velocity(expected);
     frame_.velocity = std::move(velocity.velocity);
     frame_.velocity_verdict = velocity.verdict;
@@ -101,8 +101,9 @@ void MotionTracker::analyse(double h) {
     if (frame_.change_point && !acceleration.verdict.consistent) { follow_branch(); }
 }
 
-/// At a change point the velocity equations leave the tangent open, but accelerations exist along the
-/// branches only: the free part of the velocity is scaled until γ contradicts no more (secant steps).
+/// Corrects the velocity at a change point. There the velocity equations do not determine the tangent, but
+/// accelerations exist along the branches only: the free part of the velocity is scaled by secant steps until
+/// γ is consistent.
 void MotionTracker::follow_branch() {
     const Motion bound = kinematics_.solve_velocity(zero_motion(system_->mechanism())).velocity;
     const Motion free = after(*system_, frame_.velocity, bound, -1.0);
@@ -127,7 +128,7 @@ void MotionTracker::follow_branch() {
     }
 }
 
-/// Verdicts stay those of the last thorough step: rows that are sound have the full rank.
+/// Takes a quick step. Verdicts remain those of the last full step: sound rows have full rank.
 bool MotionTracker::try_quick_step(double h) {
     if (!quick_is_sound_ || !quick_->advance(frame_.t + h)) { return false; }
     reached_ = frame_;
@@ -151,7 +152,7 @@ bool MotionTracker::try_thorough_step(double h) {
     MotionFrame base = frame_;
     if (frame_.change_point) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
-    // between solves: after a large step the pair kept so far may have lost rank
+    // between solves: after a large step the kept pair may have lost rank
     frame_.rows_switched = system_->choose_rows(prediction) || frame_.rows_switched;
     newton_.start(prediction, frame_.t + h);
     const NewtonOutcome outcome = solve(newton_);
@@ -189,7 +190,8 @@ bool MotionTracker::try_thorough_step(double h) {
 }
 
 void MotionTracker::explain_end(double t) {
-    // a step beyond a dead end the gap is too small to tell: whether the parts can meet is asked at `t`
+    // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
+    // determined at `t`
     PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
     if (there.cause == FailureCause::cannot_close) { failure_ = std::move(there); }
 }

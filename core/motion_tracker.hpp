@@ -5,15 +5,16 @@
 #include "core/kinematics.hpp"
 #include "core/position.hpp"
 
-/// Follows the motion of a driven mechanism through time, on its branch.
+/// Tracking of the motion of a driven mechanism through time, on its branch.
 namespace jw {
 
 class DrivenFrames;
 
-/// Last pivot over the one before, below which a pose is reported as a change point.
+/// Ratio of the last pivot to the one before below which a pose is reported as a change point.
 inline constexpr double kChangePointRatio = 1e-3;
-/// Below this the weakest equation is left out of velocities and accelerations: at a change point Newton's
-/// tolerance of 1e-13 fixes a position to its root, 3e-7, and what that equation says is mostly error.
+/// Ratio below which the weakest equation is left out of velocities and accelerations: at a change point
+/// Newton's tolerance of 1e-13 determines a position only to its square root, 3e-7, and that equation is
+/// mostly error.
 inline constexpr double kLostPivotRatio = 1e-5;
 
 struct MotionFrame {
@@ -24,24 +25,25 @@ struct MotionFrame {
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
     int substeps = 1;
-    bool rows_switched = false;  ///< a p1 / p2 choice changed on the way to this frame
-    bool change_point = false;   ///< the pose is singular or nearly so: passed along the previous tangent
+    bool rows_switched = false;  ///< a p1 / p2 choice changed since the last frame
+    bool change_point = false;   ///< singular pose or nearly so, passed along the previous tangent
 };
 
-/// Predicts along velocity and acceleration, corrects with Newton, and halves the step where the correction
-/// is not small against the step: a jump to another branch would be. Where the rows are sound and leave
-/// nothing open the quick way of DrivenFrames is taken, everywhere else ranks are decided.
+/// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and halves
+/// the step where the correction is not small against the step, which indicates a jump to another branch.
+/// Where the rows are sound and leave no freedom, the quick solver DrivenFrames is used; everywhere else
+/// ranks are determined.
 class MotionTracker {
 public:
-    /// `system` must outlive this; the rows of p1 / p2 are chosen anew between frames.
-    /// `state` must satisfy the constraints at time `t`.
+    /// @param system must outlive this; the rows of p1 / p2 are chosen again between frames
+    /// @param state satisfies the constraints at time `t` [s]
     MotionTracker(System& system, State state, double t, bool with_accelerations = true);
     ~MotionTracker();
 
     const MotionFrame& frame() const { return frame_; }
 
-    /// @return false if the motion could not be followed; `failure()` says why, `frame()` stays at the last
-    ///         good pose
+    /// @return false if the motion could not be followed; `failure()` gives the reason, `frame()` stays at
+    ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
 

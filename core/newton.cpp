@@ -9,20 +9,21 @@ namespace {
 
 // rounding of r + A s' is a few 1e-16 of the coordinates; a hundred times that leaves room for sums
 constexpr double kTolerance = 1e-13;
-// rank inside an iteration: rows that are redundant at the solution differ from it by about the residual
+// threshold for the rank in an iteration: rows that are redundant at the solution look independent by about
+// the residual
 constexpr double kNewtonThreshold = 1e-9;
 constexpr double kLargestThreshold = 1e-2;
-// a truncated step is taken if it promises to remove nine tenths of the residual
+// a truncated step is taken if it is predicted to remove nine tenths of the residual
 constexpr double kPromisedRest = 0.1;
-// near the solution a good step makes residuals grow a few times at most; one along directions that are
-// independent by rounding only makes them grow from 1e-8, say, to the size of the machine
+// near the solution a good step increases residuals by a small factor at most; a step along directions that
+// are independent by rounding only increases them from 1e-8, say, to the size of the machine
 constexpr double kNear = 1e-3;
 constexpr double kLargestGrowth = 10.0;
-// Armijo's test: a ten-thousandth of the fall that the tangent promises is a fall, and no rounding; where a
-// millionth of the step brings none, the direction leads nowhere
+// Armijo's condition: a ten-thousandth of the decrease that the tangent predicts is sufficient, and above
+// rounding; where a millionth of the step gives no decrease, the direction leads nowhere
 constexpr double kSufficient = 1e-4;
 constexpr double kSmallestFraction = 1e-6;
-// where the rank goes up and down for so long, it is rounding that counts as equations
+// where the rank changes for so many iterations, rounding counts as equations
 constexpr int kLastReach = 20;
 
 double largest_coordinate(const State& state) {
@@ -65,7 +66,7 @@ void NewtonStepper<C>::start(State state, double t) {
 template <class C>
 NewtonStep NewtonStepper<C>::look() {
     assembler_.assemble_phi_and_jacobian(state_, t_);
-    // rounding of the coordinates as they are now, not of a start far away
+    // rounding of the current coordinates, not of a start far away
     tolerance_ = std::min(tolerance_, residual_tolerance(*system_, state_));
     NewtonStep step;
     step.iteration = iteration_;
@@ -84,7 +85,7 @@ void NewtonStepper<C>::finish(const NewtonStep& step, bool converged, bool at_fl
     outcome_ =
         NewtonOutcome{converged, at_floor, iteration_, step.residual, step.largest_row, step.largest_value};
     if (!converged || (C::kNormalised && !options_.normalisation_rows)) { return; }
-    // p to unit length as a step of its own: what is left of pᵀp - 1 is below the tolerance
+    // normalises p in an extra step: the remainder of pᵀp - 1 is below the tolerance
     for (const int body : system_->moving_bodies()) { state_.p[static_cast<std::size_t>(body)].normalize(); }
 }
 
@@ -119,8 +120,8 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     least_squares_.compute(assembler_.sparse_jacobian());
     right_side_ = -assembler_.phi();
 
-    // off the solution redundant rows look independent by about the residual: leave them out if the rest
-    // still promises to close
+    // off the solution redundant rows look independent by about the residual: omit them if the rest is still
+    // predicted to close
     const double tied = std::clamp(10.0 * residual, kNewtonThreshold, kLargestThreshold);
     const int full_rank = least_squares_.rank(kNewtonThreshold);
     const int tied_rank = least_squares_.rank(tied);
@@ -132,8 +133,8 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     const double now = right_side_.cwiseQuotient(scaling_.row).norm();
     if (rest <= kPromisedRest * now) { return tied_rank; }
 
-    // else take whatever is independent (near a singular position), unless that leads far away: in a loop
-    // that closes to its typed digits only, such a step is rounding over rounding
+    // else use all independent rows (near a singular position), unless the step is large: in a loop that
+    // closes only to its typed digits, such a step is rounding divided by rounding
     truncated_delta_ = delta_;
     least_squares_.solve(right_side_, full_rank, delta_);
     if (residual > kNear || residual_norm_after(limited_fraction()) < kLargestGrowth * now) {
@@ -151,11 +152,11 @@ NewtonStep NewtonStepper<C>::step() {
         finish(step, true, false);
         return step;
     }
-    // equations of a small part of the scene come in last, and their first step may well raise the residual
+    // equations of a small part of the scene enter last, and their first step may well increase the residual
     const bool stalled = iteration_ > 0 && !reached_further_ && step.residual > 0.5 * previous_residual_;
     if (stalled && step.residual <= kFloorTolerance) {
         step.converged = true;
-        // within a factor of a hundred the arithmetic itself is the floor (long chains, many rows)
+        // within a factor of a hundred, the arithmetic itself is the limit (long chains, many rows)
         finish(step, true, step.residual > 100.0 * tolerance_);
         return step;
     }

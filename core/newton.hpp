@@ -6,64 +6,64 @@
 #include "core/assembler.hpp"
 #include "core/least_squares.hpp"
 
-/// Newton-Raphson of slide 23, one iteration at a time: the stepper is the algorithm, a solve is a loop over
-/// it.
+/// Newton-Raphson method of slide 23: the stepper does one iteration at a time, a solve is a loop over it.
 namespace jw {
 
-/// A turn of more than this in one iteration leaves the region where Newton can be trusted: minimum-norm
-/// steps are erratic from 66.8 deg of misalignment on (docs/notation.md) [rad].
+/// Largest rotation of a body in one iteration [rad]; beyond, Newton cannot be trusted: minimum-norm steps
+/// are erratic from 66.8 deg of misalignment on (docs/notation.md).
 inline constexpr double kLargestTurn = 0.5;
 inline constexpr int kMostIterations = 60;
-/// A lesson's own numbers may close to no better than their typed digits: seven of them are enough to go on.
+/// Residual (scaled) at which a stalled iteration is accepted: a lesson's loops close no better than its
+/// typed digits, and seven are enough.
 inline constexpr double kFloorTolerance = 1e-7;
 
-/// How much of a step is taken.
+/// Rule for the fraction of a step that is taken.
 enum class StepRule {
-    limited,      ///< no body turns by more than kLargestTurn: what the program solves with
-    whole,        ///< all of it, wherever that leads
+    limited,      ///< no body turns by more than kLargestTurn: used for all solves
+    whole,        ///< the whole step
     line_search,  ///< halved until ‖Φ‖ (scaled) falls
 };
 struct NewtonOptions {
     StepRule rule = StepRule::limited;
-    /// False leaves pᵀp - 1 out in the (r, p) choices; p is then not made unit in the end either.
+    /// False omits pᵀp - 1 in the (r, p) choices; p is then not normalised at the end either.
     bool normalisation_rows = true;
 };
 
-/// One iteration: the residual at its start, and the step that was taken from there.
+/// One iteration: the residual at its start, and the step taken from there.
 struct NewtonStep {
-    int iteration = 0;           ///< 0 for the first look
-    double phi_norm = 0.0;       ///< ‖Φ‖ of all rows, as they are
+    int iteration = 0;           ///< 0 for the start
+    double phi_norm = 0.0;       ///< ‖Φ‖ of all rows, not scaled
     double residual = 0.0;       ///< largest |Φ| in the scene's units (System::row_unit)
-    int largest_row = 0;         ///< where it is
-    double largest_value = 0.0;  ///< Φ of that row, as it is
+    int largest_row = 0;         ///< row of the largest residual
+    double largest_value = 0.0;  ///< Φ of that row, not scaled
     bool converged = false;      ///< no step was needed: the members below are 0
     double delta_norm = 0.0;     ///< ‖Δq‖ of the step taken
     double turn = 0.0;           ///< largest turn of a body in the full step [rad]
-    double fraction = 1.0;       ///< of the full step that was taken; below 1 where the rule shortened it
-    int rank = 0;                ///< independent equations used
+    double fraction = 1.0;  ///< fraction of the full step that was taken; below 1 where the rule shortened it
+    int rank = 0;           ///< independent equations used
 };
 
 struct NewtonOutcome {
     bool converged = false;
-    bool at_floor = false;  ///< converged to the accuracy of the lesson's own numbers, not of the arithmetic
+    bool at_floor = false;  ///< converged to the precision of the lesson's numbers, not of the arithmetic
     int iterations = 0;     ///< steps taken
     double residual = 0.0;  ///< largest |Φ|, scaled
     int largest_row = 0;
     double largest_value = 0.0;
 };
 
-/// Residual (scaled) at which Newton from `start` has converged: rounding of its largest coordinate.
+/// Residual (scaled) at which Newton's method from `start` has converged: rounding of its largest coordinate.
 double residual_tolerance(const System& system, const State& start);
 
-/// Reusable: `start` begins a new solve without allocating.
+/// Newton's method, one iteration per call. Reusable: `start` begins a new solve without allocating.
 template <class C>
 class NewtonStepper {
 public:
-    /// `system` must outlive this; its rows may be chosen anew between solves.
+    /// @param system must outlive this; its rows may be chosen again between solves
     explicit NewtonStepper(const System& system, NewtonOptions options = {});
 
     void start(State state, double t);
-    /// Looks at the residual and takes one step unless it is small enough. Call while `outcome()` is empty.
+    /// Evaluates the residual and takes one step unless it is small enough. Call while `outcome()` is empty.
     NewtonStep step();
 
     const std::optional<NewtonOutcome>& outcome() const { return outcome_; }
@@ -99,13 +99,13 @@ private:
     std::optional<NewtonOutcome> outcome_;
 };
 
-/// Watches nothing and costs nothing.
+/// Observer that does nothing, at no cost.
 struct Unobserved {
     template <class Event>
     void operator()(const Event& /*event*/) const {}
 };
 
-/// Runs a started stepper to its end. Not converging is an outcome, not an error.
+/// Runs a started stepper to its end. Failure to converge is an outcome, not an error.
 template <class Stepper, std::invocable<const NewtonStep&> Observer = Unobserved>
 NewtonOutcome solve(Stepper& stepper, Observer&& on_step = {}) {
     while (!stepper.outcome()) { on_step(stepper.step()); }

@@ -10,13 +10,13 @@ namespace jw {
 
 namespace {
 
-// a trial is a step with some λ, taken or not
+// trials: steps with some λ, accepted or not
 constexpr int kMostTrials = 200;
 constexpr double kFirstDamping = 1e-3;
-constexpr double kLargestDamping = 1e12;    // a step of 1e-12 of the gradient lowers nothing any more
+constexpr double kLargestDamping = 1e12;    // a step of 1e-12 of the gradient no longer reduces anything
 constexpr double kSmallestDamping = 1e-15;  // rounding of JᵀJ
 constexpr double kDampingFactor = 10.0;
-// a residual of a hundred roundings still has two digits to take a logarithm of
+// in units of the tolerance: a residual this far above rounding still has two digits for the logarithm
 constexpr double kRoundings = 10.0;
 
 bool is_finite(const State& state) {
@@ -48,7 +48,7 @@ StepRule rule_of(NewtonMethod method) {
     }
 }
 
-/// @return converged
+/// @return whether it has converged
 template <class C>
 bool run_stepper(NewtonStepper<C>& stepper, std::vector<NewtonIterate>& iterates) {
     while (!stepper.outcome()) {
@@ -73,7 +73,7 @@ public:
           scaling_(scaling_of<C>(system, normalisation_rows)),
           t_(t) {}
 
-    /// @return converged
+    /// @return whether it has converged
     bool run(State state, double tolerance, std::vector<NewtonIterate>& iterates) {
         NewtonIterate now = looked_at(std::move(state));
         double damping = kFirstDamping;
@@ -93,7 +93,7 @@ public:
         if (!is_finite(now)) { return false; }
         now.delta_norm = now.turn = now.damping = 0.0;
         iterates.push_back(now);
-        // where no step lowers ‖Φ‖ any more, the numbers of the lesson close no better
+        // where no step reduces ‖Φ‖, the numbers of the lesson close no better
         return now.residual <= (damping > kLargestDamping ? kFloorTolerance : tolerance);
     }
 
@@ -112,8 +112,8 @@ private:
         return iterate;
     }
 
-    /// The state after a step with λ = `damping` from `now`, at which Φ and Φq stand; the step is noted
-    /// there.
+    /// State after a step with λ = `damping` from `now`, where Φ and Φq are assembled; the step is recorded
+    /// in `now`.
     State stepped(NewtonIterate& now, double damping) {
         const MatrixX J =
             scaling_.row.cwiseInverse().asDiagonal() * assembler_.jacobian() * scaling_.column.asDiagonal();

@@ -8,12 +8,12 @@ namespace jw {
 
 namespace {
 
-// two turns, twenty-five steps of half a radian
+// two turns: twenty-five steps of half a radian
 constexpr double kFarForScrew = 12.0;
 
-/// Puts the nut of a screw whose advance is off most to where it says, without a turn: Newton, whose steps
-/// turn bodies by half a radian at most, would have to screw it there.
-/// @return whether a screw is off so far that this is worth a try
+/// Moves the nut of the screw with the largest error of advance to its place without rotation: Newton's
+/// method, whose steps turn bodies by half a radian at most, would have to screw it there.
+/// @return whether the error of a screw is so large that this is worth a try
 bool slide_screws(const System& system, State& state) {
     bool any = false;
     for (const Constraint& c : system.constraints()) {
@@ -27,7 +27,7 @@ bool slide_screws(const System& system, State& state) {
                        rotation_matrix(state.p[i]) * g.P_i_local;
         const double asked = g.d_0 + g.alpha * (state.theta[static_cast<std::size_t>(c.theta)] - g.theta_0);
         const double off = s_i.dot(d) - asked;
-        // what Newton itself can screw within its iterations needs no help
+        // errors that Newton's method can remove within its iterations need no help
         if (std::abs(off) < kFarForScrew * std::abs(g.alpha)) { continue; }
         const bool moves_j = !system.mechanism().bodies[j].fixed;
         state.r[moves_j ? j : i] += (moves_j ? -off : off) * s_i;
@@ -36,14 +36,14 @@ bool slide_screws(const System& system, State& state) {
     return any;
 }
 
-/// Whether the equations hold as well as typed numbers close.
+/// Whether the equations hold to the precision of typed numbers.
 bool is_met(const System& system, const State& state, double t) {
     ScaledEquations equations(system, t);
     equations.look(state);
     return equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
 }
 
-constexpr int kMostBranches = 4;  // each attempt turns one body; a loop of more is going in circles
+constexpr int kMostBranches = 4;  // each attempt turns one body; more attempts would only repeat
 
 }  // namespace
 
@@ -51,7 +51,7 @@ template <class C>
 PositionOutcome solve_position(
     const System& given, State& state, double t, const PositionObserver& observer) {
     const std::vector<int> sides = intended_sides(given);
-    System system = given;  // rows are chosen anew where the given ones turn out bad at the solution
+    System system = given;  // rows are chosen again where the given ones turn out bad at the solution
     NewtonStepper<C> stepper(system);
     PositionOutcome outcome;
     State guess = state;
@@ -59,7 +59,7 @@ PositionOutcome solve_position(
     int choices = 0;
     bool slid = false;
     bool damped = false;
-    bool limited = false;  // the last step, so that no body turns too far
+    bool limited = false;  // whether the last step was limited
     while (true) {
         stepper.start(guess, t);
         while (!stepper.outcome()) {
@@ -76,9 +76,9 @@ PositionOutcome solve_position(
                 slid = true;
                 continue;
             }
-            // far from everything the shortest step turns bodies by many turns, and is cut down to next to
-            // nothing; damped steps get near. Beside singular poses, where full steps go to and fro, they
-            // arrive
+            // far from any solution the minimum-norm step turns bodies by many turns and is reduced to next
+            // to nothing; damped steps get near. Near singular poses, where full steps oscillate, they
+            // converge
             if (!damped) {
                 guess = closest_fit(system, state, t);
                 damped = true;

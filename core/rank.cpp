@@ -14,16 +14,16 @@ namespace jw {
 
 namespace {
 
-constexpr double kRounding = 1e-15;  // singular values below this part of the largest are rounding
-/// Terms of a combination that are rounding, by the largest: where leaving them out is felt, less is.
+constexpr double kRounding = 1e-15;  // singular values below this share of the largest are rounding
+/// Thresholds, relative to the largest, of negligible terms of a combination; the next one is used if
+/// omitting the terms changes the result.
 constexpr std::array kNegligibleTerms{1e-9, 1e-12, 0.0};
-constexpr double kNotFelt = 1e-12;          // of the row that is combined
-constexpr double kNegligibleEntry = 1e-12;  // of a free motion: rounding of its elimination
-// the eliminations behind combinations and free motions add errors of their own, a few times that of the
-// values
+constexpr double kNotFelt = 1e-12;          // relative to the row that is combined
+constexpr double kNegligibleEntry = 1e-12;  // of a free motion: rounding of the elimination
+// the eliminations behind combinations and free motions add errors a few times those of the values
 constexpr double kRoundings = 10.0;
 
-/// Equations of one joint or one driver: rows that stay together when dependence is told.
+/// Equations of one joint or one driver: rows that stay together when dependence is determined.
 struct Group {
     int first = 0;
     int count = 0;
@@ -44,8 +44,8 @@ std::vector<Group> groups_of(const System& system) {
     return groups;
 }
 
-/// Rows that are independent of the groups before them, so that a later joint is said to repeat earlier ones;
-/// within a group the row with the largest new part goes first.
+/// Elimination in the order of addition, so that a later joint is reported as redundant with earlier ones;
+/// within a group the row with the largest remainder goes first.
 class OrderedElimination {
 public:
     OrderedElimination(const MatrixX& rows, int rank, double tolerance)
@@ -64,7 +64,8 @@ public:
         dependent_.insert(dependent_.end(), candidates.begin(), candidates.end());
     }
 
-    /// Should the greedy order have found fewer rows than the singular values promise: the best of the rest.
+    /// Adds the best of the remaining rows, should the greedy order have found fewer than the singular values
+    /// promise.
     void complete() {
         while (static_cast<int>(independent_.size()) < rank_ && !dependent_.empty()) {
             const auto best =
@@ -85,7 +86,7 @@ private:
         independent_.push_back(row);
         if (norm == 0.0) { return; }
         const Eigen::RowVectorXd direction = rest_.row(row) / norm;
-        // twice is enough: the second pass removes what rounding left of the first
+        // twice is enough: the second pass removes the rounding of the first
         for (int pass = 0; pass < 2; ++pass) { rest_ -= (rest_ * direction.transpose()) * direction; }
     }
 
@@ -96,7 +97,7 @@ private:
     std::vector<int> dependent_;
 };
 
-/// Coefficients with which the columns of a basis add up to a row; those that are rounding are 0.
+/// Coefficients of a row as a combination of the columns of a basis; negligible ones are 0.
 VectorX combination_of(
     const MatrixX& basis, const Eigen::ColPivHouseholderQR<MatrixX>& qr, const VectorX& row) {
     VectorX all = qr.solve(row);
@@ -109,7 +110,7 @@ VectorX combination_of(
     return all;
 }
 
-/// @param tolerance of what a row adds to those before it
+/// @param tolerance for the remainder of a row beside those before it
 /// @param vanishing the largest singular value that counts as zero, with its error. A combination with
 ///        coefficients c is a left null vector of length √(1 + |c|²): it leaves no more than `vanishing`
 ///        times that
@@ -125,14 +126,14 @@ std::vector<RedundantRow> redundant_rows_of(
     for (std::size_t k = 0; k < kept.size(); ++k) {
         basis.col(static_cast<Eigen::Index>(k)) = scaled.row(kept[k]).transpose();
     }
-    // Eigen does not decompose a matrix without columns: rank 0, as of a distance joint at d = 0
+    // Eigen does not decompose a matrix without columns: rank 0, as for a distance joint at d = 0
     Eigen::ColPivHouseholderQR<MatrixX> qr;
     if (!kept.empty()) { qr.compute(basis); }
 
     std::vector<RedundantRow> redundant;
     for (const int row : elimination.dependent()) {
         RedundantRow entry{row, {}, 0.0, 0.0};
-        // a row that is rounding all over says 0 = 0 and repeats no other
+        // a row that is rounding only reads 0 = 0 and depends on no other
         if (!kept.empty() && scaled.row(row).norm() > tolerance) {
             const VectorX coefficients = combination_of(basis, qr, scaled.row(row).transpose());
             for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -140,7 +141,7 @@ std::vector<RedundantRow> redundant_rows_of(
                 if (c == 0.0) { continue; }
                 entry.terms.push_back({kept[k], c * scaling.row(row) / scaling.row(kept[k])});
             }
-            // of what is told, not of what was solved for
+            // misfit of the reported terms, not of the solution
             entry.misfit = (basis * coefficients - scaled.row(row).transpose()).norm();
             entry.bound = kRoundings * (vanishing + kNotFelt) * std::hypot(1.0, coefficients.norm());
         }
@@ -149,8 +150,8 @@ std::vector<RedundantRow> redundant_rows_of(
     return redundant;
 }
 
-/// Reduced echelon form of the null space, each vector with its largest entry 1: a free motion that touches
-/// few bodies then shows as one (the idle spin of a rod, say) instead of mixed with all others.
+/// Reduced echelon form of the null space, each vector with its largest entry 1: a free motion of few bodies
+/// then appears as one vector (the idle spin of a rod, for example) instead of mixed with all others.
 std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scale) {
     const Eigen::Index count = basis.cols();
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -165,7 +166,7 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
     }
     std::vector<FreeMotion> motions;
     for (Eigen::Index k = 0; k < count; ++k) {
-        // in the scene's units: of metres beside radians the size of the scene would decide
+        // in the scene's units: with metres beside radians the size of the scene would decide
         const double negligible = kNegligibleEntry * basis.col(k).cwiseAbs().maxCoeff();
         VectorX motion = (basis.col(k).array().abs() < negligible).select(0.0, basis.col(k));
         motion = motion.cwiseProduct(column_scale).eval();
@@ -177,23 +178,23 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
     return motions;
 }
 
-/// Puts a free motion into the equations again.
+/// Substitutes a free motion into the equations.
 FreeMotionProof proof_of(
     const FreeMotion& motion, const MatrixX& scaled, const VectorX& column_scale, double vanishing) {
     const VectorX v = motion.cwiseQuotient(column_scale);
     const double size = v.norm();
-    // entries that were set to zero were up to that part of the largest
+    // entries set to zero were up to this share of the largest
     const double left_out = kNegligibleEntry * scaled.norm();
     return {(scaled * v).norm() / size, kRoundings * (vanishing + left_out)};
 }
 
-/// The verdict, its margin, and whether it can be told at all.
+/// Determines the rank, its margin, and whether it is decided.
 void judge(RankReport& report, const Svd& svd) {
     const VectorX& sigma = report.singular_values = svd.sigma;
     report.singular_value_error = svd.error;
     report.sound = svd.sound;
     const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
-    // rows are of size 1: a matrix that is all rounding has no rank
+    // rows have size 1: a matrix of rounding only has rank 0
     report.threshold = std::max(kRankThreshold, error) * std::max(1.0, sigma(0));
     report.rank = static_cast<int>(svd.rank(report.threshold));
     report.dof = report.columns - report.rank;

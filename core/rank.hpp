@@ -9,16 +9,16 @@
 /// redundancy, since a change of |p| acts as a false freedom.
 namespace jw {
 
-/// Relative threshold of a vanishing singular value. A redundant one is about half the position error, so
-/// it is `kErrorFactor` times the residual where that is larger.
+/// Relative threshold of a vanishing singular value. A redundant one is about half the position error, so the
+/// threshold is `kErrorFactor` times the residual where that is larger.
 inline constexpr double kRankThreshold = 1e-9;
 inline constexpr double kErrorFactor = 10.0;
-/// Beyond this residual (scaled) the state counts as not assembled, and the rank is that of the matrix only.
+/// Residual (scaled) above which the state counts as not assembled, and the rank is that of the matrix only.
 inline constexpr double kAssembledResidual = 1e-4;
-/// σ_r / σ_(r-1) below this is reported as near a singular position.
+/// Ratio σ_r / σ_(r-1) below which a pose is reported as near a singular position.
 inline constexpr double kNearSingularRatio = 1e-3;
 
-/// One equation written as a combination of others.
+/// Redundant equation as a combination of others.
 struct RedundantRow {
     struct Term {
         int row = 0;
@@ -26,15 +26,15 @@ struct RedundantRow {
     };
     int row = 0;
     std::vector<Term> terms;  ///< row = Σ coefficient * Φq row, terms below 1e-9 of the largest left out
-    double misfit = 0.0;      ///< norm of the difference from the terms that are left, scaled
-    double bound = 0.0;  ///< of `misfit`: what the singular values that count as zero leave, and rounding
+    double misfit = 0.0;      ///< norm of the difference from the remaining terms, scaled
+    double bound = 0.0;       ///< bound of `misfit` from the singular values that count as zero, and rounding
 };
 
-/// A direction of free motion: scaled so that its largest entry is 1. Columns of (r, ω') and θ.
+/// Direction of free motion, scaled so that its largest entry is 1. Columns of (r, ω') and θ.
 using FreeMotion = VectorX;
 
-/// ‖Φq v‖ / ‖v‖ of a free motion v, scaled, and how large it may be: the largest singular value that counts
-/// as zero, and rounding.
+/// Residual ‖Φq v‖ / ‖v‖ of a free motion v, scaled, and its bound: the largest singular value that counts as
+/// zero, and rounding.
 struct FreeMotionProof {
     double residual = 0.0;
     double bound = 0.0;
@@ -48,24 +48,24 @@ struct RankReport {
     int dof = 0;  ///< columns - rank
     int mobility_by_counting =
         0;  ///< Grübler: columns minus the equations that the joint types promise, less those taken out
-    VectorX singular_values;            ///< of the matrix in the scene's unit of length, largest first
-    double threshold = 0.0;             ///< absolute; singular values up to it count as zero
-    double singular_value_error = 0.0;  ///< none of them is off by more than this (Svd::error)
+    VectorX singular_values;            ///< of the scaled matrix in the scene's unit of length, largest first
+    double threshold = 0.0;             ///< absolute threshold; singular values up to it count as zero
+    double singular_value_error = 0.0;  ///< bound on their error (Svd::error)
     bool sound = true;                  ///< false: the decomposition did not pass its check (Svd::sound)
-    /// What the residual leaves open about σ_r, the last that counts: a position is known to about
-    /// residual / σ_r, and Φq changes by as much.
+    /// Uncertainty of σ_r, the last singular value that counts, due to the residual: a position is known to
+    /// about residual / σ_r, and Φq changes by as much.
     double pose_error = 0.0;
-    /// False: the rank cannot be told. σ_r is within its error of the threshold, or σ_(r+1) is, or the
+    /// False if the rank is undecided: σ_r is within its error of the threshold, or σ_(r+1) is, or the
     /// decomposition does not pass its check.
     bool decided = true;
     double residual = 0.0;       ///< largest |Φ|, scaled
     double largest_gap = 0.0;    ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
-    bool assembled = true;       ///< false: residual so large that only the matrix is described
+    bool assembled = true;       ///< false: the residual is so large that only the matrix is described
     bool near_singular = false;  ///< σ_r is small against σ_(r-1)
     std::vector<RedundantRow> redundant_rows;
     std::vector<FreeMotion> free_motions;
     std::vector<FreeMotionProof> free_motion_proofs;  ///< one per free motion
-    /// False for large matrices (large_rank.hpp): singular values and free motions were not computed, the
+    /// False for large matrices (large_rank.hpp): singular values and free motions were not computed; the
     /// first and the last singular value that counts were estimated.
     bool has_spectrum = true;
     double estimated_first = 0.0;
@@ -78,17 +78,18 @@ struct RankReport {
 };
 
 /// @param jacobian the (r, ω') matrix at a state [rows x columns], as Assembler<OmegaLocal> gives it
-/// @param phi its residuals there
+/// Determines rank, redundant rows and free motions at a state.
+/// @param phi residuals at that state
 RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi);
 
-/// Rows, ascending, of which any single one may be taken out without a loss of rank: the redundant ones and
-/// all that they are combinations of. Taking out two is another question.
+/// Rows, ascending, any single one of which may be removed without a loss of rank: the redundant ones and all
+/// that they are combinations of. Removing two is another question.
 std::vector<int> removable_rows(const RankReport& report);
 
 /// Singular values of any matrix, largest first.
 VectorX singular_values_of(const MatrixX& matrix);
 
-/// Reason for the choice of rows of one p1 / p2 constraint at `state`: what each pair of rows is worth.
+/// Explains the choice of rows of one p1 / p2 constraint at `state`: the condition of each pair of rows.
 /// @param previous the index dropped before
 RowChoice explain_choice(const System& system, int constraint, const State& state, int previous);
 

@@ -5,8 +5,8 @@
 
 #include "core/coordinates.hpp"
 
-/// Vectors that carry their derivatives. Every primitive of the book is a difference, a dot product or a
-/// cross product of two such vectors, so the product rule below is the only place where derivatives of
+/// Jets: vectors that carry their derivatives. Every primitive of the book is a difference, a dot product or
+/// a cross product of two such vectors, so the product rule below is the only place where derivatives of
 /// constraints are written down.
 ///
 /// A jet has a value, and as asked for by `Content`:
@@ -17,7 +17,7 @@ namespace jw {
 
 enum class Content { jacobian, motion };
 
-/// Which coordinates a jet depends on; known at compile time, so that absent blocks cost nothing.
+/// Coordinates that a jet depends on; known at compile time, so that absent blocks cost nothing.
 enum Sides : unsigned { kNone = 0, kBodyI = 1, kBodyJ = 2, kTheta = 4 };
 
 namespace detail {
@@ -25,7 +25,8 @@ namespace detail {
 template <int Tag>
 struct Absent {};
 
-/// T where it is needed, nothing at all elsewhere; `Tag` keeps several absences from needing an address each.
+/// T if `Present`, else an empty type; `Tag` makes several empty members distinct, so that none needs an
+/// address.
 template <bool Present, class T, int Tag>
 using Optional = std::conditional_t<Present, T, Absent<Tag>>;
 
@@ -49,12 +50,12 @@ struct Jet {
 
 namespace detail {
 
-/// An operand without blocks.
+/// Operand without blocks.
 struct Blockless {
     static constexpr unsigned kSides = kNone;
 };
 
-/// out = Σ of `scale_x * x.block` over the operands that have the block; `a` and `b` are maps Block -> Block.
+/// Adds up the blocks of the operands that have one; `a` and `b` are maps Block -> Block.
 template <class Out, class A, class B, class MapA, class MapB>
 void combine_blocks(Out& out, const A& a, const B& b, MapA&& map_a, MapB&& map_b) {
     const auto combine = [&](auto side, auto member) {
@@ -96,7 +97,7 @@ Jet<C, K, Dim, SA | SB> operator-(const Jet<C, K, Dim, SA>& a, const Jet<C, K, D
     return out;
 }
 
-/// aᵀ b; for two scalar jets their product.
+/// Dot product aᵀ b; for two scalar jets their product.
 template <class C, Content K, int Dim, unsigned SA, unsigned SB>
 Jet<C, K, 1, SA | SB> dot(const Jet<C, K, Dim, SA>& a, const Jet<C, K, Dim, SB>& b) {
     Jet<C, K, 1, SA | SB> out;
@@ -112,7 +113,7 @@ Jet<C, K, 1, SA | SB> dot(const Jet<C, K, Dim, SA>& a, const Jet<C, K, Dim, SB>&
     return out;
 }
 
-/// a x b
+/// Cross product a x b.
 template <class C, Content K, unsigned SA, unsigned SB>
 Jet<C, K, 3, SA | SB> cross(const Jet<C, K, 3, SA>& a, const Jet<C, K, 3, SB>& b) {
     Jet<C, K, 3, SA | SB> out;
@@ -130,7 +131,7 @@ Jet<C, K, 3, SA | SB> cross(const Jet<C, K, 3, SA>& a, const Jet<C, K, 3, SB>& b
     return out;
 }
 
-/// f(x) of a scalar jet, given f, f' and f'' at x.
+/// Chain rule: f(x) of a scalar jet, given f, f' and f'' at x.
 template <class C, Content K, unsigned S>
 Jet<C, K, 1, S> chain(const Jet<C, K, 1, S>& x, double f, double f_prime, double f_second) {
     Jet<C, K, 1, S> out;
@@ -160,7 +161,7 @@ Jet<C, K, 1, S> scaled(double factor, const Jet<C, K, 1, S>& x) {
     return chain(x, factor * x.value(0), factor, 0.0);
 }
 
-/// The angle of the plane vector (x, y), in (-π, π]. No derivative at x = y = 0.
+/// Angle of the plane vector (x, y) in (-π, π] [rad]. No derivative at x = y = 0.
 template <class C, Content K, unsigned SY, unsigned SX>
 Jet<C, K, 1, SX | SY> atan2(const Jet<C, K, 1, SY>& y, const Jet<C, K, 1, SX>& x) {
     Jet<C, K, 1, SX | SY> out;
@@ -197,7 +198,7 @@ auto& own_block(Jet<C, K, Dim, S>& jet) {
 
 }  // namespace detail
 
-/// s = A s', a vector fixed in body i (S = kBodyI) or j.
+/// Arm s = A s', a vector fixed in body i (S = kBodyI) or j.
 template <Content K, unsigned S, class C>
 Jet<C, K, 3, S> arm(const BodyKinematics<C>& body, const Vec3& s_local) {
     Jet<C, K, 3, S> out;
@@ -216,7 +217,7 @@ Jet<C, K, 3, S> arm(const BodyKinematics<C>& body, const Vec3& s_local) {
     return out;
 }
 
-/// r + A s', a point of body i (S = kBodyI) or j.
+/// Point r + A s' of body i (S = kBodyI) or j [m].
 template <Content K, unsigned S, class C>
 Jet<C, K, 3, S> point(const BodyKinematics<C>& body, const Vec3& s_local) {
     Jet<C, K, 3, S> out = arm<K, S>(body, s_local);
@@ -230,7 +231,7 @@ Jet<C, K, 3, S> point(const BodyKinematics<C>& body, const Vec3& s_local) {
     return out;
 }
 
-/// e_k, one Euler parameter of body i (S = kBodyI) or j.
+/// Euler parameter e_k of body i (S = kBodyI) or j.
 template <Content K, unsigned S, class C>
 Jet<C, K, 1, S> euler_parameter(const BodyKinematics<C>& body, int k) {
     Jet<C, K, 1, S> out;
@@ -246,7 +247,7 @@ Jet<C, K, 1, S> euler_parameter(const BodyKinematics<C>& body, int k) {
     return out;
 }
 
-/// An artificial coordinate θ, a column of its own.
+/// Artificial coordinate θ, with a column of its own.
 template <class C, Content K>
 Jet<C, K, 1, kTheta> artificial(double theta, double theta_dot) {
     Jet<C, K, 1, kTheta> out;

@@ -8,13 +8,13 @@ namespace jw {
 
 namespace {
 
-constexpr int kMostRounds = 40;  // convergence is quadratic: more than 10 have not been seen
-// columns of a tile: two tiles of X and J of 600 rows stay in the second cache
+constexpr int kMostRounds = 40;  // convergence is quadratic: more than 10 sweeps have not been seen
+// columns of a tile: two tiles of X and J with 600 rows stay in the L2 cache
 constexpr Eigen::Index kTile = 16;
-/// A squared norm that a rotation has made this much smaller has lost the digits in which it was updated.
+/// Ratio by which a rotation may reduce a squared norm before its update has lost too many digits.
 constexpr double kCancelled = 0.1;
 
-/// Four sums side by side, always in this order: the same number on every machine.
+/// Dot product with four partial sums, always in this order: bit-identical on every machine.
 double dot(const double* a, const double* b, Eigen::Index n) {
     double s0 = 0.0;
     double s1 = 0.0;
@@ -31,8 +31,8 @@ double dot(const double* a, const double* b, Eigen::Index n) {
     return (s0 + s2) + (s1 + s3);
 }
 
-/// A turn by an angle with sine s and tan(angle / 2) = tau, written as what is added: with the cosine itself,
-/// which rounds to 1 for small angles, every small turn would lengthen both columns.
+/// Rotation by an angle with sine s and tan(angle / 2) = tau, written as increments: with the cosine itself,
+/// which rounds to 1 for small angles, every small rotation would lengthen both columns.
 /// @source Rutishauser, The Jacobi method for real symmetric matrices, Numer. Math. 9 (1966)
 void rotate(double* __restrict a, double* __restrict b, Eigen::Index n, double s, double tau) {
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -50,10 +50,10 @@ public:
           squared_(X.cols()),
           tolerance_(std::sqrt(static_cast<double>(X.rows())) * std::numeric_limits<double>::epsilon()) {}
 
-    /// @return whether every pair was orthogonal already
+    /// One sweep over all pairs. @return whether every pair was orthogonal already
     bool all_pairs() {
         rotated_ = false;
-        // updated ones drift
+        // recomputed, since updated norms drift
         for (Eigen::Index k = 0; k < X_.cols(); ++k) { measure(k); }
         const Eigen::Index count = X_.cols();
         for (Eigen::Index first = 0; first < count; first += kTile) {
@@ -98,7 +98,7 @@ private:
 
     MatrixX& X_;
     MatrixX& J_;
-    VectorX squared_;  ///< norms of the columns of X
+    VectorX squared_;  ///< squared norms of the columns of X
     double tolerance_;
     bool rotated_ = false;
 };

@@ -13,7 +13,7 @@ double square(const double* x, int count) {
     return sum;
 }
 
-/// (1 - τ v vᵀ) x with v = (1, tail).
+/// Applies (1 - τ v vᵀ) with v = (1, tail) to x.
 void apply_reflection(const double* tail, double tau, int count, double* x) {
     double sum = x[0];
     for (int k = 1; k < count; ++k) { sum += tail[k] * x[k]; }
@@ -72,7 +72,7 @@ void SparseQr::compute(const SparseRows& rows, const VectorX& row, const VectorX
     left_over_ = std::sqrt(left_over_);
 }
 
-/// Lines of a front: its own unknowns, then what its children could not eliminate.
+/// Gathers the lines of a front: its own unknowns, then those that its children could not eliminate.
 void SparseQr::gather(const SparseRows& rows, const VectorX& row, const VectorX& column, std::size_t f) {
     const SparseQrStructure::Front& front = structure_.fronts()[f];
     Numbers& numbers = numbers_[f];
@@ -103,7 +103,7 @@ void SparseQr::gather(const SparseRows& rows, const VectorX& row, const VectorX&
             const int column_there = handing.own + static_cast<int>(k);
             const double* values = column_of(child, column_there) + from.counted;
             double* to = column_of(f, handing.to_parent[k]) + line;
-            // what was compressed is zero below its diagonal, where reflections are kept
+            // compressed lines are zero below their diagonal, where reflections are stored
             const int filled = from.compressed ? std::min(from.handed, static_cast<int>(k) + 1) : from.handed;
             std::copy_n(values, filled, to);
         }
@@ -111,7 +111,8 @@ void SparseQr::gather(const SparseRows& rows, const VectorX& row, const VectorX&
     numbers.lines = static_cast<int>(numbers.slots.size());
 }
 
-/// Reflects column `column` from `line` on to one number, and the columns from there to `columns` with it.
+/// Reflects column `column` from `line` on to a single number, and applies the reflection to the columns up
+/// to `columns`.
 void SparseQr::reflect(std::size_t f, int column, int line, int columns) {
     Numbers& numbers = numbers_[f];
     const int count = numbers.lines - line;
@@ -133,7 +134,7 @@ void SparseQr::eliminate(std::size_t f, double least) {
     Numbers& numbers = numbers_[f];
     const int columns = static_cast<int>(front.rows.size());
 
-    // own rows, the one with most left first
+    // own rows, the one with the largest remainder first
     int line = 0;
     for (; line < front.own; ++line) {
         int best = line;
@@ -165,7 +166,7 @@ void SparseQr::eliminate(std::size_t f, double least) {
         repeating_.push_back(numbers.rows[at(c)]);
     }
 
-    // no more lines for the parent than it has columns for
+    // at most as many lines for the parent as later columns
     const int later = columns - front.own;
     numbers.compressed = numbers.lines - line > later;
     if (numbers.compressed) {
@@ -224,8 +225,8 @@ void SparseQr::multiply_by_q_transposed(VectorX& y) const {
     }
 }
 
-/// The diagonal of (R_Pᵀ R_P)⁻¹ from the last front to the first: of this inverse a front needs the part on
-/// its own later columns only, which the parent has.
+/// ‖R_P⁻¹‖_F from the diagonal of (R_Pᵀ R_P)⁻¹, from the last front to the first: of this inverse a front
+/// needs only the part on its own later columns, which its parent has.
 /// @source Erisman and Tinney, "On computing certain elements of the inverse of a sparse matrix" (1975)
 double SparseQr::inverse_norm() const {
     std::vector<MatrixX> inverse(numbers_.size());
@@ -240,7 +241,7 @@ double SparseQr::inverse_norm() const {
         if (Z.size() == 0) { Z.setZero(own + later, own + later); }
         const Eigen::Map<const MatrixX, 0, Eigen::OuterStride<>> values(
             column_of(f, 0), counted, own + later, Eigen::OuterStride<>(front.most_lines));
-        // own columns that count: Z_kk = R_kk⁻¹ (1 + R_kU Z_UU R_kUᵀ) R_kk⁻ᵀ, Z_kU = -R_kk⁻¹ R_kU Z_UU
+        // pivot columns: Z_kk = R_kk⁻¹ (1 + R_kU Z_UU R_kUᵀ) R_kk⁻ᵀ, Z_kU = -R_kk⁻¹ R_kU Z_UU
         const auto R = values.leftCols(counted).template triangularView<Eigen::Upper>();
         const MatrixX V = R.solve(MatrixX(values.rightCols(later)));
         const MatrixX VZ = V * Z.bottomRightCorner(later, later);
@@ -255,9 +256,9 @@ double SparseQr::inverse_norm() const {
     return std::sqrt(sum);
 }
 
-/// To every child of front `f` the part of the inverse on the columns that it has later.
+/// Passes to every child of front `f` the part of the inverse on its later columns.
 void SparseQr::hand_down(std::size_t f, std::vector<MatrixX>& inverse) const {
-    // columns as they are numbered in the structure, whatever was pivoted
+    // columns in the numbering of the structure, before pivoting
     const SparseQrStructure::Front& front = structure_.fronts()[f];
     std::vector<Eigen::Index> place(front.rows.size());
     for (std::size_t k = 0; k < front.rows.size(); ++k) {

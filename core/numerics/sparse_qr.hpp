@@ -4,23 +4,24 @@
 
 #include "core/numerics/sparse_rows.hpp"
 
-/// Orthogonal factors of a large Φq over the graph of its joints: the multifrontal QR of Φqᵀ.
+/// Multifrontal QR of Φqᵀ over the graph of joints, for large Φq.
 ///
-/// Rows of Φq form groups: those of a joint, say. Groups that share a body are neighbours; one after the
-/// other is eliminated, in a front that holds its own rows and those of the neighbours that are left. What a
-/// front cannot eliminate is handed to the front of its next neighbour. Work and memory grow with the sum of
-/// the squares of the fronts: linearly with the bodies of chains, ladders and trees of loops.
+/// Rows of Φq form groups, for example those of a joint. Groups that share a body are neighbours. They are
+/// eliminated one after the other, each in a front that holds its own rows and those of its remaining
+/// neighbours. The part that a front cannot eliminate is passed to the front of its next neighbour. Work and
+/// memory grow with the sum of the squares of the fronts: linearly with the bodies of chains, ladders and
+/// trees of loops.
 /// @source Duff and Reid 1983; Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 5
 namespace jw {
 
-/// Which rows, columns and fronts there are; knows nothing of numbers.
+/// Symbolic factorisation: rows, columns and fronts, without numbers.
 class SparseQrStructure {
 public:
-    /// An entry of Φq and its place in a front.
+    /// Entry of Φq and its position in a front.
     struct Entry {
-        int row = 0;     ///< of Φq
+        int row = 0;     ///< row of Φq
         int side = 0;    ///< 0, 1: block of body i, j; 2: θ
-        int column = 0;  ///< of the front
+        int column = 0;  ///< column of the front
     };
     /// Columns of one body (or one θ) that first appear in this front.
     struct Unknowns {
@@ -29,21 +30,20 @@ public:
         std::vector<Entry> entries;
     };
     struct Front {
-        int own = 0;            ///< columns of the front that are eliminated here, the first ones
-        std::vector<int> rows;  ///< of Φq, one per column of the front: own ones, then those of later nodes
+        int own = 0;            ///< number of columns of the front that are eliminated here, the first ones
+        std::vector<int> rows;  ///< one per column of the front: own rows of Φq, then later ones
         std::vector<Unknowns> unknowns;
         std::vector<int> children;
         std::vector<int> to_parent;  ///< for columns from `own` on: the column of the parent's front
-        int most_lines = 0;          ///< lines that the front can have
+        int most_lines = 0;          ///< largest number of lines of the front
     };
 
     SparseQrStructure() = default;
-    /// @param group_of_row ascending from 0, one per row: groups are eliminated in this order. Empty: rows
-    /// that
-    ///        touch the same columns form a group, and the order is the one with least work.
+    /// @param group_of_row ascending from 0, one per row: groups are eliminated in this order. If empty, rows
+    ///        with the same columns form a group, and the order is by minimum degree
     SparseQrStructure(const SparseRows& rows, const std::vector<int>& group_of_row);
 
-    /// False once the rows touch other columns than those that this was made for.
+    /// Whether the rows have the columns for which this structure was made.
     bool fits(const SparseRows& rows) const;
     const std::vector<Front>& fronts() const { return fronts_; }
 
@@ -53,27 +53,28 @@ private:
     std::vector<Front> fronts_;
 };
 
-/// Numbers of one such factorisation, D⁻¹ Φq S of row sizes D and column sizes S. Rows that have less than a
-/// threshold beside the rows eliminated before are left out ("repeat others").
+/// Numerical factorisation of D⁻¹ Φq S with row sizes D and column sizes S. Rows whose remainder beside the
+/// rows eliminated before is below a threshold are left out as redundant.
 ///
-/// With P the rows that count and R the others, Φqᵀ = Q [R_P R_R; 0 E] where E, what was left of the rows R,
-/// is taken for zero: σ_(r+1) ≤ ‖E‖_F and σ_r ≥ 1 / ‖R_P⁻¹‖_F.
+/// With P the independent rows and R the others, Φqᵀ = Q [R_P R_R; 0 E], where E, the remainder of the rows
+/// R, is neglected: σ_(r+1) ≤ ‖E‖_F and σ_r ≥ 1 / ‖R_P⁻¹‖_F.
 class SparseQr {
 public:
     /// @param group_of_row as for SparseQrStructure
     explicit SparseQr(std::vector<int> group_of_row = {}) : group_of_row_(std::move(group_of_row)) {}
 
-    /// @param row, column sizes by which rows are divided and columns multiplied
-    /// @param threshold rows with less than this part of the largest row left repeat others
+    /// Factors D⁻¹ Φq S.
+    /// @param row, column sizes D by which rows are divided and S by which columns are multiplied
+    /// @param threshold rows whose remainder is below this share of the largest row are redundant
     void compute(const SparseRows& rows, const VectorX& row, const VectorX& column, double threshold);
 
     int rank() const { return static_cast<int>(counted_.size()); }
     double threshold() const { return threshold_; }
-    /// Length of the largest row.
+    /// Norm of the largest row.
     double largest() const { return largest_; }
-    /// What was left of every row when its turn came, over the largest row.
+    /// Remainder of every row when it was eliminated, divided by the largest row.
     const std::vector<double>& pivots() const { return pivots_; }
-    /// Rows that count, in the order of elimination, and those that repeat others.
+    /// Independent rows, in the order of elimination, and redundant ones.
     const std::vector<int>& counted() const { return counted_; }
     const std::vector<int>& repeating() const { return repeating_; }
     /// ‖E‖_F
@@ -82,14 +83,14 @@ public:
     /// ‖R_P⁻¹‖_F
     double inverse_norm() const;
 
-    /// In place, scaled: c_P becomes z with R_Pᵀ z = c_P; c_R what R_Rᵀ z misses of it.
+    /// Solves in place, scaled: c_P becomes z with R_Pᵀ z = c_P, and c_R becomes c_R - R_Rᵀ z.
     void solve_lower(VectorX& c) const;
-    /// In place, scaled: v_P becomes -R_P⁻¹ R_R v_R + R_P⁻¹ v_P.
+    /// Solves in place, scaled: v_P becomes R_P⁻¹ (v_P - R_R v_R).
     void solve_upper(VectorX& v) const;
-    /// Q and Qᵀ in place; numbers of the rows that count stand where `slot_of` says.
+    /// Multiply by Q and Qᵀ in place; the numbers of independent rows are at `slot_of`.
     void multiply_by_q(VectorX& y) const;
     void multiply_by_q_transposed(VectorX& y) const;
-    /// Place among the columns in which the number of a row that counts stands.
+    /// Index among the columns of the number of an independent row.
     int slot_of(int row) const { return slot_of_row_[static_cast<std::size_t>(row)]; }
 
 private:
@@ -99,13 +100,13 @@ private:
         double tau = 0.0;
     };
     struct Numbers {
-        int lines = 0;            ///< that the front has
-        int counted = 0;          ///< of its own columns
-        int handed = 0;           ///< lines that go to the parent, after the counted ones
-        bool compressed = false;  ///< those are an upper triangle
-        std::size_t values = 0;   ///< where its lines x columns begin, column after column
-        std::vector<int> slots;   ///< place among the columns of Φq of every line
-        std::vector<int> rows;    ///< of Φq, one per column, own ones as pivoted
+        int lines = 0;            ///< lines in the front
+        int counted = 0;          ///< pivots among its own columns
+        int handed = 0;           ///< lines passed to the parent, after the counted ones
+        bool compressed = false;  ///< whether those are an upper triangle
+        std::size_t values = 0;   ///< offset of its lines x columns, column by column
+        std::vector<int> slots;   ///< index among the columns of Φq of every line
+        std::vector<int> rows;    ///< rows of Φq, one per column, own ones as pivoted
         std::vector<Reflection> reflections;
     };
 

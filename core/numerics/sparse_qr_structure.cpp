@@ -12,15 +12,15 @@ namespace {
 /// Rows of Φq that are eliminated together.
 struct RowGroup {
     std::vector<int> rows;
-    std::vector<int> unknowns;  ///< bodies and θ that they touch, by their place in the list of all
+    std::vector<int> unknowns;  ///< bodies and θ that they involve, as indices into the list of all
 };
 
-/// All groups, in the order of their first rows, and the unknowns that they touch.
+/// All groups, in the order of their first rows, and the unknowns that they involve.
 struct Groups {
     std::vector<RowGroup> groups;
     std::vector<SparseQrStructure::Unknowns> unknowns;
     std::vector<std::vector<int>> groups_of_unknowns;
-    std::vector<std::array<int, 3>> unknowns_of_row;  ///< of body i, of body j, of θ; -1: none
+    std::vector<std::array<int, 3>> unknowns_of_row;  ///< unknowns of body i, body j and θ; -1: none
 };
 
 void number_unknowns(const SparseRows& rows, Groups& all) {
@@ -39,7 +39,7 @@ void number_unknowns(const SparseRows& rows, Groups& all) {
     all.groups_of_unknowns.resize(all.unknowns.size());
 }
 
-/// @param group_of_row ascending; empty: rows that touch the same columns form a group
+/// @param group_of_row ascending; if empty, rows with the same columns form a group
 Groups groups_of(const SparseRows& rows, const std::vector<int>& group_of_row) {
     Groups all;
     number_unknowns(rows, all);
@@ -61,7 +61,7 @@ Groups groups_of(const SparseRows& rows, const std::vector<int>& group_of_row) {
     return all;
 }
 
-/// Groups that share a body or a θ with a group.
+/// Neighbours of every group: groups that share a body or a θ with it.
 std::vector<std::set<int>> neighbours_of(const Groups& all) {
     std::vector<std::set<int>> neighbours(all.groups.size());
     for (const std::vector<int>& sharing : all.groups_of_unknowns) {
@@ -76,11 +76,11 @@ std::vector<std::set<int>> neighbours_of(const Groups& all) {
 
 struct Elimination {
     std::vector<int> order;               ///< groups
-    std::vector<std::vector<int>> later;  ///< of each group in the order: neighbours left when its turn comes
+    std::vector<std::vector<int>> later;  ///< neighbours of each left when it is eliminated
 };
 
-/// Eliminates the groups, the one with fewest neighbours first or as they come; what a group touches becomes
-/// neighbours of one another.
+/// Eliminates the groups by minimum degree or in the given order; the neighbours of a group become neighbours
+/// of one another.
 Elimination eliminated(const Groups& all, bool by_degree) {
     std::vector<std::set<int>> left = neighbours_of(all);
     std::set<std::pair<std::size_t, int>> waiting;
@@ -130,11 +130,11 @@ SparseQrStructure::SparseQrStructure(const SparseRows& rows, const std::vector<i
         }
         front.own = static_cast<int>(all.groups[at(groups.front())].rows.size());
         if (groups.size() == 1) { continue; }
-        // the next group takes over what is left: all others are its neighbours by now
+        // the next group takes over the remainder: all others are its neighbours by now
         fronts_[at(front_of[at(groups[1])])].children.push_back(static_cast<int>(f));
     }
 
-    // every body and θ goes to the first front that touches it
+    // every body and θ belongs to the first front that involves it
     for (std::size_t u = 0; u < all.unknowns.size(); ++u) {
         const std::vector<int>& sharing = all.groups_of_unknowns[u];
         const int f =

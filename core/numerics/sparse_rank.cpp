@@ -11,15 +11,16 @@ namespace jw {
 
 namespace {
 
-// of the largest coefficient; far above rounding, far below meaning
+// relative to the largest coefficient; far above rounding, far below any meaningful term
 constexpr double kNegligibleTerm = 1e-9;
-// iterations: the largest value is wanted to a per cent, the smallest ones to tell them apart by a thousand
+// iterations: for the largest value to a per cent, and to distinguish the smallest ones by a factor of a
+// thousand
 constexpr int kPowerSteps = 30;
 constexpr int kInverseSteps = 20;
-// backward error of reflections: a few roundings per column of a front, of fronts of some tens
+// backward error of reflections: a few roundings per column, in fronts of some tens of columns
 constexpr double kRounding = 100.0 * std::numeric_limits<double>::epsilon();
 
-/// A start without the symmetries of a mechanism: no two entries alike.
+/// Start vector without the symmetries of a mechanism: no two entries are equal.
 VectorX any_vector(Eigen::Index size, double phase) {
     VectorX v(size);
     for (Eigen::Index k = 0; k < size; ++k) { v(k) = std::cos(phase + 2.4 * static_cast<double>(k)); }
@@ -43,7 +44,7 @@ double largest_singular_value(const SparseRows& rows, const VectorX& row, const 
     return value;
 }
 
-/// (R_P R_Pᵀ)⁻¹ v, for v on the rows that count.
+/// Computes (R_P R_Pᵀ)⁻¹ v, for v on the independent rows.
 VectorX inverse_product(const SparseQr& qr, const VectorX& v) {
     VectorX out = v;
     qr.solve_upper(out);
@@ -52,7 +53,7 @@ VectorX inverse_product(const SparseQr& qr, const VectorX& v) {
     return out;
 }
 
-/// The two smallest singular values of R_P, by inverse iteration on three vectors.
+/// Two smallest singular values of R_P, by inverse iteration on three vectors.
 std::array<double, 2> smallest_singular_values(const SparseQr& qr, Eigen::Index rows) {
     const Eigen::Index count = std::min<Eigen::Index>(3, qr.rank());
     MatrixX basis(rows, count);
@@ -80,7 +81,7 @@ SparseCombination combination_of(
     v(repeating) = 0.0;
     for (const int other : qr.repeating()) { v(other) = 0.0; }
 
-    // what the combination misses
+    // residual of the combination
     VectorX difference = rows.transposed_times(v.cwiseQuotient(row));
     rows.for_each_entry(
         rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
@@ -128,7 +129,7 @@ SparseRank sparse_rank_of(
     result.repeating = qr.repeating();
     std::ranges::sort(result.repeating);
     for (const int repeating : result.repeating) {
-        // a row that is rounding all over says 0 = 0 and repeats no other
+        // a row that is rounding only reads 0 = 0 and depends on no other
         if (result.rank == 0 || scaled_size(rows, row, column, repeating) <= result.threshold) {
             result.combinations.push_back({repeating, {}, {}, 0.0});
         } else {

@@ -5,27 +5,27 @@
 
 #include "core/linear.hpp"
 
-/// Φq as it is: every row touches the columns of at most two bodies and one artificial coordinate, so that m
-/// rows are m small records however many columns there are.
+/// Sparse storage of Φq: every row involves the columns of at most two bodies and one artificial coordinate,
+/// so that m rows are m small records, whatever the number of columns.
 namespace jw {
 
-/// One row of Φq.
+/// Row of Φq.
 struct SparseRow {
-    static constexpr int kMostColumns = 7;  ///< of a body: r and p
+    static constexpr int kMostColumns = 7;  ///< columns of a body: r and p
 
-    std::array<int, 2> first_column{-1, -1};  ///< of body i and of body j; -1: none, or fixed
+    std::array<int, 2> first_column{-1, -1};  ///< first column of body i and of body j; -1: none, or fixed
     int theta_column = -1;                    ///< -1: none
     std::array<std::array<double, kMostColumns>, 2> block{};
     double theta = 0.0;
 
-    /// The same columns, whatever the numbers.
+    /// Whether two rows have the same columns, whatever their numbers.
     bool same_columns(const SparseRow& other) const {
         return first_column == other.first_column && theta_column == other.theta_column;
     }
 };
 
 struct SparseRows {
-    int columns = 0;  ///< of the whole matrix
+    int columns = 0;  ///< columns of the whole matrix
     int width = 6;    ///< columns of one body: 6 or 7
     std::vector<SparseRow> rows;
 
@@ -45,7 +45,7 @@ struct SparseRows {
     void multiply(const VectorX& x, VectorX& out) const;
     /// Φqᵀ λ
     VectorX transposed_times(const VectorX& lambda) const;
-    /// Into a matrix of rows x columns, allocated before.
+    /// Writes Φq to a matrix [rows x columns], allocated before.
     void write(MatrixX& matrix) const;
 };
 

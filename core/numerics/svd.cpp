@@ -15,13 +15,13 @@ namespace jw {
 namespace {
 
 constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
-/// Pivots up to this part of the largest entry are taken as 0: squares of columns would underflow.
+/// Pivots up to this share of the largest entry count as 0: squares of columns would underflow.
 constexpr double kVanished = 1e-140;
-/// Errors of stable decompositions are a few roundings per row and column; a wrong answer is off by many
-/// orders more. Measured over 9000 Jacobians and small random matrices: up to 3.2.
+/// Errors of stable decompositions are a few roundings per row and column; wrong results are off by many
+/// orders of magnitude more. Measured over 9000 Jacobians and small random matrices: up to 3.2.
 constexpr double kRoundings = 30.0;
 
-/// Power of two next to the largest entry: dividing by it changes no digit.
+/// Power of two near a value: dividing by it is exact.
 double power_of_two_near(double value) { return std::ldexp(1.0, std::ilogb(value)); }
 
 struct Factors {
@@ -51,20 +51,19 @@ Spectrum sorted(const MatrixX& X, const MatrixX& J) {
     return out;
 }
 
-/// `block` in the top left corner of an identity.
+/// Identity matrix with `block` in the top left corner.
 MatrixX bordered(const MatrixX& block, Eigen::Index rows, Eigen::Index columns) {
     MatrixX out = MatrixX::Identity(rows, columns);
     out.topLeftCorner(block.rows(), block.cols()) = block;
     return out;
 }
 
-/// Of a matrix with at least as many rows as columns, no entry larger than 2.
+/// Factors a matrix with at least as many rows as columns and no entry larger than 2:
 ///
 ///   A P = Q1 [R; 0],   Rᵀ = Q2 [L; 0] with L upper,   Lᵀ J = W Σ
 ///   A = Q1 [W 0; 0 I] Σ (P Q2 [J 0; 0 I])ᵀ
 ///
-/// The pivoting makes R, and the second decomposition makes Lᵀ, so nearly diagonal that few rotations are
-/// left.
+/// Pivoting makes R, and the second decomposition Lᵀ, so nearly diagonal that few rotations are left.
 Factors factors_of(const MatrixX& tall, Eigen::Index left_columns) {
     const Eigen::Index columns = tall.cols();
     const Eigen::ColPivHouseholderQR<MatrixX> qr(tall);
@@ -133,7 +132,7 @@ void check_svd(const MatrixX& matrix, Svd& svd) {
     const double norm = matrix.norm();
     svd.norm_defect = norm > 0.0 ? std::abs(svd.sigma.norm() / norm - 1.0) * 2.0 : 0.0;
 
-    // a sum of k products has k roundings of Σ |u σ v|, whose norm is at most Σ σ; likewise of UᵀU
+    // a sum of k products has k roundings of Σ |u σ v|, whose norm is at most Σ σ; likewise for UᵀU
     const double of_products = size * kUnitRoundoff * svd.sigma.sum();
     const double factors = delta_U + delta_V + delta_U * delta_V + 2.0 * size * kUnitRoundoff;
     svd.error = svd.misfit + of_products + svd.sigma(0) * factors;
