@@ -19,6 +19,7 @@ public:
 
     /// Velocities as columns: ṙ and ṗ (ω', ω), θ̇.
     VectorX columns_of(const State& state, const Motion& motion) const;
+    /// Velocities ṙ, ω', θ̇ of columns.
     Motion motion_of(const State& state, const VectorX& columns) const;
     /// Accelerations as columns -> r̈, ω̇', θ̈ (p̈ and ω̇ converted as on slide 13).
     Motion acceleration_of(const State& state, const VectorX& columns) const;

@@ -10,6 +10,7 @@
 /// and left here.
 namespace jw {
 
+/// Constraint that is satisfied on the wrong branch.
 struct WrongBranch {
     enum class Kind { anti_parallel, half_turn, screw_angle };
     Kind kind = Kind::anti_parallel;

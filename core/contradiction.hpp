@@ -8,6 +8,7 @@
 /// Search for joints or drivers that contradict each other, by leaving some of them out.
 namespace jw {
 
+/// Joints or drivers that cannot be satisfied together, and by how much the last one misses.
 struct Contradiction {
     /// Joints that share the gap at the closest fit; the last of them is the one that cannot be added to the
     /// others. Empty where drivers are the cause.

@@ -8,6 +8,7 @@
 /// Diagnosis of a position that could not be found, beyond what Newton-Raphson itself reports.
 namespace jw {
 
+/// Cause of a failure of position analysis.
 enum class FailureCause {
     cannot_close,    ///< the equations contradict each other: a closest fit was found, and it is not zero
     wrong_branch,    ///< only solutions with anti-parallel axes or half-turned sides were found
@@ -15,6 +16,7 @@ enum class FailureCause {
     no_convergence,  ///< none of the above could be shown
 };
 
+/// Failure of position analysis, with the closest fit if one was found.
 struct PositionFailure {
     FailureCause cause = FailureCause::no_convergence;
     int row = 0;                           ///< row with the largest residual at the closest fit

@@ -8,6 +8,7 @@
 /// only.
 namespace jw {
 
+/// States along a free motion.
 struct FollowedMotion {
     std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
     int start = 0;              ///< index of the start in `states`

@@ -9,9 +9,11 @@ namespace jw {
 struct EquationResidual {
     double residual = 0.0;  ///< largest residual of a row, divided by its size (System::row_unit)
     double bound = 0.0;     ///< bound of `residual`
+    /// Whether rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 
+/// Residuals of position, velocity and acceleration.
 struct KinematicResiduals {
     EquationResidual position;      ///< |Φ|
     EquationResidual velocity;      ///< |Φq q̇ − ν|, per second

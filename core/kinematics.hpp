@@ -15,10 +15,12 @@ struct LinearVerdict {
     int worst_row = 0;
 };
 
+/// Velocity and the verdict on its equations.
 struct VelocityOutcome {
     Motion velocity;
     LinearVerdict verdict;
 };
+/// Acceleration and the verdict on its equations.
 struct AccelerationOutcome {
     Motion acceleration;
     LinearVerdict verdict;

@@ -15,6 +15,7 @@ int reliable_rank(const LeastSquares& least_squares, double residual);
 /// @return false, with `state` unchanged, if Newton's method does not converge to an intended state
 bool project(System& system, State& state, double t);
 
+/// Result of a pull.
 struct DragOutcome {
     double distance = 0.0;  ///< from the point to the target [m]; 0 for a target that is ignored
     int freedoms = 0;       ///< columns - rank at the last pose

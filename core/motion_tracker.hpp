@@ -17,6 +17,7 @@ inline constexpr double kChangePointRatio = 1e-3;
 /// mostly error.
 inline constexpr double kLostPivotRatio = 1e-5;
 
+/// State and motion at one time, with the verdicts on its equations.
 struct MotionFrame {
     double t = 0.0;
     State state;

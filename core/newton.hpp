@@ -23,6 +23,7 @@ enum class StepRule {
     whole,        ///< the whole step
     line_search,  ///< halved until ‖Φ‖ (scaled) falls
 };
+/// Options of Newton's method.
 struct NewtonOptions {
     StepRule rule = StepRule::limited;
     /// False omits pᵀp - 1 in the (r, p) choices; p is then not normalised at the end either.
@@ -43,6 +44,7 @@ struct NewtonStep {
     int rank = 0;           ///< independent equations used
 };
 
+/// Result of a solve.
 struct NewtonOutcome {
     bool converged = false;
     bool at_floor = false;  ///< converged to the precision of the lesson's numbers, not of the arithmetic
@@ -62,6 +64,7 @@ public:
     /// @param system must outlive this; its rows may be chosen again between solves
     explicit NewtonStepper(const System& system, NewtonOptions options = {});
 
+    /// Starts a solve from `state` at time `t` [s].
     void start(State state, double t);
     /// Evaluates the residual and takes one step unless it is small enough. Call while `outcome()` is empty.
     NewtonStep step();

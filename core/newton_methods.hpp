@@ -9,6 +9,7 @@
 /// Variants of Newton's method from the same start, for comparison.
 namespace jw {
 
+/// Methods that are compared.
 enum class NewtonMethod {
     stepwise_limited,     ///< no body turns by more than kLargestTurn in a step: used for all solves
     plain,                ///< whole steps of slide 23 (minimum-norm Δq where rows leave freedoms)
@@ -27,6 +28,7 @@ struct NewtonIterate {
     double damping = 0.0;     ///< λ of Levenberg-Marquardt, else 0
 };
 
+/// Iterates of one method from a start.
 struct NewtonTrace {
     NewtonMethod method = NewtonMethod::stepwise_limited;
     std::vector<NewtonIterate> iterates;  ///< iterates, the start first; all their numbers are finite

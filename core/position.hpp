@@ -9,6 +9,7 @@
 /// Position analysis: Newton-Raphson, correction of wrong branches, and a diagnosis where it fails.
 namespace jw {
 
+/// Result of position analysis.
 struct PositionOutcome {
     NewtonOutcome newton;
     int branches_left = 0;  ///< number of wrong branches that were left

@@ -38,9 +38,11 @@ using FreeMotion = VectorX;
 struct FreeMotionProof {
     double residual = 0.0;
     double bound = 0.0;
+    /// Whether rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 
+/// Rank of Φq at a state, with redundant rows, free motions and the margin of the verdict.
 struct RankReport {
     int rows = 0;
     int columns = 0;

@@ -15,6 +15,7 @@
 ///    quadratic in the velocities), so that γ of an equation is -bias.
 namespace jw {
 
+/// Derivatives that a jet carries.
 enum class Content { jacobian, motion };
 
 /// Coordinates that a jet depends on; known at compile time, so that absent blocks cost nothing.

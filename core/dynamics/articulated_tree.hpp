@@ -81,6 +81,7 @@ public:
     const JointTree& joints() const { return joints_; }
     /// Node of a body; 0 is the ground.
     int node_of(int body) const { return joints_.node_of(body) + 1; }
+    /// Node n, from 0 (ground) on, and its joint, from 1 on.
     const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
     const TreeNode& joint_of(int n) const { return joints_.nodes()[static_cast<std::size_t>(n - 1)]; }
 
@@ -111,6 +112,7 @@ public:
     /// `length`. Needs the last inertias folded.
     /// @param drawn one number per velocity
     void set_forces(std::span<const double> drawn, double length);
+    /// u̇ of the last `unfold`.
     const std::vector<double>& u_dot() const { return u_dot_; }
 
     /// Computes the accelerations B u̇ of the nodes for any u̇.

@@ -39,6 +39,7 @@ public:
     int nodes() const { return static_cast<int>(position_.size()); }
     /// Number of stored blocks: the diagonal ones in the order of the nodes, then those above.
     int blocks() const { return blocks_; }
+    /// Pivots in the order of elimination.
     const std::vector<Pivot>& pivots() const { return pivots_; }
     /// Position of a node in the order of elimination.
     int position(int node) const { return position_[static_cast<std::size_t>(node)]; }

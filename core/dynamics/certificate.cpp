@@ -182,7 +182,7 @@ double Certificate::force_residual(std::span<const ProbedBody> bodies) const {
         const BodyForce Q{forces_[b].f, forces_[b].n_local + gyroscopic_torque(own.J_local, omega_local)};
         const BodyForce M_q_ddot{own.mass * body.r_ddot, own.J_local * (body.A.transpose() * body.alpha)};
         sum += body.free_way.dot(M_q_ddot.f - Q.f) + free_turn_local.dot(M_q_ddot.n_local - Q.n_local);
-        // free bodies beside driven ones may have accelerations that are rounding only
+        // next to driven bodies, free ones may have accelerations that are rounding only
         const double inertia = own.mass * extent_ * extent_ + own.J_local.trace();
         const double moved = body.free_way.lpNorm<1>() / extent_ + free_turn_local.lpNorm<1>();
         size += size_of(M_q_ddot, body.free_way, free_turn_local, extent_) +

@@ -79,7 +79,7 @@ private:
     std::size_t shares_;
     std::size_t share_ = 0;
     double extent_;
-    bool needs_p_ = false;  ///< a driver asks for one of e0 ... e3
+    bool needs_p_ = false;  ///< whether a driver prescribes one of e0 ... e3
     std::vector<int> moving_;
     std::vector<int> loaded_moving_;  ///< indices among them of bodies whose pose the loads need
     std::vector<Link> links_;

@@ -25,6 +25,7 @@ inline const double* body_numbers(const double* y, std::size_t n) {
     return y + static_cast<std::ptrdiff_t>(n) * kNumbersPerBody;
 }
 
+/// Indices of the bodies that move, ascending.
 std::vector<int> moving_bodies_of(const Mechanism& mechanism);
 /// Flat state of the start pose and velocities as given.
 std::vector<double> flat_start(const Mechanism& mechanism);

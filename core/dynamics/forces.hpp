@@ -47,6 +47,7 @@ inline double kinetic_energy(const MassProperties& own, const Vec3& r_dot, const
     return 0.5 * (own.mass * r_dot.squaredNorm() + omega_local.dot(own.J_local * omega_local));
 }
 
+/// Kinetic and potential energy of a scene.
 struct Energy {
     double kinetic = 0.0;    ///< [J]
     double potential = 0.0;  ///< potential energy of gravity and of all springs [J]

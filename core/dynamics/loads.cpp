@@ -19,7 +19,7 @@ void require_mass(const Body& body, const std::optional<MassProperties>& mass) {
     }
 }
 
-/// A coordinate of the origin of a body as given, measured on its centroidal frame.
+/// Converts a coordinate of the origin of a body as given to one of its centroidal frame.
 Measure moved(const CoordinateMeasure& m, const Vec3& centre) {
     if (m.coordinate >= 3 || centre.isZero()) { return m; }
     throw std::invalid_argument(

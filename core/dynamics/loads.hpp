@@ -16,6 +16,7 @@ struct MassProperties {
                                        ///< [kg m²], symmetric positive definite
 };
 
+/// Frame of a direction: the global one, or that of the body.
 enum class Frame { global, local };
 
 /// A force on a body: direction times magnitude(t), at a point fixed in the body.
@@ -23,7 +24,7 @@ struct AppliedForce {
     int body = 0;
     Vec3 point_local = Vec3::Zero();  ///< [m]
     Vec3 direction = Vec3::UnitX();   ///< any length, which multiplies the magnitude
-    Frame frame = Frame::global;      ///< of the direction; local: it turns with the body
+    Frame frame = Frame::global;      ///< frame of the direction; local: it turns with the body
     TimeFunction magnitude;           ///< [N]
 };
 
@@ -62,6 +63,7 @@ struct RotationalSpring {
 /// Whether the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
 
+/// Masses of the bodies, and the loads on them.
 struct Loads {
     std::vector<std::optional<MassProperties>> masses;  ///< one per body of the mechanism
     Vec3 gravity = Vec3::Zero();                        ///< [m/s²]

@@ -7,6 +7,7 @@
 /// Options of an integration and their names, as in lessons and on the command line.
 namespace jw {
 
+/// Methods of integration.
 enum class Method {
     euler,          ///< explicit, order 1
     semi_implicit,  ///< symplectic Euler: velocities first, positions with the new ones; order 1
@@ -76,9 +77,11 @@ inline constexpr std::array kTreatments{
     TreatmentName{Treatment::tangent, "tangent"},
 };
 
+/// Entry of a method in kMethods.
 constexpr const MethodName& entry_of(Method method) {
     return *std::ranges::find(kMethods, method, &MethodName::method);
 }
+/// Entry of a treatment in kTreatments.
 constexpr const TreatmentName& entry_of(Treatment treatment) {
     return *std::ranges::find(kTreatments, treatment, &TreatmentName::treatment);
 }

@@ -56,6 +56,7 @@ struct AccelerationResidual {
     int driver = -1;
 };
 
+/// Interface of all forms of the equations of motion: ẏ = f(t, y), projection, choice of rows, energies.
 class MotionEquations {
 public:
     MotionEquations() = default;
@@ -63,6 +64,7 @@ public:
     MotionEquations(const MotionEquations&) = delete;
     MotionEquations& operator=(const MotionEquations&) = delete;
 
+    /// Length of y.
     virtual int size() const = 0;
     /// Number of moving bodies.
     virtual int bodies() const { return size() / kNumbersPerBody; }
@@ -117,6 +119,7 @@ public:
     virtual double kinetic_energy(const double* y) const = 0;
     virtual double potential_energy(const double* y) const = 0;
 
+    /// Number of constraint equations, and of those left out as redundant.
     virtual int rows() const = 0;
     virtual int rows_left_out() const = 0;
 

@@ -8,7 +8,7 @@
 #include "core/dynamics/constraint_rounding.hpp"
 #include "core/dynamics/reduced_coordinates.hpp"
 
-/// Radau IIA: implicit Runge-Kutta methods of order 2 s - 1 for stiff scenes.
+/// Radau IIA: implicit Runge-Kutta methods of s stages and order 2 s - 1, for stiff scenes.
 namespace jw {
 
 /// Coefficients of a method of s stages; vectors [s], matrices [s x s].

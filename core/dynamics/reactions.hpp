@@ -14,6 +14,7 @@ struct Wrench {
     Vec3 torque = Vec3::Zero();  ///< about the joint's point [N m]
 };
 
+/// Reaction of one joint or driver.
 struct Reaction {
     int joint = -1;   ///< index in the mechanism, -1 for a driver
     int driver = -1;  ///< index in the mechanism, -1 for a joint
@@ -34,6 +35,7 @@ struct Reaction {
     /// N m].
     double effort = 0.0;
 
+    /// Whether all components are the same in every solution.
     bool unique() const;
 };
 
@@ -53,6 +55,7 @@ struct Reactions {
     double bound = 0.0;
 
     bool unique() const { return family.empty(); }
+    /// Whether rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 
@@ -64,8 +67,8 @@ Reactions find_reactions(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const Motion& acceleration);
 
-/// The same for state and velocity of the frames as given; the acceleration is that of the centroidal frames
-/// all the same, since that is the result of the equations of motion.
+/// The same for state and velocity of the frames as given. The acceleration is still that of the centroidal
+/// frames, since that is the result of the equations of motion.
 Reactions reactions_from_body_frames(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const Motion& centroidal_acceleration);

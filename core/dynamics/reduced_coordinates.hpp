@@ -6,6 +6,7 @@
 /// Coordinates of implicit methods: ẋ = f(t, x) with few numbers that no constraint couples.
 namespace jw {
 
+/// Interface of the coordinates x that implicit methods integrate.
 class ReducedCoordinates {
 public:
     ReducedCoordinates() = default;

@@ -16,6 +16,7 @@ namespace jw {
 class Certificate;
 class TreeEquations;
 
+/// Settings of a simulation.
 struct SimulationSettings {
     Method method = Method::explicit_8;
     Treatment treatment = Treatment::projection;
@@ -76,6 +77,7 @@ using RunWatch = std::function<bool(const RunState&)>;
 /// Number of steps between two calls of a RunWatch.
 inline constexpr long kStepsBetweenLooks = 200;
 
+/// Result of a run: its cost, its failure if it ended early, and the proof of its accelerations.
 struct SimulationOutcome {
     IntegrationCounts counts;
     std::optional<SimulationFailure> failure;
@@ -83,6 +85,7 @@ struct SimulationOutcome {
     AccelerationResidual residual;
 };
 
+/// Simulation of one mechanism from its start pose on.
 class Simulation {
 public:
     /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
@@ -97,6 +100,8 @@ public:
     [[nodiscard]] SimulationOutcome run(
         const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch = {});
 
+    /// State, energies and violations at time t [s].
+    /// @param y flat state, as passed to `receive`
     Snapshot snapshot(double t, const std::vector<double>& y) const;
     /// Position of a point of a body, global; `point_local` in the frame as given [m].
     Vec3 point(const std::vector<double>& y, int body, const Vec3& point_local) const;

@@ -40,7 +40,8 @@ void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
         look_for_contradicting_rates();
         return;
     }
-    // projecting onto equations that no state satisfies may end anywhere: then the start as given says more
+    // projecting onto equations that no state satisfies may end anywhere: then the start as given is more
+    // informative
     const double before = block_->violation(0.0, as_given.data()).first;
     if (before < violation) {
         violation = before;

@@ -20,6 +20,7 @@ public:
 
     /// Whether the state of this stage must be passed to `keep`.
     bool wants(std::size_t stage) const { return stage == stage_; }
+    /// Stores the state of the stage that the result is compared with.
     void keep(const std::vector<double>& y) { y_stage_ = y; }
     /// Takes an accepted step of length `h` [s] into account.
     /// @param k_stage derivatives at the stage kept

@@ -9,6 +9,7 @@
 /// Common interface of all integrators: one trajectory, one step at a time.
 namespace jw {
 
+/// Options of an integrator.
 struct IntegrationOptions {
     double tolerance = 1e-6;    ///< local error of a step, relative to the scales of the motion
     double fixed_step = 0.0;    ///< fixed step [s]; 0: steps follow the tolerance
@@ -22,6 +23,7 @@ struct IntegrationOptions {
     double duration = 1e3;
 };
 
+/// Cost of an integration.
 struct IntegrationCounts {
     long steps = 0;
     long rejected = 0;
@@ -47,10 +49,11 @@ struct StepAhead {
 class StateScales {
 public:
     StateScales(const IntegrationOptions& options, std::vector<NumberScale> numbers);
+    /// Includes the velocities of a state, and from rest those reached within `step` [s], in the scales.
     void include(const std::vector<double>& y, const std::vector<double>& y_dot, double step);
     /// Scale of the k-th number of y.
     double of(std::size_t k) const { return scale_[k]; }
-    double omega() const { return omega_; }  ///< of the fastest rotation so far [rad/s]
+    double omega() const { return omega_; }  ///< fastest rotation so far [rad/s]
     /// Largest difference between two states, each number divided by its scale.
     double difference(const double* y, const double* other) const;
     /// Largest difference between the poses of two states, each number divided by its scale.

@@ -23,6 +23,7 @@
 /// @source q̇ = B u: Nikravesh ch. 13, velocity transformation
 namespace jw {
 
+/// Equations of motion over a joint tree.
 class TreeEquations final : public MotionEquations {
 public:
     /// @param scene must outlive this
@@ -137,10 +138,10 @@ private:
     std::vector<int> kept_;
     std::vector<int> kept_before_;
     std::vector<Group> kept_groups_;                  ///< groups with a kept row
-    std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< of all bodies, fixed ones included
+    std::vector<BodyKinematics<OmegaLocal>> bodies_;  ///< kinematics of all bodies, fixed ones included
     std::vector<int> looked_at_;                      ///< moving bodies that loads and cut joints refer to
     std::vector<bool> needs_motion_;                  ///< bodies of springs and cut joints
-    bool needs_p_ = false;                            ///< a driver asks for one of e0 ... e3
+    bool needs_p_ = false;                            ///< whether a driver prescribes one of e0 ... e3
     bool has_screws_ = false;                         ///< whether the equations contain screws
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;

@@ -213,7 +213,7 @@ std::vector<int> TreeEquations::independent_rows() const {
     return chosen;
 }
 
-/// In a metric that knows no masses: what repeats what is a matter of geometry.
+/// Chooses independent rows in the metric of geometry: redundancy does not depend on masses.
 bool TreeEquations::choose_rows(double t, const double* y) {
     kept_before_ = kept_;
     place(y);
@@ -231,7 +231,7 @@ bool TreeEquations::choose_rows(double t, const double* y) {
 
 void TreeEquations::take_back_rows() { keep(kept_before_); }
 
-/// Which products the matrix of these rows is made of.
+/// Keeps these rows and lists the products of which their matrix E D⁻¹ Eᵀ consists.
 void TreeEquations::keep(std::vector<int> rows) {
     if (rows == kept_) { return; }
     kept_ = std::move(rows);

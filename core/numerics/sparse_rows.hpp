@@ -24,6 +24,7 @@ struct SparseRow {
     }
 };
 
+/// Φq [rows x columns], row by row.
 struct SparseRows {
     int columns = 0;  ///< columns of the whole matrix
     int width = 6;    ///< columns of one body: 6 or 7
