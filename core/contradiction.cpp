@@ -72,21 +72,16 @@ State fit_of_others(const System& system, const State& fit, double t, const IsLa
 /// Length of a squared distance; 0 if rounding made it negative.
 double length_of(double square) { return std::sqrt(std::max(square, 0.0)); }
 
+/// What misses in a constraint at `state`: an angle [rad], a way, or a difference of lengths [m].
 double gap_of(const System& system, const Constraint& c, const State& state) {
     const VectorX values = values_of(c, state);
     const JointGeometry& g = system.mechanism().joints[static_cast<std::size_t>(c.joint)].geometry;
-    switch (c.role) {
-        case Role::axes_parallel: return std::asin(std::min(1.0, values.norm() / c.unit));
-        case Role::axes_perpendicular:
-        case Role::sides_perpendicular:
-        case Role::screw_angle: return std::asin(std::min(1.0, std::abs(values(0)) / c.unit));
-        case Role::distance_parallel:
-        case Role::distance_perpendicular: return values.norm() / g.s_i_local.norm();
-        case Role::length: return std::abs(length_of(values(0) + g.length * g.length) - g.length);
-        case Role::same_point:
-        case Role::screw_advance: break;
+    switch (traits_of(c.role).dimension) {
+        case Dimension::none: return std::asin(std::min(1.0, values.norm() / c.unit));
+        case Dimension::length: return values.norm() * system.length_unit() / c.unit;
+        case Dimension::square: break;
     }
-    return values.norm();
+    return std::abs(length_of(values(0) + g.length * g.length) - g.length);
 }
 
 /// Joints that share the largest residual at the closest fit, with `last` as the last of them.

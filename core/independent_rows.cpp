@@ -15,8 +15,11 @@ int forced_drop(ParallelForm form) {
         case ParallelForm::drop_x: return 0;
         case ParallelForm::drop_y: return 1;
         case ParallelForm::drop_z: return 2;
-        default: return -1;
+        case ParallelForm::rule:
+        case ParallelForm::all_three:
+        case ParallelForm::pair: break;
     }
+    return -1;
 }
 
 }  // namespace jw

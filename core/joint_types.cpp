@@ -29,6 +29,7 @@ Primitive primitive_of(Role role, const JointGeometry& g, ParallelForm form) {
         case Role::distance_parallel: return parallel_distance(g, form);
         case Role::axes_perpendicular: return N1{g.s_i_local, g.s_j_local};
         case Role::distance_perpendicular: return N2{g.s_i_local, g.P_i_local, g.P_j_local};
+        case Role::distance_perpendicular_j: return N2J{g.s_j_local, g.P_i_local, g.P_j_local};
         case Role::sides_perpendicular: return N1{g.h_i_local, g.h_j_local};
         case Role::length: return Distance{g.P_i_local, g.P_j_local, g.length};
         case Role::screw_advance:

@@ -30,7 +30,7 @@ std::vector<int> groups_in_order(const System& system) {
 int equations_promised(const System& system) {
     int promised = static_cast<int>(system.drivers().size());
     for (const Constraint& c : system.constraints()) {
-        promised += std::min(independent_equations(c.role), c.rows());
+        promised += std::min(traits_of(c.role).independent, c.rows());
     }
     return promised;
 }

@@ -44,8 +44,10 @@ StepRule rule_of(NewtonMethod method) {
     switch (method) {
         case NewtonMethod::plain: return StepRule::whole;
         case NewtonMethod::damped: return StepRule::line_search;
-        default: return StepRule::limited;
+        case NewtonMethod::stepwise_limited:
+        case NewtonMethod::levenberg_marquardt: break;
     }
+    return StepRule::limited;
 }
 
 /// @return whether it has converged

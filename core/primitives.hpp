@@ -9,6 +9,9 @@
 /// and γ follow from the line (vector_jet.hpp).
 ///
 /// Throughout: s = A s', d = (r_j + A_j B_j') - (r_i + A_i B_i').
+///
+/// `unit(length)`: size of Φ's gradient when unknowns are measured in units of `length` [m]; Φ and its rows
+/// are divided by it before they are compared. `for_each_field(f)` calls f(name, value) for every field.
 namespace jw {
 
 /// n1: two body-fixed vectors stay perpendicular.
@@ -21,6 +24,13 @@ struct N1 {
     static constexpr int kEquations = 1;
     Vec3 s_i_local;  ///< in body i; its length scales the equation
     Vec3 s_j_local;  ///< in body j; its length scales the equation
+
+    double unit(double /*length*/) const { return s_i_local.norm() * s_j_local.norm(); }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("s_j_local", s_j_local);
+    }
 };
 
 /// n2: a body-fixed vector stays perpendicular to the vector between two points.
@@ -34,6 +44,34 @@ struct N2 {
     Vec3 s_i_local;
     Vec3 B_i_local;  ///< [m]
     Vec3 B_j_local;  ///< [m]
+
+    double unit(double length) const { return s_i_local.norm() * length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("B_i_local", B_i_local);
+        f("B_j_local", B_j_local);
+    }
+};
+
+/// n2 with the vector fixed in the second body.
+///
+///   Φ = s_jᵀ d                                                                 (1 equation, m)
+///
+/// @source slides 2-3, bodies exchanged
+struct N2J {
+    static constexpr int kEquations = 1;
+    Vec3 s_j_local;
+    Vec3 B_i_local;  ///< [m]
+    Vec3 B_j_local;  ///< [m]
+
+    double unit(double length) const { return s_j_local.norm() * length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_j_local", s_j_local);
+        f("B_i_local", B_i_local);
+        f("B_j_local", B_j_local);
+    }
 };
 
 /// p1: two body-fixed vectors stay parallel.
@@ -46,6 +84,13 @@ struct P1 {
     static constexpr int kEquations = 3;
     Vec3 s_i_local;
     Vec3 s_j_local;
+
+    double unit(double /*length*/) const { return s_i_local.norm() * s_j_local.norm(); }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("s_j_local", s_j_local);
+    }
 };
 
 /// p2: a body-fixed vector stays parallel to the vector between two points.
@@ -59,6 +104,14 @@ struct P2 {
     Vec3 s_i_local;
     Vec3 B_i_local;  ///< [m]
     Vec3 B_j_local;  ///< [m]
+
+    double unit(double length) const { return s_i_local.norm() * length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("B_i_local", B_i_local);
+        f("B_j_local", B_j_local);
+    }
 };
 
 /// s: two points coincide.
@@ -70,6 +123,13 @@ struct S {
     static constexpr int kEquations = 3;
     Vec3 P_i_local;  ///< [m]
     Vec3 P_j_local;  ///< [m]
+
+    double unit(double length) const { return length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("P_i_local", P_i_local);
+        f("P_j_local", P_j_local);
+    }
 };
 
 /// Two points keep their distance: a rod with two spherical ends.
@@ -82,6 +142,14 @@ struct Distance {
     Vec3 P_i_local;  ///< [m]
     Vec3 P_j_local;  ///< [m]
     double length;   ///< [m], > 0
+
+    double unit(double of_length) const { return 2.0 * length * of_length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("P_i_local", P_i_local);
+        f("P_j_local", P_j_local);
+        f("length", length);
+    }
 };
 
 /// p1 written as two n1: with a, b, s_i orthonormal in body i, a·s_j = b·s_j = 0. Condition 1 for every axis.
@@ -90,6 +158,14 @@ struct N1Pair {
     Vec3 a_i_local;
     Vec3 b_i_local;
     Vec3 s_j_local;
+
+    double unit(double /*length*/) const { return s_j_local.norm(); }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("a_i_local", a_i_local);
+        f("b_i_local", b_i_local);
+        f("s_j_local", s_j_local);
+    }
 };
 
 /// p2 written as two n2: a·d = b·d = 0 [m].
@@ -99,6 +175,15 @@ struct N2Pair {
     Vec3 b_i_local;
     Vec3 B_i_local;  ///< [m]
     Vec3 B_j_local;  ///< [m]
+
+    double unit(double length) const { return length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("a_i_local", a_i_local);
+        f("b_i_local", b_i_local);
+        f("B_i_local", B_i_local);
+        f("B_j_local", B_j_local);
+    }
 };
 
 /// Screw, advance: the nut moves α for every radian.
@@ -115,6 +200,17 @@ struct ScrewAdvance {
     double alpha;    ///< [m/rad]
     double d_0;      ///< [m]
     double theta_0;  ///< [rad]
+
+    double unit(double length) const { return length; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("B_i_local", B_i_local);
+        f("B_j_local", B_j_local);
+        f("alpha", alpha);
+        f("d_0", d_0);
+        f("theta_0", theta_0);
+    }
 };
 
 /// How a screw ties θ to the bodies.
@@ -135,9 +231,18 @@ struct ScrewAngle {
     Vec3 u_i_local;  ///< unit, perpendicular to s_i
     Vec3 u_j_local;  ///< unit
     ScrewAngleForm form;
+
+    double unit(double /*length*/) const { return 1.0; }
+    template <class F>
+    void for_each_field(F&& f) const {
+        f("s_i_local", s_i_local);
+        f("u_i_local", u_i_local);
+        f("u_j_local", u_j_local);
+        f("form", form);
+    }
 };
 
-using Primitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle>;
+using Primitive = std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle>;
 
 /// Values of a screw's θ and its rate; ignored by all other primitives.
 struct Theta {
@@ -159,6 +264,11 @@ auto vector_between(
 template <Content K, class C>
 auto equations(const N2& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
     return dot(arm<K, kBodyI>(i, c.s_i_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
+}
+
+template <Content K, class C>
+auto equations(const N2J& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+    return dot(arm<K, kBodyJ>(j, c.s_j_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
 }
 
 template <Content K, class C>

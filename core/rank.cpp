@@ -222,7 +222,7 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
     report.columns = static_cast<int>(jacobian.cols());
     int promised = static_cast<int>(system.drivers().size());
     for (const Constraint& c : system.constraints()) {
-        promised += std::min(independent_equations(c.role), c.rows());
+        promised += std::min(traits_of(c.role).independent, c.rows());
     }
     report.mobility_by_counting = report.columns - promised;
     const Scaling scaling = scaling_of<OmegaLocal>(system);

@@ -18,22 +18,8 @@ int equations_of(const Primitive& primitive) {
     return std::visit([](const auto& p) { return p.kEquations; }, primitive);
 }
 
-/// Size that the gradient of the equation has when unknowns are measured in units of `length`.
 double unit_of(const Primitive& primitive, double length) {
-    return std::visit(
-        Overloaded{
-            [](const N1& p) { return p.s_i_local.norm() * p.s_j_local.norm(); },
-            [&](const N2& p) { return p.s_i_local.norm() * length; },
-            [](const P1& p) { return p.s_i_local.norm() * p.s_j_local.norm(); },
-            [&](const P2& p) { return p.s_i_local.norm() * length; },
-            [&](const S&) { return length; },
-            [&](const Distance& p) { return 2.0 * p.length * length; },
-            [](const N1Pair& p) { return p.s_j_local.norm(); },
-            [&](const N2Pair&) { return length; },
-            [&](const ScrewAdvance&) { return length; },
-            [](const ScrewAngle&) { return 1.0; },
-        },
-        primitive);
+    return std::visit([&](const auto& p) { return p.unit(length); }, primitive);
 }
 
 double unit_of(const Measure& measure, double length) {

@@ -12,19 +12,9 @@ int equations_count(Role role, ParallelForm form) {
 }  // namespace
 
 std::string primitive_name(Role role, ParallelForm form) {
-    const bool pair = form == ParallelForm::pair;
-    switch (role) {
-        case Role::same_point: return "s";
-        case Role::axes_parallel: return pair ? "n1 pair" : "p1";
-        case Role::distance_parallel: return pair ? "n2 pair" : "p2";
-        case Role::axes_perpendicular:
-        case Role::sides_perpendicular: return "n1";
-        case Role::distance_perpendicular: return "n2";
-        case Role::length: return "d";
-        case Role::screw_advance: return "r";
-        case Role::screw_angle: break;
-    }
-    return "θ";
+    const RoleTraits& traits = traits_of(role);
+    const bool as_pair = form == ParallelForm::pair && !traits.pair_name.empty();
+    return std::string(as_pair ? traits.pair_name : traits.name);
 }
 
 std::string component_name(int equations, int component) {

@@ -138,7 +138,7 @@ void set_global_sides(const BodyPair& pair, const JointType& type, const Vec3& s
     const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
     const Vec3 axis_j = rotation_of(*pair.j) * g.s_j_local.normalized();
     const Mat3 back = Eigen::Quaterniond::FromTwoVectors(axis, axis_j).toRotationMatrix();
-    const Vec3 other = has_angle(type) ? side : axis.cross(side);
+    const Vec3 other = type.has_angle() ? side : axis.cross(side);
     set_sides(pair.vector_i(side), pair.vector_j(back * other), g);
 }
 
@@ -156,10 +156,10 @@ void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, Joi
         set_global_sides(pair, type, u, g);
         return;
     }
-    check_side(fields, "side_i", *side_i, g.s_i_local, has_angle(type));
-    check_side(fields, "side_j", *side_j, g.s_j_local, has_angle(type));
+    check_side(fields, "side_i", *side_i, g.s_i_local, type.has_angle());
+    check_side(fields, "side_j", *side_j, g.s_j_local, type.has_angle());
     // h as typed, its length scales the equation; u is a direction
-    if (has_angle(type)) {
+    if (type.has_angle()) {
         set_sides(unit_of(side_i->value), unit_of(side_j->value), g);
     } else {
         set_sides(side_i->value, side_j->value, g);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/joint_freedoms.hpp"
+#include "core/joint_types.hpp"
 
 /// What of a joint's geometry a lesson says.
 namespace jw {
@@ -9,13 +9,11 @@ namespace jw {
 struct JointNeeds {
     explicit JointNeeds(const JointType& type)
         : two_points(!type.uses(Role::same_point)),
-          points(
-              type.uses(Role::same_point) || type.uses(Role::distance_parallel) ||
-              type.uses(Role::distance_perpendicular) || type.uses(Role::length)),
+          points(type.uses(kPoints) || type.uses(kD)),
           arms(type.uses(Role::axes_perpendicular)),
-          axis_j(type.uses(Role::axes_parallel) || arms),
-          axis(axis_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular)),
-          sides(type.uses(Role::sides_perpendicular) || has_angle(type)) {}
+          axis_j(type.uses(kAxisJ)),
+          axis(type.uses(kAxisI)),
+          sides(type.uses(kSidesH) || type.has_angle()) {}
 
     bool two_points;  ///< the points of i and j need not coincide
     bool points;

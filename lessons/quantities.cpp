@@ -41,11 +41,11 @@ std::optional<MeasuredQuantity> of_joint(
         if (is_there) { possible += (possible.empty() ? "" : ", ") + std::string(name); }
         return is_there && word == name;
     };
-    if (offers("angle", has_angle(*joint.type))) {
+    if (offers("angle", joint.type->has_angle())) {
         if (joint.type->artificial == 0) { quantity.measure = angle_of(joint); }
         return MeasuredQuantity{quantity, Unit::radian};
     }
-    if (offers("displacement", has_displacement(*joint.type))) {
+    if (offers("displacement", joint.type->has_displacement())) {
         quantity.measure = displacement_of(joint);
         return MeasuredQuantity{quantity, Unit::metre};
     }

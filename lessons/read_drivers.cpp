@@ -16,8 +16,8 @@ std::optional<double> place_on_joint(Fields& fields, const Reading& reading, Wha
     const Named* named = name ? reading.joint(*name) : nullptr;
     if (named == nullptr || !named->sound) { return std::nullopt; }
     const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
-    const auto has = what == What::angle ? has_angle : has_displacement;
-    if (!has(*joint.type)) {
+    const auto has = what == What::angle ? &JointType::has_angle : &JointType::has_displacement;
+    if (!(joint.type->*has)()) {
         fields.problems().add(
             name->span, "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
                             " has no " + (what == What::angle ? "angle" : "displacement") +

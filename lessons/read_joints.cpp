@@ -90,10 +90,10 @@ void read_joint(Fields& fields, Reading& reading) {
 
 }  // namespace
 
-std::string types_with(bool (*has)(const JointType&)) {
+std::string types_with(bool (JointType::*has)() const) {
     std::vector<std::string> names;
     for (const JointType& type : kJointTypes) {
-        if (has(type)) { names.emplace_back(type.name); }
+        if ((type.*has)()) { names.emplace_back(type.name); }
     }
     return comma_list(names);
 }

@@ -128,10 +128,10 @@ void read_rotational_spring(Fields& fields, Reading& reading) {
     const Named* named = name ? reading.joint(*name) : nullptr;
     if (named == nullptr || !named->sound) { return; }
     const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
-    if (!has_angle(*joint.type)) {
+    if (!joint.type->has_angle()) {
         fields.problems().add(
             name->span, "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
-                            " has no angle; expected a joint of type " + types_with(has_angle));
+                            " has no angle; expected a joint of type " + types_with(&JointType::has_angle));
         return;
     }
     const BodyPair pair = pair_of(reading, {joint.body_i, joint.body_j, true});

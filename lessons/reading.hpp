@@ -100,7 +100,7 @@ std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& readi
 Mat3 rotation_of(const Body& body);
 
 /// Names of the joint types for which `has` holds.
-std::string types_with(bool (*has)(const JointType&));
+std::string types_with(bool (JointType::*has)() const);
 
 /// The two bodies of a joint or driver and the way from the global frame at the start pose to theirs.
 struct BodyPair {

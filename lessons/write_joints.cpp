@@ -22,7 +22,7 @@ void write_vectors(const JointType& type, const JointGeometry& g, Lines& lines) 
     if (needs.axis) { lines.key("axis_i", g.s_i_local); }
     if (needs.axis_j) { lines.key("axis_j", g.s_j_local); }
     if (needs.sides) {
-        const bool angle = has_angle(type);
+        const bool angle = type.has_angle();
         lines.key("side_i", angle ? typed_direction(g.u_i_local) : g.h_i_local);
         lines.key("side_j", angle ? typed_direction(g.u_j_local) : g.h_j_local);
     }

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kMostShown = 5;  // a row of cards
 // in which a course meets them
-constexpr std::array<std::string_view, 7> kChapters{"vectors", "parallel", "joints",  "loops",
-                                                    "screws",  "hard",     "dynamics"};
+constexpr std::array<std::string_view, 8> kChapters{"vectors", "parallel", "joints", "links",
+                                                    "loops",   "screws",   "hard",   "dynamics"};
 
 CatalogueEntry entry_of(const fs::path& path) {
     CatalogueEntry entry;

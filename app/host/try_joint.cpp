@@ -93,7 +93,7 @@ void screw_forms(const LessonUi& ui, int index, const Joint& joint) {
 
 int components_of(Role role, ParallelForm form) {
     if (is_parallel(role)) { return form == ParallelForm::pair ? 2 : 3; }
-    return independent_equations(role);
+    return traits_of(role).independent;
 }
 
 /// A tick for every single equation.

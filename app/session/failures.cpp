@@ -40,6 +40,8 @@ std::string gap_text(const System& system, const Contradiction& c) {
         case Role::distance_parallel: return "the points of " + joint + " stay " + metres + " off its axis";
         case Role::distance_perpendicular:
             return "the points of " + joint + " stay " + metres + " apart along its axis";
+        case Role::distance_perpendicular_j:
+            return "the points of " + joint + " stay " + metres + " apart along its second axis";
         case Role::axes_perpendicular:
             return "the axes of " + joint + " stay " + angle + " off a right angle";
         case Role::sides_perpendicular:

@@ -8,62 +8,19 @@ namespace jw {
 
 namespace {
 
-/// The data of a primitive, with the names of primitives.hpp.
-struct PrimitiveJson {
-    Json operator()(const N1& c) const {
-        return {{"s_i_local", json_of(c.s_i_local)}, {"s_j_local", json_of(c.s_j_local)}};
-    }
-    Json operator()(const N2& c) const { return with_points(c.s_i_local, c.B_i_local, c.B_j_local); }
-    Json operator()(const P1& c) const {
-        return {{"s_i_local", json_of(c.s_i_local)}, {"s_j_local", json_of(c.s_j_local)}};
-    }
-    Json operator()(const P2& c) const { return with_points(c.s_i_local, c.B_i_local, c.B_j_local); }
-    Json operator()(const S& c) const {
-        return {{"P_i_local", json_of(c.P_i_local)}, {"P_j_local", json_of(c.P_j_local)}};
-    }
-    Json operator()(const Distance& c) const {
-        return {
-            {"P_i_local", json_of(c.P_i_local)},
-            {"P_j_local", json_of(c.P_j_local)},
-            {"length", number(c.length)}};
-    }
-    Json operator()(const N1Pair& c) const {
-        return {
-            {"a_i_local", json_of(c.a_i_local)},
-            {"b_i_local", json_of(c.b_i_local)},
-            {"s_j_local", json_of(c.s_j_local)}};
-    }
-    Json operator()(const N2Pair& c) const {
-        return {
-            {"a_i_local", json_of(c.a_i_local)},
-            {"b_i_local", json_of(c.b_i_local)},
-            {"B_i_local", json_of(c.B_i_local)},
-            {"B_j_local", json_of(c.B_j_local)}};
-    }
-    Json operator()(const ScrewAdvance& c) const {
-        Json json = with_points(c.s_i_local, c.B_i_local, c.B_j_local);
-        json["alpha"] = number(c.alpha);
-        json["d_0"] = number(c.d_0);
-        json["theta_0"] = number(c.theta_0);
-        return json;
-    }
-    Json operator()(const ScrewAngle& c) const {
-        constexpr const char* forms[] = {"rotation", "cosine", "sine"};
-        return {
-            {"s_i_local", json_of(c.s_i_local)},
-            {"u_i_local", json_of(c.u_i_local)},
-            {"u_j_local", json_of(c.u_j_local)},
-            {"form", forms[static_cast<int>(c.form)]}};
-    }
+Json json_of(double value) { return number(value); }
+Json json_of(ScrewAngleForm form) {
+    constexpr const char* forms[] = {"rotation", "cosine", "sine"};
+    return forms[static_cast<int>(form)];
+}
 
-private:
-    static Json with_points(const Vec3& s_i_local, const Vec3& B_i_local, const Vec3& B_j_local) {
-        return {
-            {"s_i_local", json_of(s_i_local)},
-            {"B_i_local", json_of(B_i_local)},
-            {"B_j_local", json_of(B_j_local)}};
-    }
-};
+/// The data of a primitive, with the names of primitives.hpp.
+Json data_of(const Primitive& primitive) {
+    Json data = Json::object();
+    const auto add = [&](const char* name, const auto& value) { data[name] = json_of(value); };
+    std::visit([&](const auto& p) { p.for_each_field(add); }, primitive);
+    return data;
+}
 
 /// The data of a measure, with the names of drivers.hpp.
 struct MeasureJson {
@@ -110,7 +67,7 @@ Json constraints_of(const System& system) {
             {"equations", c.equations},
             {"dropped", c.dropped < 0 ? Json() : Json(axis_name(c.dropped))},
             {"unit", number(c.unit)}};
-        entry["data"] = std::visit(PrimitiveJson{}, c.primitive);
+        entry["data"] = data_of(c.primitive);
         list.push_back(std::move(entry));
     }
     return list;

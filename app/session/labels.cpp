@@ -25,6 +25,7 @@ std::string formula_of(Role role, const Joint& joint) {
                         : combined("p2,2", "~s_i @d = @0");
         case Role::axes_perpendicular: return combined("n1,1", "@s_i^T @s_j = 0");
         case Role::distance_perpendicular: return combined("n2,1", "@s_i^T @d = 0");
+        case Role::distance_perpendicular_j: return combined("n2,1", "@s_j^T @d = 0");
         case Role::sides_perpendicular: return combined("n1,1", "@h_i^T @h_j = 0");
         case Role::length: return combined("d,1", "@d^T @d − L^2 = 0");
         case Role::screw_advance: return combined("r,1", "(d − d^0) − α (θ − θ^0) = 0");
@@ -39,14 +40,12 @@ std::string formula_of(Role role, const Joint& joint) {
 }
 
 const char* unit_of_role(Role role) {
-    switch (role) {
-        case Role::same_point:
-        case Role::distance_parallel:
-        case Role::distance_perpendicular:
-        case Role::screw_advance: return "m";
-        case Role::length: return "m²";
-        default: return "-";
+    switch (traits_of(role).dimension) {
+        case Dimension::none: return "-";
+        case Dimension::length: return "m";
+        case Dimension::square: break;
     }
+    return "m²";
 }
 
 const Constraint& constraint_of(const System& system, const RowOrigin& origin) {

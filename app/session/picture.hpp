@@ -36,6 +36,7 @@ struct JointStyle {
     double lift_j = 0.0;   ///< the same for h_j (u_j)
     double lowest = 0.0;   ///< of s_iᵀ d over the story, zero included: the bar reaches P_i
     double highest = 0.0;
+    double farthest = 0.0;  ///< from that line, of P_j [m]
 };
 
 /// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.

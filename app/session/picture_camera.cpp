@@ -29,13 +29,9 @@ Axes axes_of(const Story& story) {
     };
     Axes axes;
     for (const Joint& joint : story.lesson().mechanism.joints) {
-        const bool parallel = joint.type->uses(Role::axes_parallel);
         const bool crossed = joint.type->uses(Role::axes_perpendicular);
-        axes.planar = axes.planar && parallel;
-        if (!parallel && !crossed && !joint.type->uses(Role::distance_perpendicular) &&
-            !joint.type->uses(Role::distance_parallel)) {
-            continue;
-        }
+        axes.planar = axes.planar && joint.type->uses(Role::axes_parallel);
+        if (!joint.type->uses(kAxisI)) { continue; }
         axes.all.push_back(direction(joint.body_i, joint.geometry.s_i_local));
         if (crossed) { axes.all.push_back(direction(joint.body_j, joint.geometry.s_j_local)); }
         // what slides along its axis is seen best from the side

@@ -38,17 +38,23 @@ public:
           scene_(&scene) {}
 
     void draw() {
-        const std::string_view name = j_.joint->type->name;
-        if (name == "revolute") { return revolute(); }
-        if (name == "spherical") { return spherical(); }
-        if (name == "universal") { return universal(); }
-        if (name == "cylindrical") { return cylindrical(); }
-        if (name == "prismatic") { return prismatic(); }
-        if (name == "screw") { return screw(); }
-        if (name == "fixed") { return fixed(); }
-        if (name == "planar") { return planar(); }
-        if (name == "distance") { return distance(); }
-        // bare primitives are their vectors and nothing else
+        switch (j_.joint->type->glyph) {
+            case JointGlyph::none: return;
+            case JointGlyph::pin: return pin();
+            case JointGlyph::ball: return ball();
+            case JointGlyph::cross: return cross();
+            case JointGlyph::sleeve: return sleeve();
+            case JointGlyph::slide: return slide();
+            case JointGlyph::thread: return thread();
+            case JointGlyph::block: return block();
+            case JointGlyph::plate: return plate();
+            case JointGlyph::rod: return rod();
+            case JointGlyph::rod_from_pin_to_ball: return rod_from_pin_to_ball();
+            case JointGlyph::rod_between_pins: return rod_between_pins();
+            case JointGlyph::rod_from_cross_to_ball: return rod_from_cross_to_ball();
+            case JointGlyph::bead_on_bar: return bead_on_bar();
+            case JointGlyph::bead_on_plate: return bead_on_plate();
+        }
     }
 
 private:
@@ -58,7 +64,7 @@ private:
     void bar(const Vec3& centre, const Vec3& axis, double half, double radius, const render::Colour& colour) {
         add(render::Cylinder{centre - half * axis, centre + half * axis, radius}, colour);
     }
-    void sleeve(const Vec3& centre, const Vec3& axis, double half, const render::Colour& colour) {
+    void tube(const Vec3& centre, const Vec3& axis, double half, const render::Colour& colour) {
         add(render::Tube{centre - half * axis, centre + half * axis, 1.9 * g_, 1.12 * g_}, colour);
     }
     bool has_own_shapes(int body) const {
@@ -81,16 +87,16 @@ private:
         return way.norm() > 0.1 * g_ ? Vec3(way.normalized()) : Vec3::Zero();
     }
 
-    void revolute() {
+    void pin() {
         bar(j_.P_i, j_.s_i, 2.6 * g_, g_, palette::kSteel);
-        sleeve(j_.P_j, j_.s_j, 1.6 * g_, colour_j_);
+        tube(j_.P_j, j_.s_j, 1.6 * g_, colour_j_);
     }
-    void spherical() {
+    void ball() {
         add(render::Sphere{j_.P_i, 1.7 * g_}, palette::kSteel);
         const Vec3 way = towards_body(j_.joint->body_j, j_.P_j, j_.frame_j);
         add(render::Ring{j_.P_j, way.isZero() ? j_.s_j : way, 1.75 * g_, 0.5 * g_}, colour_j_);
     }
-    void universal() {
+    void cross() {
         bar(j_.P_i, j_.s_i, 2.8 * g_, 0.75 * g_, colour_i_);
         bar(j_.P_j, j_.s_j, 2.8 * g_, 0.75 * g_, colour_j_);
         add(render::Sphere{j_.P_i, 1.2 * g_}, palette::kSteel);
@@ -109,32 +115,73 @@ private:
         add(render::Rod{P - half, P - half + depth, 0.7 * g_}, colour);
         add(render::Rod{P + half + depth, P - half + depth, 0.7 * g_}, colour);
     }
-    void cylindrical() {
+    void sleeve() {
         const auto [from, to] = guide();
         add(render::Cylinder{from, to, g_}, palette::kSteel);
-        sleeve(j_.P_j, j_.s_j, 3.2 * g_, colour_j_);
+        tube(j_.P_j, j_.s_j, 3.2 * g_, colour_j_);
     }
-    void prismatic() {
+    void slide() {
         const auto [from, to] = guide();
         const Mat3 A_i = axes_with_z(j_.s_i, j_.h_i);
         const Mat3 A_j = axes_with_z(j_.s_j, j_.h_j);
         add(render::Box{{A_i, 0.5 * (from + to)}, {g_, g_, 0.5 * (to - from).norm()}}, palette::kSteel);
         add(render::Box{{A_j, j_.P_j}, {1.9 * g_, 1.9 * g_, 3.2 * g_}}, colour_j_);
     }
-    void screw();
-    void fixed() {
+    void thread();
+    void block() {
         add(render::Box{{axes_with_z(j_.s_j, j_.h_j), j_.P_j}, Vec3::Constant(1.6 * g_)}, colour_j_);
     }
-    void planar() {
+    void plate() {
         // thin enough to be seen as a plane, and light enough to see what slides on it from below
         const render::Colour colour = render::with_alpha(colour_i_, 0.5F);
         add(render::Box{{axes_with_z(j_.s_i, j_.u_i), j_.P_i}, {8.0 * g_, 8.0 * g_, 0.2 * g_}}, colour);
         add(render::Cylinder{j_.P_j, j_.P_j + 1.2 * g_ * j_.s_j, 2.0 * g_}, colour_j_);
     }
-    void distance() {
+    void rod() {
         add(render::Rod{j_.P_i, j_.P_j, 0.7 * g_}, palette::kSteel);
         add(render::Sphere{j_.P_i, 1.4 * g_}, colour_i_);
         add(render::Sphere{j_.P_j, 1.4 * g_}, colour_j_);
+    }
+    /// The massless link of a composite joint.
+    void link() { add(render::Rod{j_.P_i, j_.P_j, 0.7 * g_}, palette::kSteel); }
+    /// Its end about a pin of one of the bodies.
+    void eye(const Vec3& P, const Vec3& s, const render::Colour& pin_colour) {
+        bar(P, s, 2.6 * g_, g_, pin_colour);
+        tube(P, s, 1.4 * g_, palette::kSteel);
+    }
+    void rod_from_pin_to_ball() {
+        link();
+        eye(j_.P_i, j_.s_i, colour_i_);
+        add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);
+    }
+    void rod_between_pins() {
+        link();
+        eye(j_.P_i, j_.s_i, colour_i_);
+        eye(j_.P_j, j_.s_j, colour_j_);
+    }
+    void rod_from_cross_to_ball() {
+        link();
+        const Vec3 d = j_.P_j - j_.P_i;
+        const Vec3 along = d.norm() > 0.0 ? Vec3(d.normalized()) : Vec3(Vec3::UnitZ());
+        // one arm of the cross turns in body i: as nearly fixed there as the link lets it be
+        const Mat3 A = axes_with_z(along, j_.frame_i.A.col(0));
+        bar(j_.P_i, A.col(0), 2.8 * g_, 0.75 * g_, colour_i_);
+        bar(j_.P_i, A.col(1), 2.8 * g_, 0.75 * g_, palette::kSteel);
+        add(render::Sphere{j_.P_i, 1.2 * g_}, palette::kSteel);
+        add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);
+    }
+    void bead_on_bar() {
+        const auto [from, to] = guide();
+        add(render::Cylinder{from, to, g_}, palette::kSteel);
+        add(render::Sphere{j_.P_j, 2.2 * g_}, colour_j_);
+    }
+    void bead_on_plate() {
+        add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);
+        // a plane that the lesson drew is there already
+        if (has_own_shapes(j_.joint->body_i)) { return; }
+        const render::Colour colour = render::with_alpha(colour_i_, 0.5F);
+        const double half = style_->joints[static_cast<std::size_t>(j_.index)].farthest + 4.0 * g_;
+        add(render::Box{{axes_with_z(j_.s_i, j_.frame_i.A.col(0)), j_.P_i}, {half, half, 0.2 * g_}}, colour);
     }
 
     const Lesson* lesson_;
@@ -176,7 +223,7 @@ Shaft shaft_of(const Lesson& lesson, int body, const BodyFrame& frame, const Vec
 }
 
 /// The thread is cut on the bar that the lesson drew, on whichever body it is; without one it gets its own.
-void Glyph::screw() {
+void Glyph::thread() {
     constexpr double thread_height = 1.12;  // crest to the surface of the bar
     constexpr double slender = 4.0;         // less than that is a nut, not a bolt
     const double pitch = 2.0 * std::numbers::pi * j_.joint->geometry.alpha;

@@ -88,7 +88,7 @@ JointStyle joint_style(
           std::pair{j.P_j, j.u_j}}) {
         found.side = std::max(found.side, solid.reach(from, direction, kSideLimit * style.unit));
     }
-    const bool screw = j.joint->type->uses(Role::screw_angle);
+    const bool screw = j.joint->type->uses(kSidesU);
     found.lift_i = lift_of(solid, j.P_i, screw ? j.u_i : j.h_i, found.side, style.unit);
     found.lift_j = lift_of(solid, j.P_j, screw ? j.u_j : j.h_j, found.side, style.unit);
     for (const int k : moments) {
@@ -96,9 +96,11 @@ JointStyle joint_style(
         const std::vector<int>& present = step.system->selection().joints;
         if (step.kind == Step::Kind::iteration) { continue; }
         if (std::ranges::find(present, joint) == present.end()) { continue; }
-        const double d = placed(mechanism, joint, step.state).displacement();
+        const PlacedJoint now = placed(mechanism, joint, step.state);
+        const double d = now.displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
+        found.farthest = std::max(found.farthest, (now.P_j - now.P_i - d * now.s_i).norm());
     }
     return found;
 }

@@ -43,14 +43,13 @@ public:
 
     void draw() {
         const JointType& type = *j_.joint->type;
-        uses_d_ = type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular) ||
-                  type.uses(Role::screw_advance) || type.uses(Role::length);
+        uses_d_ = type.uses(kD);
         if (uses_d_ || type.uses(Role::same_point)) {
             points(type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B");
         }
         axes(type);
-        if (type.uses(Role::sides_perpendicular)) { sides("@h", j_.h_i, j_.h_j); }
-        if (type.uses(Role::screw_angle)) { sides("@u", j_.u_i, j_.u_j); }
+        if (type.uses(kSidesH)) { sides("@h", j_.h_i, j_.h_j); }
+        if (type.uses(kSidesU)) { sides("@u", j_.u_i, j_.u_j); }
         if (uses_d_) {
             const Vec3 aside = aside_of_d(type);
             add_distance(style_, j_.P_i + aside, j_.P_j + aside, "@d", *picture_);
@@ -80,9 +79,8 @@ private:
         return overlap(seen(j_.s_i), seen(j_.s_j), distance, kApart * unit_);
     }
     void axes(const JointType& type) {
-        const bool uses_j = type.uses(Role::axes_parallel) || type.uses(Role::axes_perpendicular);
-        const bool uses_i =
-            uses_j || type.uses(Role::distance_parallel) || type.uses(Role::distance_perpendicular);
+        const bool uses_i = type.uses(kAxisI);
+        const bool uses_j = type.uses(kAxisJ);
         // one on either side of what both lie in
         const double half = uses_j ? 0.5 * kApart * unit_ * axes_overlap() : 0.0;
         const double sense = beside(style_, j_.s_i).dot(beside(style_, j_.s_j)) < 0.0 ? -1.0 : 1.0;

@@ -16,21 +16,10 @@ constexpr int bit(int part) { return 1 << part; }
 
 /// The vectors that an equation is made of.
 int vectors_of(Role role) {
-    constexpr int i = bit(Pointable::kVectorI);
-    constexpr int j = bit(Pointable::kVectorJ);
-    constexpr int d = bit(Pointable::kVectorD);
-    switch (role) {
-        case Role::same_point:
-        case Role::axes_parallel:
-        case Role::axes_perpendicular:
-        case Role::sides_perpendicular:
-        case Role::screw_angle: return i | j;
-        case Role::distance_parallel:
-        case Role::distance_perpendicular:
-        case Role::screw_advance: return i | d;
-        case Role::length: break;
-    }
-    return d;
+    const unsigned vectors = traits_of(role).vectors;
+    const auto has = [&](unsigned any, int part) { return (vectors & any) != 0 ? bit(part) : 0; };
+    return has(kPoints | kAxisI | kSidesH | kSidesU, Pointable::kVectorI) |
+           has(kPoints | kAxisJ | kSidesH | kSidesU, Pointable::kVectorJ) | has(kD, Pointable::kVectorD);
 }
 
 }  // namespace

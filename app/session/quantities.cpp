@@ -50,12 +50,10 @@ std::vector<Source> sources_of_joint(const Joint& joint, int theta) {
     std::vector<Source> sources;
     if (type.artificial > 0) {
         sources.push_back(source(".angle", ThetaMeasure{}));
-    } else if (type.name == "revolute" || type.name == "cylindrical") {
+    } else if (type.has_angle()) {
         sources.push_back(source(".angle", angle_of(joint)));
     }
-    if (type.uses(Role::distance_parallel) && type.uses(Role::axes_parallel)) {
-        sources.push_back(source(".displacement", displacement_of(joint)));
-    }
+    if (type.has_displacement()) { sources.push_back(source(".displacement", displacement_of(joint))); }
     return sources;
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 
 #include "core/body_kinematics.hpp"
-#include "core/joint_freedoms.hpp"
+#include "core/joint_types.hpp"
 
 namespace jw {
 
@@ -38,8 +38,8 @@ IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, Dri
         for (int k = 0; k < 7; ++k) { of_bodies_.push_back({CoordinateMeasure{k}, 0, static_cast<int>(b)}); }
     }
     for (const Joint& joint : mechanism.joints) {
-        if (has_angle(*joint.type)) { of_joints_.push_back({angle_of(joint), joint.body_i, joint.body_j}); }
-        if (has_displacement(*joint.type)) {
+        if (joint.type->has_angle()) { of_joints_.push_back({angle_of(joint), joint.body_i, joint.body_j}); }
+        if (joint.type->has_displacement()) {
             of_joints_.push_back({displacement_of(joint), joint.body_i, joint.body_j});
         }
     }

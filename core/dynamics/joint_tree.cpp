@@ -1,20 +1,16 @@
 #include "core/dynamics/joint_tree.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace jw {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kHangingTypes{
-    "spherical", "s", "universal", "revolute", "cylindrical", "prismatic", "screw", "fixed", "planar"};
-
 bool can_hang(const Joint& joint) {
     const bool by_hand = joint.parallel_form == ParallelForm::drop_x ||
                          joint.parallel_form == ParallelForm::drop_y ||
                          joint.parallel_form == ParallelForm::drop_z || !joint.without.empty();
-    return !by_hand && std::ranges::find(kHangingTypes, joint.type->name) != kHangingTypes.end();
+    return !by_hand && joint.type->can_carry();
 }
 
 /// What one coordinate does, in the frame that the child has at the start.
@@ -23,12 +19,34 @@ struct Axis {
     Vec3 shift = Vec3::Zero();
 };
 
-/// Where a body hangs: any point of an axis will do, and of what does not turn any at all. The nearest to the
-/// centre of mass keeps the most digits of its inertia there.
-Vec3 nearest_to_centre(std::string_view type, const Vec3& point, const Vec3& s) {
-    if (type == "prismatic" || type == "fixed") { return Vec3::Zero(); }
-    if (type == "spherical" || type == "s" || type == "universal") { return point; }
-    return point - s.dot(point) * s;
+/// Where a body may hang: anywhere if it does not turn, on the axis that it turns about, or in the one point
+/// that all its turns leave.
+enum class Support { anywhere, axis, point };
+
+Support support_of(std::span<const Freedom> motion) {
+    Support support = Support::anywhere;
+    for (const Freedom freedom : motion) {
+        switch (freedom) {
+            case Freedom::slide:
+            case Freedom::slide_across:
+            case Freedom::slide_upright: break;
+            case Freedom::turn:
+            case Freedom::screw: support = std::max(support, Support::axis); break;
+            case Freedom::turn_of_carrier:
+            case Freedom::ball: support = Support::point; break;
+        }
+    }
+    return support;
+}
+
+/// The place nearest to the centre of mass: there the inertia keeps the most digits.
+Vec3 nearest_to_centre(std::span<const Freedom> motion, const Vec3& point, const Vec3& s) {
+    switch (support_of(motion)) {
+        case Support::anywhere: return Vec3::Zero();
+        case Support::axis: return point - s.dot(point) * s;
+        case Support::point: break;
+    }
+    return point;
 }
 
 constexpr int kNotYet = -1;
@@ -46,20 +64,24 @@ int heaviest_left(const Loads& loads, const std::vector<int>& depth) {
     return heaviest;
 }
 
-/// The axes of a joint, from the parent on. @param s_parent the parent's axis in the child's frame
+/// The axes of a joint, from the parent on; none of a ball and a weld.
+/// @param s_parent the parent's axis in the child's frame
 std::vector<Axis> axes_of(const Joint& joint, const Vec3& s_parent, const Vec3& s) {
-    const std::string_view name = joint.type->name;
     const Vec3 none = Vec3::Zero();
-    if (name == "revolute") { return {{s, none}}; }
-    if (name == "prismatic") { return {{none, s}}; }
-    if (name == "cylindrical") { return {{none, s}, {s, none}}; }
-    if (name == "screw") { return {{s, joint.geometry.alpha * s}}; }
-    if (name == "universal") { return {{s_parent, none}, {s, none}}; }
-    if (name == "planar") {
-        const Vec3 across = perpendicular_to(s);
-        return {{none, across}, {none, s.cross(across)}, {s, none}};
+    const Vec3 across = perpendicular_to(s);
+    std::vector<Axis> axes;
+    for (const Freedom freedom : joint.type->motion) {
+        switch (freedom) {
+            case Freedom::turn: axes.push_back({s, none}); break;
+            case Freedom::turn_of_carrier: axes.push_back({s_parent, none}); break;
+            case Freedom::slide: axes.push_back({none, s}); break;
+            case Freedom::slide_across: axes.push_back({none, across}); break;
+            case Freedom::slide_upright: axes.push_back({none, s.cross(across)}); break;
+            case Freedom::screw: axes.push_back({s, joint.geometry.alpha * s}); break;
+            case Freedom::ball: break;
+        }
     }
-    return {};
+    return axes;
 }
 
 }  // namespace
@@ -134,7 +156,7 @@ void JointTree::hang(const Mechanism& mechanism, const State& start, const Edge&
     const JointGeometry& g = joint.geometry;
     const bool child_is_j = edge.child_body == joint.body_j;
     const Vec3 s = (child_is_j ? g.s_j_local : g.s_i_local).normalized();
-    const Vec3 point = nearest_to_centre(joint.type->name, child_is_j ? g.P_j_local : g.P_i_local, s);
+    const Vec3 point = nearest_to_centre(joint.type->motion, child_is_j ? g.P_j_local : g.P_i_local, s);
     const Vec3 s_other = (child_is_j ? g.s_i_local : g.s_j_local).normalized();
 
     const Vec3& r = start.r[at(edge.child_body)];

@@ -54,7 +54,7 @@ struct Driven {
     TimeFunction function;
 };
 
-using LinkPrimitive = std::variant<N1, N2, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, Driven>;
+using LinkPrimitive = std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, Driven>;
 
 /// Equations of one primitive between two bodies, in the rows of its link from `first_row` on.
 struct LinkEquation {

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/dynamics/forces.hpp"
-#include "core/joint_freedoms.hpp"
+#include "core/joint_types.hpp"
 
 namespace jw {
 
@@ -41,7 +41,7 @@ void move(Measure& measure, const Vec3& centre_i, const Vec3& centre_j) {
 }  // namespace
 
 bool acts_about(const RotationalSpring& spring, const Joint& joint) {
-    if (!has_angle(*joint.type)) { return false; }
+    if (!joint.type->has_angle()) { return false; }
     const AngleMeasure angle = angle_of(joint);
     return joint.body_i == spring.body_i && joint.body_j == spring.body_j &&
            angle.s_i_local == spring.angle.s_i_local && angle.u_i_local == spring.angle.u_i_local &&

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/joint_types.hpp"
 #include "tests/architecture/project_tree.hpp"
 
 namespace jw::architecture {
@@ -29,7 +30,41 @@ const std::regex unfinished(
     "ME|HA"
     "CK)\\b");
 
+/// "revolute|planar|..."; without words that are more than the name of a joint where `of_joints_only`.
+std::string joint_names(bool of_joints_only) {
+    std::string names;
+    for (const JointType& type : kJointTypes) {
+        // also a key of bodies, a quantity, an experiment, primitives
+        const bool means_more =
+            type.name == "fixed" || type.name == "distance" || type.name == "screw" || type.name.size() < 3;
+        if (of_joints_only && means_more) { continue; }
+        names += (names.empty() ? "" : "|") + std::string(type.name);
+    }
+    return names;
+}
+
+bool is_shipped(const SourceFile& file) {
+    return is_cpp(file) && !file.path.starts_with("tests/") && file.path != "core/joint_types.hpp";
+}
+
 }  // namespace
+
+TEST_CASE("Nothing but its entry knows a joint type by name", "[architecture]") {
+    const std::regex alone("\"(" + joint_names(true) + ")\"");
+    const std::regex compared(
+        "[!=]= *\"(" + joint_names(false) + ")\"|\"(" + joint_names(false) +
+        ")\" *[!=]=|find_joint_type\\(\"");
+    for (const SourceFile& file : project_files()) {
+        if (!is_shipped(file)) { continue; }
+        for (const std::string& line : file.lines) {
+            CAPTURE(file.path, line);
+            CHECK_FALSE(std::regex_search(line, alone));
+            CHECK_FALSE(std::regex_search(line, compared));
+        }
+    }
+    CHECK(std::regex_search(std::string("if (type.name == \"revolute\") {"), alone));
+    CHECK(std::regex_search(std::string("if (type.name == \"p1\") {"), compared));
+}
 
 TEST_CASE("No source file is longer than 400 lines", "[architecture]") {
     for (const SourceFile& file : project_files()) {

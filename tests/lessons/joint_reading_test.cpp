@@ -154,11 +154,9 @@ TEST_CASE("Every joint type can be read, with its number of equations", "[lesson
         CAPTURE(type.name);
         std::string keys = "type = \"" + std::string(type.name) + "\"\n";
         const bool arms = type.uses(Role::axes_perpendicular);
-        const bool axis = arms || type.uses(Role::axes_parallel) || type.uses(Role::distance_parallel) ||
-                          type.uses(Role::distance_perpendicular);
-        if (axis) { keys += "axis = [0, 0, 1]\n"; }
+        if (type.uses(kAxisI)) { keys += "axis = [0, 0, 1]\n"; }
         if (arms) { keys += "axis2 = [1, 0, 0]\n"; }
-        if (type.name != "p1" && type.name != "n1") { keys += "at = [0, 0, 0]\n"; }
+        if (type.uses(kPoints) || type.uses(kD)) { keys += "at = [0, 0, 0]\n"; }
         if (type.uses(Role::length)) { keys += "to = [0, 0, 1]\n"; }
         if (type.uses(Role::screw_advance)) { keys += "pitch = 1\n"; }
         CHECK(joint_with(keys).type == &type);

@@ -21,7 +21,7 @@ inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& a
     }
     if (needs.axis) { g.s_i_local = any.s_i_local; }
     if (needs.axis_j) { g.s_j_local = any.s_j_local; }
-    if (needs.sides && has_angle(type)) {
+    if (needs.sides && type.has_angle()) {
         g.h_i_local = g.u_i_local = perpendicular_to(any.s_i_local);
         g.h_j_local = g.u_j_local = any.s_j_local.cross(any.h_j_local).normalized();
     } else if (needs.sides) {
@@ -84,7 +84,7 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
         {0, 1, random.vector(), random.vector(), random.number(0.0, 1e5), 0.0, random.number(0.0, 9.0)},
         {1, 2, random.vector(), random.vector(), 0.0, random.number(0.0, 9.0), 0.0}};
     for (const Joint& joint : m.joints) {
-        if (!has_angle(*joint.type)) { continue; }
+        if (!joint.type->has_angle()) { continue; }
         plan.loads.rotational_springs.push_back(
             {joint.body_i, joint.body_j, angle_of(joint), random.number(0.0, 9.0), random.number(),
              random.number(0.0, 9.0)});
@@ -125,11 +125,11 @@ inline Lesson random_lesson(unsigned seed) {
     };
     for (int k = 0; k < static_cast<int>(m.joints.size()); ++k) {
         const Joint& joint = m.joints[static_cast<std::size_t>(k)];
-        if (has_angle(*joint.type)) {
+        if (joint.type->has_angle()) {
             const bool screw = joint.type->artificial > 0;
             add(screw ? Measure(ThetaMeasure{}) : Measure(angle_of(joint)), k, joint.body_i, joint.body_j);
         }
-        if (has_displacement(*joint.type)) { add(displacement_of(joint), k, joint.body_i, joint.body_j); }
+        if (joint.type->has_displacement()) { add(displacement_of(joint), k, joint.body_i, joint.body_j); }
     }
     add(SquaredDistanceMeasure{random.vector(), random.vector()}, -1, 1, 2);
     for (int k = 0; k < 7; ++k) { add(CoordinateMeasure{k}, -1, 0, 2); }

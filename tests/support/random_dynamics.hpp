@@ -70,8 +70,9 @@ inline Mechanism random_tree(Random& random) {
         const int before = static_cast<int>(random.number(0.0, 0.999 * bodies));
         const int body = scene.add_body(std::string(type.name), random.vector(2.0));
         const Vec3 axis = random.direction();
-        if (type.name == "distance") {
-            scene.add_distance(before, body, random.vector(), random.vector() + Vec3(3.0, 0.0, 0.0));
+        if (type.has_distance()) {
+            const Vec3 from = random.vector();
+            scene.add_link(type.name, before, body, from, random.vector() + Vec3(3.0, 0.0, 0.0), axis);
             continue;
         }
         Joint& joint = scene.add_joint(type.name, before, body, random.vector(2.0), axis);

@@ -22,9 +22,9 @@ inline Mechanism random_net(Random& random) {
     const auto add_joint = [&](int i, int j) {
         const JointType& type = kJointTypes[static_cast<std::size_t>(count(kJointTypes.size() - 1.0))];
         const Vec3 axis = common + tilt * random.vector();
-        if (type.name == "distance") {
+        if (type.has_distance()) {
             const Vec3 from = random.vector(size);
-            scene.add_distance(i, j, from, from + size * random.direction());
+            scene.add_link(type.name, i, j, from, from + size * random.direction(), axis);
             return;
         }
         Joint& joint = scene.add_joint(type.name, i, j, random.vector(size), axis);

@@ -79,6 +79,7 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
             case Role::distance_parallel: pair ? void(all = {a.dot(d), b.dot(d)}) : push(s_i.cross(d)); break;
             case Role::axes_perpendicular: all = {s_i.dot(s_j)}; break;
             case Role::distance_perpendicular: all = {s_i.dot(d)}; break;
+            case Role::distance_perpendicular_j: all = {s_j.dot(d)}; break;
             case Role::sides_perpendicular:
                 all = {(A_i * to_real(g.h_i_local)).dot(A_j * to_real(g.h_j_local))};
                 break;

@@ -50,9 +50,23 @@ public:
     }
 
     Joint& add_distance(int i, int j, const Vec3& point_i, const Vec3& point_j) {
-        Joint& joint = add_joint("distance", i, j, point_i, Vec3::UnitZ());
-        joint.geometry.P_j_local = local_point(j, point_j);
-        joint.geometry.length = (point_j - point_i).norm();
+        return add_link("distance", i, j, point_i, point_j, Vec3::UnitZ());
+    }
+
+    /// A link without mass between two points: its axes across the link, those of crossed ones across each
+    /// other, as near to `axis` as that allows.
+    Joint& add_link(
+        std::string_view type, int i, int j, const Vec3& point_i, const Vec3& point_j, const Vec3& axis) {
+        const Vec3 d = point_j - point_i;
+        const Vec3 across = axis - axis.dot(d) / d.squaredNorm() * d;
+        const bool any_axis = !find_joint_type(type)->uses(kAxisI);
+        Joint& joint = add_joint(type, i, j, point_i, any_axis ? axis : across);
+        JointGeometry& g = joint.geometry;
+        if (joint.type->uses(Role::axes_perpendicular)) {
+            g.s_j_local = local(j, d.cross(across).normalized());
+        }
+        g.P_j_local = local_point(j, point_j);
+        g.length = d.norm();
         return joint;
     }
 

@@ -35,8 +35,8 @@ inline Lesson one_joint(std::string_view type) {
     const int body = scene.add_body("body", Vec3(1.0, 0.4, 0.6));
     if (type == "universal") {
         scene.add_universal(0, body, kPoint, kAxis, perpendicular_to(kAxis));
-    } else if (type == "distance") {
-        scene.add_distance(0, body, kPoint, kPoint + 0.5 * kAxis);
+    } else if (find_joint_type(type)->has_distance()) {
+        scene.add_link(type, 0, body, kPoint, kPoint + 0.5 * kAxis, perpendicular_to(kAxis));
     } else {
         Joint& joint = scene.add_joint(type, 0, body, kPoint, kAxis);
         if (type == "screw") { joint.geometry.alpha = 0.02; }

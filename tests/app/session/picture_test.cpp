@@ -47,12 +47,12 @@ TEST_CASE("the glyph of every joint is at the joint and alone is highlighted", "
 
         const Picture picture = picture_of(story, style, first_of(story, Step::Kind::equations));
         const std::vector<render::Shape> glyph = highlighted(picture);
-        const bool bare = type.name == "s" || type.name.size() == 2;  // nothing but vectors
+        const bool bare = type.glyph == JointGlyph::none;  // nothing but vectors
         CHECK(glyph.empty() == bare);
         CHECK(is_finite(picture));
         if (bare) { continue; }
         const render::Bounds bounds = bounds_of(glyph);
-        const double room = type.name == "distance" ? 0.25 : 0.0;  // from the middle of the rod to its end
+        const double room = type.has_distance() ? 0.25 : 0.0;  // from the middle of the rod to its end
         CHECK((bounds.centre() - kPoint).norm() < room + 0.06 * style.unit);
         CHECK(bounds.diagonal() < 2.0 * room + 0.3 * style.unit);
     }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/joint_freedoms.hpp"
+#include "core/joint_types.hpp"
 #include "tests/reference/general/mechanics.hpp"
 #include "tests/support/generators/placing.hpp"
 #include "tests/support/generators/to_model.hpp"
@@ -121,7 +121,7 @@ private:
             if (is_parallel(role) && !known) { continue; }
             // two bodies held along one global axis feel a couple that the ground would have to take
             if (role == Role::same_point && out_.recipe.afloat) { continue; }
-            for (int k = 0; k < independent_equations(role); ++k) { all.push_back({role, k}); }
+            for (int k = 0; k < traits_of(role).independent; ++k) { all.push_back({role, k}); }
         }
         // the last one stays
         if (all.size() < 2) { return; }
@@ -185,7 +185,7 @@ private:
         for (int k = 0; k < count; ++k) {
             const int index = (number + k) % count;
             const Joint& joint = mechanism().joints[static_cast<std::size_t>(index)];
-            if (displacement ? !has_displacement(*joint.type) : !has_angle(*joint.type)) { continue; }
+            if (displacement ? !joint.type->has_displacement() : !joint.type->has_angle()) { continue; }
             driver.joint = index;
             driver.body_i = joint.body_i;
             driver.body_j = joint.body_j;
@@ -230,7 +230,7 @@ private:
         for (int k = 0; k < count; ++k) {
             for (const bool displacement : {false, true}) {
                 const Joint& joint = mechanism().joints[static_cast<std::size_t>(k)];
-                if (displacement ? !has_displacement(*joint.type) : !has_angle(*joint.type)) { continue; }
+                if (displacement ? !joint.type->has_displacement() : !joint.type->has_angle()) { continue; }
                 Driver driver;
                 driver.name = "driver " + std::to_string(mechanism().drivers.size() + 1);
                 along_joint(driver, k, displacement);

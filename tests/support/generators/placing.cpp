@@ -131,10 +131,14 @@ Joint Placing::joint(
     if (type.uses(Role::distance_parallel)) { P_j += length_ * random.number(-1.0, 1.0) * s_i; }
     if (type.uses(Role::distance_perpendicular)) { P_j += length_ * random.number(0.2, 1.0) * side; }
     if (type.uses(Role::length)) {
-        P_j = point(random);
-        if ((P_j - P_i).norm() < 0.2 * length_) { P_j += length_ * along_; }
+        if (!type.uses(Role::distance_perpendicular)) {
+            P_j = point(random);
+            if ((P_j - P_i).norm() < 0.2 * length_) { P_j += length_ * along_; }
+        }
         g.length = (P_j - P_i).norm();
     }
+    // across the link, too
+    if (type.uses(Role::distance_perpendicular_j)) { s_j = s_i.cross(side); }
     g.P_i_local = local_point(body_i, P_i);
     g.P_j_local = local_point(body_j, P_j);
     // lengths of axes scale equations and change nothing else

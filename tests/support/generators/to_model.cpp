@@ -65,6 +65,11 @@ public:
     }
     void perpendicular_axes() { add(Role::axes_perpendicular, 0, general::Product{s_i_, s_j_}); }
     void perpendicular_distance() { add(Role::distance_perpendicular, 0, general::Along{s_i_, P_i_, P_j_}); }
+    void perpendicular_distance_j() {
+        // from P_j to P_i along s_j, the other way round
+        const general::Fixed back{joint_.body_j, -real(joint_.geometry.s_j_local)};
+        add(Role::distance_perpendicular_j, 0, general::Along{back, P_j_, P_i_});
+    }
     void perpendicular_sides() {
         const JointGeometry& g = joint_.geometry;
         add(Role::sides_perpendicular, 0,
@@ -156,14 +161,21 @@ void write_joint(const std::string_view type, JointWriter& writer) {
         return std::ranges::find(names, type) != names.end();
     };
     if (is({"spherical", "s", "universal", "revolute", "fixed"})) { writer.same_point(); }
-    if (is({"revolute", "cylindrical", "prismatic", "screw", "fixed", "planar", "p1"})) {
+    if (is({"revolute", "cylindrical", "prismatic", "screw", "fixed", "planar", "p1", "revolute-revolute"})) {
         writer.parallel_axes();
     }
-    if (is({"cylindrical", "prismatic", "screw", "p2"})) { writer.parallel_distance(); }
-    if (is({"universal", "n1"})) { writer.perpendicular_axes(); }
-    if (is({"planar", "n2"})) { writer.perpendicular_distance(); }
+    if (is({"cylindrical", "prismatic", "screw", "p2", "point-on-line"})) { writer.parallel_distance(); }
+    if (is({"universal", "n1", "revolute-revolute-crossed"})) { writer.perpendicular_axes(); }
+    if (is({"planar", "n2", "point-in-plane", "revolute-spherical", "revolute-revolute",
+            "revolute-revolute-crossed"})) {
+        writer.perpendicular_distance();
+    }
+    if (is({"revolute-revolute-crossed"})) { writer.perpendicular_distance_j(); }
     if (is({"prismatic", "fixed"})) { writer.perpendicular_sides(); }
-    if (is({"distance"})) { writer.length(); }
+    if (is({"distance", "universal-spherical", "revolute-spherical", "revolute-revolute",
+            "revolute-revolute-crossed"})) {
+        writer.length();
+    }
     if (is({"screw"})) { writer.thread(); }
 }
 
