@@ -14,7 +14,7 @@ namespace {
 /// position, accelerations are then good to 1e-13, and lose a digit for every digit below.
 constexpr double kLeastPivot = kSurelyIndependent;
 /// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
-constexpr double kExact = 1e-13;
+constexpr double kHolds = 1e-13;
 
 Loads unit_masses(const Mechanism& mechanism) {
     const double length = extent(mechanism);
@@ -57,7 +57,7 @@ DrivenFrames::DrivenFrames(const System& system)
 }
 
 bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
-    return verdict.smallest_pivot >= kLeastPivot && verdict.violation <= kExact && verdict.left_out <= kExact;
+    return verdict.smallest_pivot >= kLeastPivot && verdict.violation <= kHolds && verdict.left_out <= kHolds;
 }
 
 bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {

@@ -50,4 +50,10 @@ inline Vec3 perpendicular_to(const Vec3& a) {
     return a.cross(Vec3::Unit(least)).normalized();
 }
 
+/// Three or four numbers of an array as a vector.
+inline Eigen::Map<Vec3> vec3(double* numbers) { return Eigen::Map<Vec3>(numbers); }
+inline Eigen::Map<const Vec3> vec3(const double* numbers) { return Eigen::Map<const Vec3>(numbers); }
+inline Eigen::Map<Vec4> vec4(double* numbers) { return Eigen::Map<Vec4>(numbers); }
+inline Eigen::Map<const Vec4> vec4(const double* numbers) { return Eigen::Map<const Vec4>(numbers); }
+
 }  // namespace jw

@@ -21,8 +21,6 @@ public:
     double project(double t, double* y) override { return rest_->project(t, y); }
     bool choose_rows(double t, const double* y) override { return rest_->choose_rows(t, y); }
     std::pair<double, double> violation(double t, const double* y) override { return rest_->violation(t, y); }
-    double kinetic_energy(const double* y) const override { return rest_->kinetic_energy(y); }
-    double potential_energy(const double* y) const override { return rest_->potential_energy(y); }
     int rows() const override { return rest_->rows(); }
     int rows_left_out() const override { return rest_->rows_left_out(); }
 

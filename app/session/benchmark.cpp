@@ -129,11 +129,11 @@ void TrajectoryErrors::look_at(std::size_t k, const std::vector<double>& y) {
     }
     MotionEquations& equations = simulation_.equations();
     violation_ = std::max(violation_, equations.violation(reference_->times[k], y.data()).first);
-    const double kinetic = equations.kinetic_energy(y.data());
-    const double energy = kinetic + equations.potential_energy(y.data());
-    if (k == 0) { energy_at_start_ = energy; }
-    largest_kinetic_ = std::max(largest_kinetic_, kinetic);
-    change_ = std::max(change_, std::abs(energy - energy_at_start_));
+    const Energy energy = simulation_.energy(y);
+    const double sum = energy.kinetic + energy.potential;
+    if (k == 0) { energy_at_start_ = sum; }
+    largest_kinetic_ = std::max(largest_kinetic_, energy.kinetic);
+    change_ = std::max(change_, std::abs(sum - energy_at_start_));
 }
 
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file) {

@@ -6,8 +6,9 @@
 
 namespace jw {
 
-ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start)
-    : joints_(scene, start),
+ArticulatedTree::ArticulatedTree(const Centroidal& scene, const State& start, Registers registers)
+    : registers_(registers),
+      joints_(scene, start),
       nodes_(joints_.nodes().size() + 1),
       e_(at(joints_.velocities()), 0.0),
       u_dot_(e_.size(), 0.0) {
@@ -57,7 +58,7 @@ void ArticulatedTree::turn(double share, const double* y, std::vector<FourTurns>
     for (std::size_t k = 0; k < turning_.size(); ++k) {
         turns[k / 4].angle[k % 4] = share * y[nodes_[at(turning_[k])].q];
     }
-    find_sines_and_cosines(turns);
+    find_sines_and_cosines(turns, registers_);
 }
 
 void ArticulatedTree::place(const double* y) {
@@ -68,7 +69,7 @@ void ArticulatedTree::place(const double* y) {
         const double* p = node.hanging == Hanging::free ? position + 3 : position;
         node.A = homogeneous_rotation_matrix(vec4(p).normalized());
     }
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         std::size_t k = 0;
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             Node& node = nodes_[n];
@@ -105,7 +106,7 @@ void ArticulatedTree::find_p(const double* y) {
 }
 
 void ArticulatedTree::move(const double* y) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             tree_passes::move<V>(nodes_[n], nodes_[at(nodes_[n].parent)], y);
         }
@@ -113,7 +114,7 @@ void ArticulatedTree::move(const double* y) {
 }
 
 void ArticulatedTree::set_inertias(Metric metric, double length) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (Node& node : nodes_) {
             node.wrench = Six{};
             const bool by_mass = metric == Metric::mass || node.body < 0;
@@ -124,7 +125,7 @@ void ArticulatedTree::set_inertias(Metric metric, double length) {
 }
 
 void ArticulatedTree::set_inertias_and_wrenches(std::span<const BodyForce> forces) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             const BodyForce* force = nodes_[n].body < 0 ? nullptr : &forces[at(nodes_[n].body)];
             tree_passes::set_inertia_and_wrench<V>(nodes_[n], force);
@@ -145,7 +146,7 @@ double ArticulatedTree::drift_along(int n, const Six& on) const {
 }
 
 void ArticulatedTree::fold() {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = nodes_.size(); n-- > 1;) {
             Node& node = nodes_[n];
             tree_passes::fold<V>(node, nodes_[at(node.parent)], std::next(e_.data(), node.u));
@@ -174,7 +175,7 @@ void ArticulatedTree::set_forces(std::span<const double> drawn, double length) {
 }
 
 void ArticulatedTree::unfold() {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             Node& node = nodes_[n];
             tree_passes::unfold<V>(
@@ -185,7 +186,7 @@ void ArticulatedTree::unfold() {
 }
 
 void ArticulatedTree::accelerate(const double* u_dot) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         for (std::size_t n = 1; n < nodes_.size(); ++n) {
             Node& node = nodes_[n];
             tree_passes::accelerate<V>(node, nodes_[at(node.parent)], std::next(u_dot, node.u));
@@ -203,7 +204,7 @@ std::vector<int> ArticulatedTree::path(int i, int j) const {
 
 void ArticulatedTree::respond(
     int i, int j, const Six& on_i, const Six& on_j, double* e, double* e_by_D) const {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+    in_registers(registers_, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         SixOf<V> wrench_i = on_i;
         SixOf<V> wrench_j = on_j;
         for_each_on_way(i, j, [&](int n, Way way) JW_PASS {

@@ -76,7 +76,8 @@ public:
 
     /// @param scene must outlive this
     /// @param start poses of the bodies; the joints hold there
-    ArticulatedTree(const Centroidal& scene, const State& start);
+    /// @param registers that passes compute in
+    ArticulatedTree(const Centroidal& scene, const State& start, Registers registers);
 
     const JointTree& joints() const { return joints_; }
     /// Node of a body; 0 is the ground.
@@ -145,6 +146,7 @@ private:
     /// Computes sines and cosines of a share of the angle of every joint.
     void turn(double share, const double* y, std::vector<FourTurns>& turns) const;
 
+    Registers registers_;
     JointTree joints_;
     std::vector<Node> nodes_;
     std::vector<int> turning_;      ///< nodes with a revolving joint

@@ -51,8 +51,6 @@ public:
     void begin_turns(double t, const double* y) override { tell_turns_at(Turns::of_start, t, y); }
     void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
     std::pair<double, double> violation(double t, const double* y) override;
-    double kinetic_energy(const double* y) const override;
-    double potential_energy(const double* y) const override;
     MatrixX free_motions(double t, const double* y) override;
     bool free_motion(
         double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;

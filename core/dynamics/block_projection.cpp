@@ -118,7 +118,7 @@ void BlockEquations<B>::project_velocities(double* y) {
         subtract_products(six_.data(), lambda_.data());
         const double worst = largest(lambda_, true);
         // converged to rounding, as for positions
-        if (round > 0 && (worst <= kExact * size || worst > 0.5 * last)) { break; }
+        if (round > 0 && (worst <= kRoundingOnly * size || worst > 0.5 * last)) { break; }
         last = worst;
         matrix_.solve(lambda_.data());
         add_reactions(lambda_.data(), six_.data());

@@ -7,7 +7,7 @@ namespace jw {
 /// pivots of sound joints (1e-3).
 inline constexpr double kRepeats = 1e-9;
 /// Residual, divided by the size of its equation, that is rounding only.
-inline constexpr double kExact = 1e-15;
+inline constexpr double kRoundingOnly = 1e-15;
 /// Residual below which an iteration that hardly improves it is the last one.
 inline constexpr double kNearlyExact = 1e-12;
 /// Iterations of a projection at most; convergence is quadratic, and two or three bring the error of a step
@@ -31,7 +31,7 @@ inline constexpr double kAskedAgain = 10.0;
 /// @param worst residual of this iteration
 /// @param last residual of the one before, infinite for the first
 inline bool is_at_rounding(double worst, double last) {
-    return worst <= kExact || (worst < kNearlyExact && worst > 0.5 * last);
+    return worst <= kRoundingOnly || (worst < kNearlyExact && worst > 0.5 * last);
 }
 
 }  // namespace jw

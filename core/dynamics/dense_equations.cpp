@@ -219,32 +219,6 @@ RowsVerdict DenseEquations<C>::evaluate(double t, const double* y, double* y_dot
     return {saddle_point_.smallest_pivot(), largest_of_kept_rows(assembler_.phi())};
 }
 
-template <class C>
-double DenseEquations<C>::kinetic_energy(const double* y) const {
-    State state = state_;
-    Motion motion = motion_;
-    unpack(y, state, motion);
-    double energy = 0.0;
-    for (const int b : system_.moving_bodies()) {
-        energy +=
-            jw::kinetic_energy(*scene_->loads.masses[at(b)], motion.r_dot[at(b)], motion.omega_local[at(b)]);
-    }
-    return energy;
-}
-
-template <class C>
-double DenseEquations<C>::potential_energy(const double* y) const {
-    std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
-    State state = state_;
-    Motion motion = motion_;
-    unpack(y, state, motion);
-    for (const int b : system_.moving_bodies()) {
-        bodies[at(b)].r = state.r[at(b)];
-        bodies[at(b)].A = homogeneous_rotation_matrix(state.p[at(b)].normalized());
-    }
-    return jw::potential_energy(scene_->loads, bodies);
-}
-
 template class DenseEquations<TrueEulerParameters>;
 template class DenseEquations<ModifiedEulerParameters>;
 template class DenseEquations<OmegaLocal>;

@@ -47,8 +47,6 @@ public:
     bool follow_rule(double t, const double* y) override;
     double most_turn() const override;
     std::pair<double, double> violation(double t, const double* y) override;
-    double kinetic_energy(const double* y) const override;
-    double potential_energy(const double* y) const override;
     void motion_of_bodies(
         double t, const double* y, const double* y_dot, std::span<ProbedBody> bodies) override;
     int rows() const override { return system_.rows(C::kNormalised); }

@@ -12,11 +12,6 @@ namespace jw {
 inline constexpr int kNumbersPerBody = 13;
 inline constexpr int kPositionsPerBody = 7;
 
-inline Eigen::Map<Vec3> vec3(double* numbers) { return Eigen::Map<Vec3>(numbers); }
-inline Eigen::Map<const Vec3> vec3(const double* numbers) { return Eigen::Map<const Vec3>(numbers); }
-inline Eigen::Map<Vec4> vec4(double* numbers) { return Eigen::Map<Vec4>(numbers); }
-inline Eigen::Map<const Vec4> vec4(const double* numbers) { return Eigen::Map<const Vec4>(numbers); }
-
 /// Numbers of the n-th moving body.
 inline double* body_numbers(double* y, std::size_t n) {
     return y + static_cast<std::ptrdiff_t>(n) * kNumbersPerBody;

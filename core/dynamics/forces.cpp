@@ -144,7 +144,9 @@ Energy energy_of(const Centroidal& scene, const State& state, const Motion& moti
         if (!mass) { continue; }
         energy.kinetic += kinetic_energy(*mass, motion.r_dot[b], motion.omega_local[b]);
     }
-    energy.potential = potential_energy(scene.loads, kinematics_of(state));
+    State unit = state;
+    for (Vec4& p : unit.p) { p.normalize(); }
+    energy.potential = potential_energy(scene.loads, kinematics_of(unit));
     return energy;
 }
 

@@ -56,7 +56,7 @@ struct AccelerationResidual {
     int driver = -1;
 };
 
-/// Interface of all forms of the equations of motion: ẏ = f(t, y), projection, choice of rows, energies.
+/// Interface of all forms of the equations of motion: ẏ = f(t, y), projection, choice of rows.
 class MotionEquations {
 public:
     MotionEquations() = default;
@@ -115,9 +115,6 @@ public:
     /// Largest |Φ| and |Φq q̇ - ν| over all rows, including those left out, each divided by the size of its
     /// equation. Depends on y alone, not on the turns counted so far.
     virtual std::pair<double, double> violation(double t, const double* y) = 0;
-    /// Kinetic and potential energy (gravity and springs) [J].
-    virtual double kinetic_energy(const double* y) const = 0;
-    virtual double potential_energy(const double* y) const = 0;
 
     /// Number of constraint equations, and of those left out as redundant.
     virtual int rows() const = 0;

@@ -283,6 +283,11 @@ std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) cons
     return out;
 }
 
+Energy Simulation::energy(const std::vector<double>& y) const {
+    const auto [state, motion] = unpacked(y);
+    return energy_of(scene_, state, motion);
+}
+
 Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
     Snapshot snapshot;
     snapshot.t = t;
@@ -290,8 +295,9 @@ Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
     for (const int body : moving_) {
         snapshot.p_drift = std::max(snapshot.p_drift, std::abs(state.p[at(body)].norm() - 1.0));
     }
-    snapshot.kinetic = block_->kinetic_energy(y.data());
-    snapshot.potential = block_->potential_energy(y.data());
+    const Energy now = energy_of(scene_, state, motion);
+    snapshot.kinetic = now.kinetic;
+    snapshot.potential = now.potential;
     std::tie(snapshot.position_violation, snapshot.velocity_violation) = block_->violation(t, y.data());
     snapshot.state = scene_.as_given(state);
     snapshot.velocity = scene_.as_given(state, motion);

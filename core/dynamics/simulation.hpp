@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dynamics/forces.hpp"
 #include "core/dynamics/methods.hpp"
 #include "core/dynamics/sampler.hpp"
 #include "core/dynamics/tolerances.hpp"
@@ -103,6 +104,8 @@ public:
     /// State, energies and violations at time t [s].
     /// @param y flat state, as passed to `receive`
     Snapshot snapshot(double t, const std::vector<double>& y) const;
+    /// Kinetic and potential energy (gravity and springs) at y [J].
+    Energy energy(const std::vector<double>& y) const;
     /// Position of a point of a body, global; `point_local` in the frame as given [m].
     Vec3 point(const std::vector<double>& y, int body, const Vec3& point_local) const;
     /// Velocity of that point, global [m/s].

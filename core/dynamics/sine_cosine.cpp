@@ -68,8 +68,8 @@ bool is_far(double angle) { return !(std::abs(angle) < kFar); }
 
 }  // namespace
 
-void find_sines_and_cosines(std::span<FourTurns> turns) {
-    in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+void find_sines_and_cosines(std::span<FourTurns> turns, Registers registers) {
+    in_registers(registers, [&]<Lanes V>(std::type_identity<V>) JW_PASS {
         constexpr int lanes = sizeof(typename V::Register) / sizeof(double);
         for (FourTurns& four : turns) {
             for (int k = 0; k < 4; k += lanes) { find<V>(&four.angle[k], &four.cosine[k], &four.sine[k]); }

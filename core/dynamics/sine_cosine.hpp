@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "core/dynamics/triples.hpp"
+
 /// Sines and cosines of many angles at once, with bit-identical results on every machine. Those of the
 /// standard library, one after the other, were a sixth of an evaluation in joint coordinates, and differ in
 /// their last bits from processor to processor.
@@ -15,6 +17,6 @@ struct alignas(32) FourTurns {
 };
 
 /// Sets `cosine` and `sine` with an error of at most 1.2e-16; beyond 1.6e6 rad by the standard library.
-void find_sines_and_cosines(std::span<FourTurns> turns);
+void find_sines_and_cosines(std::span<FourTurns> turns, Registers registers);
 
 }  // namespace jw

@@ -34,11 +34,12 @@ const CoordinateMeasure* coordinate_asked_by(const LinkEquation& equation) {
 
 }  // namespace
 
-TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>& start)
+TreeEquations::TreeEquations(
+    const Centroidal& scene, const std::vector<double>& start, Registers registers)
     : scene_(&scene),
       extent_(extent(scene.mechanism)),
       moving_(moving_bodies_of(scene.mechanism)),
-      tree_(scene, start_of(scene.mechanism, start)),
+      tree_(scene, start_of(scene.mechanism, start), registers),
       y_(at(size()), 0.0),
       links_(links_left_by(joints(), scene.mechanism)),
       bodies_(scene.mechanism.bodies.size()),
@@ -209,27 +210,6 @@ void TreeEquations::write_rates(const double* y, double* y_dot) const {
         [&](int r, int r_dot) { vec3(y_dot + r) = vec3(y + r_dot); },
         [&](int p, int omega) { vec4(y_dot + p) = p_dot_of_omega_local(vec4(y + p), vec3(y + omega)); });
     std::ranges::copy(tree_.u_dot(), y_dot + joints().positions());
-}
-
-double TreeEquations::kinetic_energy(const double* y) const {
-    place(y);
-    double energy = 0.0;
-    for (const int b : moving_) {
-        const Node& node = tree_.node(tree_.node_of(b));
-        energy +=
-            jw::kinetic_energy(*scene_->loads.masses[at(b)], node.velocity_of_centre(), node.omega_local());
-    }
-    return energy;
-}
-
-double TreeEquations::potential_energy(const double* y) const {
-    place(y);
-    std::vector<BodyKinematics<OmegaLocal>> bodies = bodies_;
-    for (const int b : moving_) {
-        bodies[at(b)].r = tree_.node(tree_.node_of(b)).centre();
-        bodies[at(b)].A = mat3(tree_.node(tree_.node_of(b)).A);
-    }
-    return jw::potential_energy(scene_->loads, bodies);
 }
 
 }  // namespace jw

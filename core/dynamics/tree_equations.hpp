@@ -28,7 +28,8 @@ class TreeEquations final : public MotionEquations {
 public:
     /// @param scene must outlive this
     /// @param start flat; it satisfies the constraints
-    TreeEquations(const Centroidal& scene, const std::vector<double>& start);
+    TreeEquations(
+        const Centroidal& scene, const std::vector<double>& start, Registers registers = widest_registers());
 
     int size() const override { return joints().positions() + joints().velocities(); }
     int bodies() const override { return static_cast<int>(moving_.size()); }
@@ -50,8 +51,6 @@ public:
     void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
     double smallest_pivot() const override { return smallest_pivot_; }
     std::pair<double, double> violation(double t, const double* y) override;
-    double kinetic_energy(const double* y) const override;
-    double potential_energy(const double* y) const override;
     int rows() const override { return static_cast<int>(rows_.size()); }
     int rows_left_out() const override { return static_cast<int>(rows_.size() - kept_.size()); }
 

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "core/dynamics/flat_state.hpp"
+#include "core/linear.hpp"
 
 /// Vectors of three numbers, and matrices of three columns, in SIMD registers: four lanes of which the last
 /// is zero. The passes over a tree of bodies compute with them; all other code uses Eigen's.
@@ -218,14 +218,17 @@ inline Mat3 mat3(const Triples& m) {
     return out;
 }
 
-/// Whether this processor has the wide registers. Tests can switch them off.
-inline bool& has_wide_registers() {
+/// Registers that a pass computes in; both give the same numbers to the last bit.
+enum class Registers { narrow, wide };
+
+/// The widest registers that this processor has.
+inline Registers widest_registers() {
 #if defined(__x86_64__)
-    static bool has = __builtin_cpu_supports("avx2") > 0;
+    static const bool has_wide = __builtin_cpu_supports("avx2") > 0;
+    return has_wide ? Registers::wide : Registers::narrow;
 #else
-    static bool has = false;
+    return Registers::narrow;
 #endif
-    return has;
 }
 
 #if defined(__x86_64__)
@@ -235,16 +238,18 @@ template <class Pass>
 }
 #endif
 
-/// Runs a pass in the widest registers available. The pass must be JW_PASS, and every function that it passes
+/// Runs a pass in `registers`, which this processor must have. The pass must be JW_PASS, and every function that it passes
 /// registers to JW_INLINE.
 /// @param pass called with std::type_identity of Wide or Narrow
 template <class Pass>
-void in_registers(const Pass& pass) {
+void in_registers(Registers registers, const Pass& pass) {
 #if defined(__x86_64__)
-    if (has_wide_registers()) {
+    if (registers == Registers::wide) {
         run_wide(pass);
         return;
     }
+#else
+    static_cast<void>(registers);
 #endif
     pass(std::type_identity<Narrow>{});
 }

@@ -23,7 +23,7 @@ double peak_flops_per_microsecond() {
     double flops = 0.0;
     double kept = 0.0;
     const double time = least_time([&] {
-        in_registers([&]<Lanes V>(std::type_identity<V>) JW_PASS {
+        in_registers(widest_registers(), [&]<Lanes V>(std::type_identity<V>) JW_PASS {
             using Register = typename V::Register;
             constexpr std::size_t lanes = sizeof(Register) / sizeof(double);
             const Register factor = Register{} + (1.0 + 1e-9);

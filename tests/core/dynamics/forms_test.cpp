@@ -82,24 +82,6 @@ TEST_CASE("States of all forms are one and the same flat state", "[core][dynamic
     }
 }
 
-TEST_CASE("Energies of all forms are those of the bodies", "[core][dynamics][forms]") {
-    for (const Moved& scene : moved_scenes(2)) {
-        State state = start_state(scene.scene.mechanism);
-        Motion motion = start_motion(scene.scene.mechanism);
-        unpack(scene.flat.data(), moving_bodies_of(scene.scene.mechanism), state, motion);
-        const Energy expected = energy_of(scene.scene, state, motion);
-        for (const Named& form : all_forms(scene.scene)) {
-            CAPTURE(form.name);
-            std::vector<double> y(at(form.equations->size()));
-            form.equations->from_flat(scene.flat.data(), y.data());
-            CHECK(form.equations->kinetic_energy(y.data()) == Approx(expected.kinetic).epsilon(1e-12));
-            CHECK(
-                form.equations->potential_energy(y.data()) ==
-                Approx(expected.potential).epsilon(1e-12).margin(1e-11));
-        }
-    }
-}
-
 TEST_CASE("Projections of all forms meet the equations and what drivers ask for", "[core][dynamics][forms]") {
     test::Random random(3);
     for (const Moved& scene : moved_scenes(3)) {

@@ -136,24 +136,21 @@ TEST_CASE("Where along its axis the point of a joint was typed does not matter",
 }
 
 TEST_CASE("Joint coordinates are the same to the last bit whatever registers there are", "[core][dynamics]") {
-    const bool has_wide = has_wide_registers();
     test::Random random(8);
     for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
         const std::vector<double> start = test::flat_of(scene, test::random_moment(random, scene, 0.3));
-        const auto numbers_with = [&](bool wide) {
-            has_wide_registers() = wide && has_wide;
+        const auto numbers_with = [&](Registers registers) {
             test::Random same(4);
-            TreeEquations tree(scene, start);
+            TreeEquations tree(scene, start, registers);
             std::vector<double> y = moved(same, tree, start, 0.3);
             std::vector<double> y_dot(y.size());
             tree.evaluate(0.3, y.data(), y_dot.data());
             y.insert(y.end(), y_dot.begin(), y_dot.end());
             return y;
         };
-        const std::vector<double> wide = numbers_with(true);
-        const std::vector<double> narrow = numbers_with(false);
-        has_wide_registers() = has_wide;
+        const std::vector<double> wide = numbers_with(widest_registers());
+        const std::vector<double> narrow = numbers_with(Registers::narrow);
         CHECK(wide == narrow);
     }
 }
@@ -190,27 +187,6 @@ TEST_CASE("Joint coordinates move the bodies as the equations of the bodies do",
             // differences of sixth order: (h ω)⁶ with accelerations of 100 at most, and rounding / h
             CHECK(largest_difference(flat_rates(tree, y, y_dot), block_dot) < 1e-9 * size);
         }
-    }
-}
-
-TEST_CASE("Energies in joint coordinates are those of the bodies", "[core][dynamics]") {
-    test::Random random(8);
-    for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
-        const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
-        const std::vector<double> start = test::flat_of(scene, test::random_moment(random, scene, 0.3));
-        TreeEquations tree(scene, start);
-        const std::vector<double> y = moved(random, tree, start, 0.3);
-        const std::vector<double> flat = flat_of(tree, y);
-        const auto block = block_equations(scene);
-        State state = start_state(scene.mechanism);
-        Motion motion = start_motion(scene.mechanism);
-        unpack(flat.data(), moving_bodies_of(scene.mechanism), state, motion);
-        const Energy energy = energy_of(scene, state, motion);
-        CHECK(energy.kinetic == Approx(block->kinetic_energy(flat.data())).epsilon(1e-12));
-        CHECK(energy.potential == Approx(block->potential_energy(flat.data())).epsilon(1e-12));
-        // a sum of ten products or so each
-        CHECK(tree.kinetic_energy(y.data()) == Approx(block->kinetic_energy(flat.data())).epsilon(1e-12));
-        CHECK(tree.potential_energy(y.data()) == Approx(block->potential_energy(flat.data())).epsilon(1e-12));
     }
 }
 

@@ -13,10 +13,10 @@ using namespace jw;
 
 namespace {
 
-std::vector<FourTurns> turns_by(const std::vector<double>& angles) {
+std::vector<FourTurns> turns_by(const std::vector<double>& angles, Registers registers = widest_registers()) {
     std::vector<FourTurns> turns((angles.size() + 3) / 4);
     for (std::size_t k = 0; k < angles.size(); ++k) { turns[k / 4].angle[k % 4] = angles[k]; }
-    find_sines_and_cosines(turns);
+    find_sines_and_cosines(turns, registers);
     return turns;
 }
 
@@ -75,14 +75,11 @@ TEST_CASE("Sines and cosines beside quarter turns keep all their digits", "[core
 }
 
 TEST_CASE("Sines and cosines are the same to the last bit whatever registers there are", "[core][dynamics]") {
-    const bool has_wide = has_wide_registers();
     test::Random random(12);
     std::vector<double> angles;
     for (int k = 0; k < 10'000; ++k) { angles.push_back(random.number(-1e3, 1e3)); }
     const std::vector<FourTurns> wide = turns_by(angles);
-    has_wide_registers() = false;
-    const std::vector<FourTurns> narrow = turns_by(angles);
-    has_wide_registers() = has_wide;
+    const std::vector<FourTurns> narrow = turns_by(angles, Registers::narrow);
     for (std::size_t k = 0; k < angles.size(); ++k) {
         REQUIRE(wide[k / 4].sine[k % 4] == narrow[k / 4].sine[k % 4]);
         REQUIRE(wide[k / 4].cosine[k % 4] == narrow[k / 4].cosine[k % 4]);
