@@ -9,6 +9,7 @@
 #include "app/commands/bench_kinematics.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/panels/price_panel.hpp"
@@ -29,7 +30,7 @@ struct BenchOptions {
     std::vector<std::string> methods;
     std::string treatment = "projection";
     std::string coordinates;
-    std::string output = "table";
+    std::string format;
     std::string picture;
     bool hard = false;
     bool kinematics = false;
@@ -177,14 +178,14 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
 }
 
 Exit bench_command(const BenchOptions& options, const Streams& streams) {
-    if (options.hard) { return bench_hard(options.scenes, options.output, streams); }
-    if (options.output == "markdown") {
+    if (options.hard) { return bench_hard(options.scenes, options.format, streams); }
+    if (options.format == "markdown") {
         throw CommandError(
             Exit::bad_input,
-            "jointwise: error: --output markdown goes with --hard; expected table, csv or json\n"
+            "jointwise: error: --format markdown goes with --hard; expected table, csv or json\n"
             "hint: jointwise bench --help");
     }
-    if (options.kinematics) { return bench_kinematics(options.scenes, options.output, streams); }
+    if (options.kinematics) { return bench_kinematics(options.scenes, options.format, streams); }
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
@@ -194,16 +195,16 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     }
     if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();
-    if (options.output == "csv") {
+    if (options.format == "csv") {
         streams.out
             << "scene,method,setting,cpu_ms,position_m,velocity_m_per_s,energy,constraint,evaluations,"
                "steps,rejected\n";
     }
     for (const std::filesystem::path& file : files) {
         const SceneResult result = bench_scene(file, plan, streams);
-        if (options.output == "table") { write_table(result, streams.out); }
-        if (options.output == "csv") { write_csv_rows(result, streams.out); }
-        if (options.output == "json") { scenes.push_back(json_of(result)); }
+        if (options.format == "table") { write_table(result, streams.out); }
+        if (options.format == "csv") { write_csv_rows(result, streams.out); }
+        if (options.format == "json") { scenes.push_back(json_of(result)); }
         if (!options.picture.empty()) {
             const Prices prices = prices_of(result.runs);
             const render::Image image =
@@ -213,7 +214,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
             render::write_file_atomically(options.picture, render::encode_png(image));
         }
     }
-    if (options.output == "json") {
+    if (options.format == "json") {
         const Json json{{"format", "jointwise bench"}, {"version", kJsonVersion}, {"scenes", scenes}};
         streams.out << json.dump(1) << '\n';
     }
@@ -259,9 +260,9 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         other->excludes(method, treatment, coordinates, picture);
     }
     hard->excludes(kinematics);
-    command->add_option("--output", options->output, "table, csv, json; markdown with --hard")
-        ->check(CLI::IsMember({"table", "csv", "json", "markdown"}))
-        ->type_name("FORMAT");
+    add_format_option(
+        *command, options->format, {"table", "csv", "json", "markdown"},
+        "table, csv, json; markdown with --hard");
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     command->callback([options, &streams, &run] {
         run = [options, &streams] { return bench_command(*options, streams); };

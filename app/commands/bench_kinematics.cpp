@@ -72,9 +72,9 @@ Json json_of(const KinematicsScene& scene) {
 }  // namespace
 
 Exit bench_kinematics(
-    const std::vector<std::string>& scenes, const std::string& output, const Streams& streams) {
+    const std::vector<std::string>& scenes, const std::string& format, const Streams& streams) {
     Json all = Json::array();
-    if (output == "csv") {
+    if (format == "csv") {
         streams.out
             << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,acceleration,"
                "missed\n";
@@ -88,11 +88,11 @@ Exit bench_kinematics(
                                      ": error: no motion by drivers that can be followed to its end\n"
                                      "hint: docs/writing-a-lesson.md, [[driver]] and [motion]");
         }
-        if (output == "table") { write_table(*scene, streams.out); }
-        if (output == "csv") { write_csv_rows(*scene, streams.out); }
-        if (output == "json") { all.push_back(json_of(*scene)); }
+        if (format == "table") { write_table(*scene, streams.out); }
+        if (format == "csv") { write_csv_rows(*scene, streams.out); }
+        if (format == "json") { all.push_back(json_of(*scene)); }
     }
-    if (output == "json") {
+    if (format == "json") {
         const Json json{{"format", "jointwise bench kinematics"}, {"version", kJsonVersion}, {"scenes", all}};
         streams.out << json.dump(1) << '\n';
     }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/describe_inspection.hpp"
 #include "app/session/json.hpp"
@@ -21,7 +22,7 @@ struct InspectOptions {
     bool as_given = false;
     bool spectrum = false;
     std::string coordinates;
-    std::string format = "text";
+    std::string format;
 };
 
 CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
@@ -100,9 +101,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
             "rp, rp-modified, omega-local or omega-global; default: the lesson's")
         ->check(CLI::IsMember({"rp", "rp-modified", "omega-local", "omega-global"}))
         ->type_name("CHOICE");
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer(
         "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
         "json");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/newton_runs.hpp"
 #include "lessons/diagnostics.hpp"
@@ -20,7 +21,7 @@ struct NewtonChoices {
     std::string coordinates;
     std::string method = "limited";
     bool without_normalisation = false;
-    std::string format = "text";
+    std::string format;
 };
 
 template <class Names>
@@ -107,9 +108,7 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
     command->add_flag(
         "--without-normalisation", options->without_normalisation,
         "leave the rows p'p - 1 of the (r, p) choices out");
-    command->add_option("--format", options->format, "text, json or csv")
-        ->check(CLI::IsMember({"text", "json", "csv"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json", "csv"});
     command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return newton(*options, streams); }; });

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
@@ -24,7 +25,7 @@ struct SimulateOptions {
     std::optional<double> most_steps;
     DynamicsOptions dynamics;
     bool reactions = false;
-    std::string output = "csv";
+    std::string format;
 };
 
 DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson) {
@@ -114,7 +115,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
     }
-    if (options.output == "json") {
+    if (options.format == "json") {
         Json json = json_of(table, lesson);
         add_tried(json, tried.done);
         streams.out << json.dump(1) << '\n';
@@ -153,9 +154,7 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
             "steps after which an adaptive method gives up; default one million")
         ->type_name("N");
     command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
-    command->add_option("--output", options->output, "csv or json")
-        ->check(CLI::IsMember({"csv", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"csv", "json"});
     command->footer(
         "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
         "1e-9");

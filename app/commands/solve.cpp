@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
@@ -21,7 +22,7 @@ struct SolveOptions {
     std::optional<double> from;
     std::optional<double> to;
     std::optional<double> step;
-    std::string format = "csv";
+    std::string format;
 };
 
 // a table of more rows than this is a slip of a decimal point
@@ -159,9 +160,7 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--from", options->from, "first time [s]; default: the lesson's")->type_name("T");
     command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");
     command->add_option("--step", options->step, "interval [s]; default: the lesson's")->type_name("T");
-    command->add_option("--format", options->format, "csv or json")
-        ->check(CLI::IsMember({"csv", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"csv", "json"});
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/describe.hpp"
 #include "app/session/inspection.hpp"
@@ -14,7 +15,7 @@ struct StepOptions {
     std::string file;
     std::vector<std::string> tries;
     int until = -1;
-    std::string format = "text";
+    std::string format;
 };
 
 constexpr int kWidth = 100;
@@ -78,9 +79,7 @@ void add_step(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--until", options->until, "last step to show")
         ->check(&fault_of_step)
         ->type_name("N");
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return step(*options, streams); }; });

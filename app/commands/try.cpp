@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/experiments.hpp"
 #include "app/session/trial.hpp"
@@ -12,7 +13,7 @@ namespace {
 struct TryOptions {
     std::string file;
     std::vector<std::string> tries;
-    std::string format = "text";
+    std::string format;
 };
 
 Exit try_command(const TryOptions& options, const Streams& streams) {
@@ -39,9 +40,7 @@ void add_try(CLI::App& app, const Streams& streams, Run& run) {
     auto options = std::make_shared<TryOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->tries);
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return try_command(*options, streams); }; });

@@ -97,7 +97,7 @@ std::string markdown_of(const Case& hard_case, const Result& result) {
 
 std::string markdown_head() {
     return "# Hard cases\n\n"
-           "Written by `./dev run bench --hard --output markdown`; do not edit. Each case runs a naive "
+           "Written by `./dev run bench --hard --format markdown`; do not edit. Each case runs a naive "
            "method and\n"
            "Jointwise on the same mechanism. What is asked of the numbers is asked by a test as well\n"
            "(`tests/app/hard_cases_test.cpp`), of the naive ones too: where the naive method stopped "

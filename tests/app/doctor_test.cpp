@@ -52,7 +52,7 @@ TEST_CASE("doctor finds everything that is needed for pictures here", "[app][doc
 }
 
 TEST_CASE("doctor says the same as JSON", "[app][doctor]") {
-    const Ran ran = run({"doctor", "--json"});
+    const Ran ran = run({"doctor", "--format", "json"});
     CHECK(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     CHECK(json["format"] == "jointwise doctor");
@@ -77,7 +77,7 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
     const Ran own = run({"doctor"});
     folder.file("latinmodern-math.otf", "no font");
     const Ran broken = run({"doctor"});
-    const Ran broken_json = run({"doctor", "--json"});
+    const Ran broken_json = run({"doctor", "--format", "json"});
     ::unsetenv("JOINTWISE_FONTS");
     CHECK(empty.status == 0);
     CHECK(own.status == 0);
