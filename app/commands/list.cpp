@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/session/text_table.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 
@@ -41,13 +42,6 @@ void write_text(const std::vector<Entry>& entries, std::ostream& out) {
             out << '\n';
         }
     }
-}
-
-/// As a cell of a table: a bar would end it.
-std::string markdown_cell(const std::string& text) {
-    std::string cell;
-    for (const char c : text) { cell += c == '|' ? std::string("\\|") : std::string(1, c); }
-    return cell;
 }
 
 /// The table of README.md, in the order of a course; a lesson is named by its path below `folder`.

@@ -3,13 +3,13 @@
 #include "app/session/describe.hpp"
 #include "app/session/experiments.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/text_table.hpp"
 
 namespace jw {
 
 namespace {
 
 constexpr int kWidth = 100;
-constexpr int kNumberWidth = 10;
 
 std::string summary_of(const Effect& e) {
     return count_text(e.rows, "equation") + ", rank " + std::to_string(e.rank) + ", " +
@@ -17,10 +17,24 @@ std::string summary_of(const Effect& e) {
            number_text(e.condition, 3);
 }
 
-std::string cells(const Effect& e) {
-    const auto cell = [](const std::string& text) { return padded(text, kNumberWidth, true); };
-    return cell(std::to_string(e.rank)) + cell(std::to_string(e.dof)) + cell(std::to_string(e.redundant())) +
-           cell(number_text(e.condition, 3));
+/// One table through all groups, each under its title: as wide as the widest text of any.
+std::vector<TextColumn> columns_for(int widest) {
+    const TextColumn number{true, 10, 0};
+    return {{false, widest, 2}, number, number, number, number, {false, 0, 2}};
+}
+
+std::vector<std::string> cells(const Experiment& e) {
+    // geometry has no effect yet: it is as it is
+    if (!e.effect) { return {e.text, e.now ? "as it is" : ""}; }
+    const std::string note = e.now ? "as it is" : "";
+    const std::string price = e.free ? "costs no rank" : "";
+    return {
+        e.text,
+        std::to_string(e.effect->rank),
+        std::to_string(e.effect->dof),
+        std::to_string(e.effect->redundant()),
+        number_text(e.effect->condition, 3),
+        note + (note.empty() || price.empty() ? "" : "  ") + price};
 }
 
 int widest_of(const ExperimentGroup& group) {
@@ -30,15 +44,9 @@ int widest_of(const ExperimentGroup& group) {
 }
 
 std::string group_text(const ExperimentGroup& group, int widest) {
-    std::string text = group.title + '\n';
-    for (const Experiment& e : group.experiments) {
-        std::string line = "  " + padded(e.text, widest);
-        if (e.effect) { line += cells(*e.effect); }
-        if (e.now) { line += "  as it is"; }
-        if (e.free) { line += "  costs no rank"; }
-        text += line + '\n';
-    }
-    return text + '\n';
+    TextRows rows;
+    for (const Experiment& e : group.experiments) { rows.push_back(cells(e)); }
+    return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
 }
 
 std::string motions_text(const Experiments& all) {
@@ -93,9 +101,7 @@ std::string describe(const Experiments& all, const Lesson& lesson) {
                        "): " + summary_of(all.present) + "\n\n";
     int widest = widest_of(all.coordinates);
     for (const ExperimentGroup& group : all.groups) { widest = std::max(widest, widest_of(group)); }
-    const auto cell = [](const char* word) { return padded(word, kNumberWidth, true); };
-    text += "  " + padded("", widest) + cell("rank") + cell("freedoms") + cell("repeated") +
-            cell("condition") + '\n';
+    text += text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest));
     for (const ExperimentGroup& group : all.groups) { text += group_text(group, widest); }
     text += group_text(all.coordinates, widest);
     return text + repeated_text(all) + motions_text(all);
