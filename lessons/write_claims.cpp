@@ -29,14 +29,6 @@ bool same_moment(const Moment& a, const Moment& b) {
     return at == nullptr || at->t == std::get<AtTime>(b).t;
 }
 
-/// The joint that a claim is about, -1 for none.
-int joint_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
-    const auto* quantity = std::get_if<QuantityClaim>(&fact);
-    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
-    return measure != nullptr ? measure->joint : -1;
-}
-
 /// Whether what the claim is about is in the file.
 bool has_meaning(const Claim& claim, const Written& written) {
     const auto* after = std::get_if<AfterAddition>(&claim.when);
