@@ -84,7 +84,6 @@ private:
     void take_over(std::shared_ptr<const Lesson> lesson);
     void told_anew();
     void changed();
-    const Story* story_pointer() const { return story_.get(); }
 
     std::shared_ptr<const Lesson> written_;
     std::shared_ptr<const Lesson> lesson_;

@@ -30,7 +30,8 @@ render::Image changed(render::Image picture, const std::function<void(std::uint8
 render::Image test_picture() {
     static const render::Image picture = [] {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
-        return draw_test_picture(offscreen.gl());
+        render::RenderTargets targets(offscreen.gl(), kTestWidth, kTestHeight);
+        return draw_test_picture(offscreen.gl(), targets);
     }();
     return picture;
 }
