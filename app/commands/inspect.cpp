@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/session/describe_inspection.hpp"
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 struct InspectOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::optional<int> step;
     std::optional<double> time;
     bool as_given = false;
@@ -61,15 +61,15 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
 }
 
 Exit inspect(const InspectOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
     const Inspection inspection = inspected(options, lesson);
     if (options.format == "json") {
         Json json = json_of(inspection, lesson);
-        add_tried(json, tried.done);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << tried_text(tried.done) << describe(inspection, lesson);
+        streams.out << done_text(changed.done) << describe(inspection, lesson);
     }
     return Exit::done;
 }
@@ -81,7 +81,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         "inspect", "every number of the equations at one moment; default: all put together");
     auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     auto* step =
         command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
             ->check(&fault_of_step)

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/session/newton_runs.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/typed.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 struct NewtonChoices {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string at;
     std::string compare = "methods";
     std::string coordinates;
@@ -66,21 +66,21 @@ int start_of(const Story& story, const std::string& at) {
 }
 
 Exit newton(const NewtonChoices& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Story story(tried.lesson, poses_only());
-    const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, tried.lesson));
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Story story(changed.lesson, poses_only());
+    const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, changed.lesson));
     if (options.format == "json") {
-        Json json = json_of(runs, tried.lesson);
-        add_tried(json, tried.done);
+        Json json = json_of(runs, changed.lesson);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
     } else if (options.format == "csv") {
-        streams.err << tried_text(tried.done);
+        streams.err << done_text(changed.done);
         streams.out << csv_of(runs.comparison.residuals);
     } else {
-        streams.out << tried.lesson.title << '\n' << tried_text(tried.done) << describe(runs);
+        streams.out << changed.lesson.title << '\n' << done_text(changed.done) << describe(runs);
     }
     const bool any = std::ranges::any_of(runs.traces, &NewtonTrace::converged);
-    if (!any) { streams.err << tried.lesson.file_name << ": " << runs.comparison.summary << '\n'; }
+    if (!any) { streams.err << changed.lesson.file_name << ": " << runs.comparison.summary << '\n'; }
     return any ? Exit::done : Exit::numerics;
 }
 
@@ -91,7 +91,7 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("newton", "Newton's method in several ways from the same start, side by side");
     auto options = std::make_shared<NewtonChoices>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--at", options->at, "the joint or driver that is closed; default: the last one")
         ->type_name("NAME");
     command->add_option("--compare", options->compare, "methods or coordinates")

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 struct SolveOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string analysis = "position";
     std::optional<double> from;
     std::optional<double> to;
@@ -60,8 +60,8 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
 }
 
 void write_json(
-    const Sweep& sweep, const LessonTried& tried, const SolveOptions& options, std::ostream& out) {
-    const Lesson& lesson = tried.lesson;
+    const Sweep& sweep, const ChangedLesson& changed, const SolveOptions& options, std::ostream& out) {
+    const Lesson& lesson = changed.lesson;
     Json rows = Json::array();
     for (const SweepRow& row : sweep.rows) {
         Json entry{
@@ -84,7 +84,7 @@ void write_json(
         {"columns", sweep.columns},
         {"rows", rows},
         {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
-    add_tried(json, tried.done);
+    add_done(json, changed.done);
     out << json.dump(1) << '\n';
 }
 
@@ -126,9 +126,9 @@ void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Str
 }
 
 Exit solve_command(const SolveOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
-    streams.err << tried_text(tried.done);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
+    streams.err << done_text(changed.done);
     const SweepPlan plan = plan_of(options, lesson);
     Sweep sweep;
     {
@@ -136,7 +136,7 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
     if (options.format == "json") {
-        write_json(sweep, tried, options, streams.out);
+        write_json(sweep, changed, options, streams.out);
     } else {
         write_csv(sweep, streams.out);
     }
@@ -153,7 +153,7 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
     auto options = std::make_shared<SolveOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
         ->check(CLI::IsMember({"position", "velocity", "acceleration"}))
         ->type_name("WHAT");

@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/commands/tries.hpp"
-#include "app/session/experiments.hpp"
-#include "app/session/trial.hpp"
+#include "app/session/carry_out.hpp"
+#include "app/session/possible_experiments.hpp"
 
 namespace jw {
 
@@ -12,7 +12,7 @@ namespace {
 
 struct TryOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string format;
 };
 
@@ -20,14 +20,14 @@ Exit try_command(const TryOptions& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
     Session session(lesson);
     session.apply(GoTo{session.story().last_assembled()});
-    const std::vector<std::string> done = try_all(session, options.tries);
-    const Experiments experiments = experiments_of(session);
+    const std::vector<std::string> done = carry_out_all(session, options.experiments);
+    const PossibleExperiments experiments = possible_experiments_of(session);
     if (options.format == "json") {
         Json json = json_of(experiments, lesson);
-        add_tried(json, done);
+        add_done(json, done);
         streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << tried_text(done) << describe(experiments, lesson);
+        streams.out << done_text(done) << describe(experiments, lesson);
     }
     return Exit::done;
 }
@@ -39,7 +39,7 @@ void add_try(CLI::App& app, const Streams& streams, Run& run) {
         "try", "what can be tried in a lesson, and what it would do to rank and condition");
     auto options = std::make_shared<TryOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
     command->callback(

@@ -11,8 +11,8 @@
 #include "app/host/browser.hpp"
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
+#include "app/session/carry_out.hpp"
 #include "app/session/picture_camera.hpp"
-#include "app/session/trial.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {
@@ -78,7 +78,7 @@ Host::Host(HostSetup setup)
 Host::~Host() { ImGui::DestroyContext(context_); }
 
 bool Host::open(
-    const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& tries) {
+    const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& experiments) {
     const ReadResult read = read_lesson_file(path);
     if (!read.lesson) {
         file_errors_ = read.report();
@@ -96,13 +96,13 @@ bool Host::open(
     state_.browser = false;
     state_.playing = false;
     state_.pointed_at = {};
-    state_.try_joint = -1;
-    state_.try_driver = 0;
+    state_.experiment_joint = -1;
+    state_.experiment_driver = 0;
     state_.freedom = -1;
     step_waited_ = 0.0;
     picture_of_ = 0;
-    benches_ = {.price = PriceBench(path)};  // what they remember is of the lesson before
-    for (const std::string& text : tries) { say(try_out(*session_, text).said); }
+    tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
+    for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
     settle_ = 2;

@@ -38,18 +38,18 @@ void Host::carry_out(Requests requests) {
         state_.lit_rows = std::move(requests.lit_rows);
         settle_ = 2;
     }
-    for (const Action& action : requests.actions) { apply(action); }
+    for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
     if (requests.copy) { copy(*requests.copy, "Copied."); }
     if (requests.open) { open(*requests.open); }
 }
 
-void Host::apply(const Action& action) {
+void Host::apply(const Experiment& experiment) {
     if (!session_) { return; }
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
     try {
-        say(session_->apply(action));
+        say(session_->apply(experiment));
     } catch (const std::exception& error) {
         // the lesson is as it was before
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -136,7 +136,7 @@ void Host::carry_out(Command command) {
         case Command::faster: state_.speed = std::min(4.0, 2.0 * state_.speed); return;
         case Command::slower: state_.speed = std::max(0.25, 0.5 * state_.speed); return;
         case Command::tab_step: state_.tab = Tab::step; return;
-        case Command::tab_try: state_.tab = Tab::attempt; return;
+        case Command::tab_experiments: state_.tab = Tab::experiments; return;
         case Command::tab_plot: state_.tab = Tab::plot; return;
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
@@ -192,7 +192,7 @@ void Host::use_panel_keys(bool on) {
     state_.panel_keys = on;
     if (on) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        if (state_.tab == Tab::step) { state_.tab = Tab::attempt; }
+        if (state_.tab == Tab::step) { state_.tab = Tab::experiments; }
         ImGui::SetWindowFocus(area_of(state_.tab));
         say("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
     } else {
@@ -258,7 +258,7 @@ double Host::seconds_to_change() const {
     double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
     if (!shows_lesson()) { return due; }
     if (state_.freedom >= 0) { return kMoving; }
-    if (benches_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     if (state_.playing) {
         const double step = seconds_of_step(session_->story(), session_->view());
         due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));

@@ -46,7 +46,7 @@ void choose_method(float width, NewtonMethod& method) {
 
 }  // namespace
 
-void NewtonBench::controls(const LessonUi& ui) {
+void NewtonTab::controls(const LessonUi& ui) {
     if (choice_of_ != ui.session.told()) {
         choice_of_ = ui.session.told();
         choice_ = ui.session.lesson().coordinates;
@@ -66,7 +66,7 @@ void NewtonBench::controls(const LessonUi& ui) {
     ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
 }
 
-void NewtonBench::compute(const Session& session, int start) {
+void NewtonTab::compute(const Session& session, int start) {
     const NewtonPlan plan{compared_ == Compared::methods, choice_, method_, normalisation_};
     const Key key{session.told(), start, plan};
     if (key == key_) { return; }
@@ -75,7 +75,7 @@ void NewtonBench::compute(const Session& session, int start) {
     choose(chosen_);
 }
 
-void NewtonBench::choose(int run) {
+void NewtonTab::choose(int run) {
     ghosts_.clear();
     ++version_;
     if (runs_.traces.empty()) { return; }
@@ -85,7 +85,7 @@ void NewtonBench::choose(int run) {
     }
 }
 
-void NewtonBench::draw(const LessonUi& ui, const Box& box) {
+void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     Area area(ui, "newton", box);
     const int start = start_of_solve(ui.session);
     if (start < 0) {

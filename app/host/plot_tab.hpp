@@ -10,7 +10,7 @@
 namespace jw::host {
 
 /// "Plots": series of the story over time or over iterations, the cursor where the timeline is.
-class PlotBench {
+class PlotTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
     /// What is shown now as CSV.

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
 #include "app/panels/column.hpp"
 #include "app/panels/parts.hpp"
@@ -16,7 +16,7 @@ using panels::Box;
 namespace theme = panels::theme;
 
 constexpr Command kCommandOf[] = {
-    Command::tab_step, Command::tab_try, Command::tab_plot, Command::tab_newton, Command::tab_price};
+    Command::tab_step, Command::tab_experiments, Command::tab_plot, Command::tab_newton, Command::tab_price};
 
 void tab_strip(const LessonUi& ui, const Box& strip) {
     const panels::Canvas& canvas = ui.canvas;
@@ -55,7 +55,7 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
 const char* name_of(Tab tab) {
     switch (tab) {
         case Tab::step: return "Step";
-        case Tab::attempt: return "Try it";
+        case Tab::experiments: return "Try it";
         case Tab::plot: return "Plots";
         case Tab::newton: return "Newton";
         case Tab::price: break;
@@ -65,7 +65,7 @@ const char* name_of(Tab tab) {
 
 const char* area_of(Tab tab) {
     switch (tab) {
-        case Tab::attempt: return "try it";
+        case Tab::experiments: return "try it";
         case Tab::plot: return "plots";
         case Tab::newton: return "newton";
         case Tab::price: return "price";
@@ -74,9 +74,9 @@ const char* area_of(Tab tab) {
     return "tabs";
 }
 
-void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches& benches) {
+void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs) {
     tab_strip(ui, layout.tabs);
-    if (ui.state.tab != Tab::newton) { benches.newton.forget_ghosts(); }
+    if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
     if (ui.state.tab == Tab::step) {
         panels::draw_column(ui.canvas, layout.column, ui.session.view());
         return;
@@ -85,10 +85,10 @@ void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches&
     ui.canvas.fill(
         {layout.column.x, layout.column.y, panels::hairline(ui.canvas), layout.column.height}, theme::kLine);
     switch (ui.state.tab) {
-        case Tab::attempt: return try_tab(ui, layout.column);
-        case Tab::plot: return benches.plot.draw(ui, layout.column);
-        case Tab::newton: return benches.newton.draw(ui, layout.column);
-        case Tab::price: return benches.price.draw(ui, layout.column);
+        case Tab::experiments: return experiment_tab(ui, layout.column);
+        case Tab::plot: return tabs.plot.draw(ui, layout.column);
+        case Tab::newton: return tabs.newton.draw(ui, layout.column);
+        case Tab::price: return tabs.price.draw(ui, layout.column);
         case Tab::step: return;
     }
 }

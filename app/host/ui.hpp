@@ -13,7 +13,7 @@
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
-enum class Tab { step, attempt, plot, newton, price };
+enum class Tab { step, experiments, plot, newton, price };
 inline constexpr int kTabs = 5;
 
 /// What is on the screen beyond the lesson itself.
@@ -36,8 +36,8 @@ struct UiState {
     int freedom = -1;  ///< the free motion that is animated
     double freedom_time = 0.0;
 
-    int try_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
-    int try_driver = 0;
+    int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
+    int experiment_driver = 0;
 
     std::string search;      ///< in the browser
     int chosen_lesson = -1;  ///< index into the catalogue
@@ -45,13 +45,13 @@ struct UiState {
 
 /// What was asked for in one frame.
 struct Requests {
-    std::vector<Action> actions;
+    std::vector<Experiment> experiments;
     std::vector<Command> commands;
     std::optional<std::string> open;  ///< lesson file
     std::optional<std::string> copy;  ///< text for the clipboard
     std::vector<int> lit_rows;        ///< for the next frame
 
-    void add(const Action& action) { actions.push_back(action); }
+    void add(const Experiment& experiment) { experiments.push_back(experiment); }
     void add(Command command) { commands.push_back(command); }
 };
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "app/session/describe.hpp"
-#include "app/session/experiments.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/possible_experiments.hpp"
 #include "app/session/text_table.hpp"
 
 namespace jw {
@@ -23,7 +23,7 @@ std::vector<TextColumn> columns_for(int widest) {
     return {{false, widest, 2}, number, number, number, number, {false, 0, 2}};
 }
 
-std::vector<std::string> cells(const Experiment& e) {
+std::vector<std::string> cells(const PossibleExperiment& e) {
     // geometry has no effect yet: it is as it is
     if (!e.effect) { return {e.text, e.now ? "as it is" : ""}; }
     const std::string note = e.now ? "as it is" : "";
@@ -39,17 +39,19 @@ std::vector<std::string> cells(const Experiment& e) {
 
 int widest_of(const ExperimentGroup& group) {
     int widest = 0;
-    for (const Experiment& e : group.experiments) { widest = std::max(widest, displayed_width(e.text)); }
+    for (const PossibleExperiment& e : group.experiments) {
+        widest = std::max(widest, displayed_width(e.text));
+    }
     return widest;
 }
 
 std::string group_text(const ExperimentGroup& group, int widest) {
     TextRows rows;
-    for (const Experiment& e : group.experiments) { rows.push_back(cells(e)); }
+    for (const PossibleExperiment& e : group.experiments) { rows.push_back(cells(e)); }
     return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
 }
 
-std::string motions_text(const Experiments& all) {
+std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) { return "No free motion: every direction is held.\n"; }
     std::string text = "Free motions\n";
     for (const FreeMotionVerdict& v : all.free_motions) {
@@ -59,7 +61,7 @@ std::string motions_text(const Experiments& all) {
     return text;
 }
 
-std::string repeated_text(const Experiments& all) {
+std::string repeated_text(const PossibleExperiments& all) {
     if (all.combinations.empty()) { return "No equation repeats others.\n\n"; }
     std::string text = "Equations that repeat each other\n";
     for (const std::string& combination : all.combinations) {
@@ -84,7 +86,7 @@ Json json_of(const Effect& e) {
 
 Json json_of(const ExperimentGroup& group) {
     Json experiments = Json::array();
-    for (const Experiment& e : group.experiments) {
+    for (const PossibleExperiment& e : group.experiments) {
         experiments.push_back(
             {{"try", e.text},
              {"now", e.now},
@@ -96,7 +98,7 @@ Json json_of(const ExperimentGroup& group) {
 
 }  // namespace
 
-std::string describe(const Experiments& all, const Lesson& lesson) {
+std::string describe(const PossibleExperiments& all, const Lesson& lesson) {
     std::string text = lesson.title + '\n' + all.moment + " (step " + std::to_string(all.step) +
                        "): " + summary_of(all.present) + "\n\n";
     int widest = widest_of(all.coordinates);
@@ -107,7 +109,7 @@ std::string describe(const Experiments& all, const Lesson& lesson) {
     return text + repeated_text(all) + motions_text(all);
 }
 
-Json json_of(const Experiments& all, const Lesson& lesson) {
+Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
     Json groups = Json::array();
     for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
     Json motions = Json::array();

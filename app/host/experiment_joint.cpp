@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
 #include "app/panels/direction_sphere.hpp"
 #include "app/panels/formula.hpp"
@@ -183,7 +183,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
 
 }  // namespace
 
-void try_joint(const LessonUi& ui, int index) {
+void experiment_joint(const LessonUi& ui, int index) {
     const Joint& joint = ui.session.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     ImGui::PushID("joint of try it");
     ImGui::PushID(index);
@@ -197,7 +197,7 @@ void try_joint(const LessonUi& ui, int index) {
     ImGui::PopID();
 }
 
-void try_drivers(const LessonUi& ui) {
+void experiment_drivers(const LessonUi& ui) {
     const Lesson& lesson = ui.session.lesson();
     if (!lesson.mechanism.drivers.empty()) { section(ui, "Drivers"); }
     for (std::size_t k = 0; k < lesson.mechanism.drivers.size(); ++k) {
