@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -69,16 +70,11 @@ struct FactWriter {
     Lines& lines;
 
     void operator()(const CountClaim& c) const {
-        constexpr std::array keys{"rank", "rows", "columns", "dof", "redundant", "mobility_by_counting"};
-        lines.key(keys[static_cast<std::size_t>(c.count)], std::to_string(c.value));
+        lines.key(word_of(kCounts, c.count), std::to_string(c.value));
     }
-    void operator()(const BoundClaim& c) const {
-        constexpr std::array keys{"residual_below", "condition_below", "condition_above"};
-        lines.key(keys[static_cast<std::size_t>(c.bound)], c.limit);
-    }
+    void operator()(const BoundClaim& c) const { lines.key(word_of(kBounds, c.bound), c.limit); }
     void operator()(const VerdictClaim& c) const {
-        constexpr std::array keys{"change_point", "closes"};
-        lines.key(keys[static_cast<std::size_t>(c.verdict)], c.value ? "true" : "false");
+        lines.key(word_of(kVerdicts, c.verdict), c.value ? "true" : "false");
     }
     void operator()(const DroppedClaim& c) const {
         const std::string primitive = c.role == Role::axes_parallel ? " p1 " : " p2 ";

@@ -9,6 +9,7 @@
 #include "app/session/describe_inspection.hpp"
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -25,17 +26,8 @@ struct InspectOptions {
     std::string format;
 };
 
-CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
-    for (const CoordinateChoice choice :
-         {CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
-          CoordinateChoice::omega_local, CoordinateChoice::omega_global}) {
-        if (name == name_of_choice(choice)) { return choice; }
-    }
-    return lesson.coordinates;
-}
-
 Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
-    const CoordinateChoice choice = choice_of(options.coordinates, lesson);
+    const CoordinateChoice choice = value_of(kChoices, options.coordinates).value_or(lesson.coordinates);
     const Spectrum spectrum = options.spectrum ? Spectrum::always : Spectrum::of_small;
     if (options.as_given) { return inspect_as_given(lesson, choice, spectrum); }
     if (options.time) {
@@ -99,7 +91,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         ->add_option(
             "--coordinates", options->coordinates,
             "rp, rp-modified, omega-local or omega-global; default: the lesson's")
-        ->check(CLI::IsMember({"rp", "rp-modified", "omega-local", "omega-global"}))
+        ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
     add_format_option(*command, options->format, {"text", "json"});
     command->footer(

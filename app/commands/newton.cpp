@@ -7,7 +7,7 @@
 #include "app/commands/format_option.hpp"
 #include "app/session/newton_runs.hpp"
 #include "lessons/diagnostics.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -32,10 +32,8 @@ std::size_t place_in(const Names& names, const std::string& name) {
 NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     NewtonPlan plan;
     plan.by_method = options.compare == "methods";
-    plan.choice = options.coordinates.empty()
-                      ? lesson.coordinates
-                      : static_cast<CoordinateChoice>(place_in(kChoices, options.coordinates));
-    plan.method = static_cast<NewtonMethod>(place_in(method_names(), options.method));
+    plan.choice = options.coordinates.empty() ? lesson.coordinates : *value_of(kChoices, options.coordinates);
+    plan.method = *value_of(kNewtonMethods, options.method);
     plan.normalisation_rows = !options.without_normalisation;
     return plan;
 }
@@ -99,10 +97,10 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("WHAT")
         ->capture_default_str();
     command->add_option("--coordinates", options->coordinates, "of the methods; default: the lesson's")
-        ->check(CLI::IsMember(strings(kChoices)))
+        ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
     command->add_option("--method", options->method, "by which coordinates are compared")
-        ->check(CLI::IsMember(method_names()))
+        ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->type_name("METHOD")
         ->capture_default_str();
     command->add_flag(

@@ -48,13 +48,6 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     render::write_file_atomically(path, render::encode_png(screen.read()));
 }
 
-host::Tab tab_of(const std::string& name) {
-    if (name == "try") { return host::Tab::experiments; }
-    if (name == "plots") { return host::Tab::plot; }
-    if (name == "price") { return host::Tab::price; }
-    return name == "newton" ? host::Tab::newton : host::Tab::step;
-}
-
 Exit open(const OpenOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallest, kLargest);
     if (!std::isfinite(options.text)) {
@@ -71,7 +64,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.text_scale = static_cast<float>(options.text);
     setup.host.width = size.width;
     setup.host.height = size.height;
-    setup.tab = tab_of(options.tab);
+    setup.tab = *value_of(host::kTabs, options.tab);
     if (!options.file.empty()) {
         // mistakes are told before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
@@ -113,7 +106,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("X")
         ->capture_default_str();
     command->add_option("--tab", options->tab, "beside the picture: step, try, plots, newton or price")
-        ->check(CLI::IsMember({"step", "try", "plots", "newton", "price"}))
+        ->check(CLI::IsMember(words_of(host::kTabs)))
         ->type_name("TAB")
         ->capture_default_str();
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")

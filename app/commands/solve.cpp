@@ -10,6 +10,7 @@
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/solution.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -25,15 +26,17 @@ struct SolveOptions {
     std::string format;
 };
 
+constexpr std::array kAnalyses{
+    EnumWord<Analysis>{Analysis::position, "position"}, EnumWord<Analysis>{Analysis::velocity, "velocity"},
+    EnumWord<Analysis>{Analysis::acceleration, "acceleration"}};
+
 // a table of more rows than this is a slip of a decimal point
 constexpr double kMostRows = 1e6;
 
 SweepPlan plan_of(const SolveOptions& options, const Lesson& lesson) {
     const MotionPlan lesson_plan = lesson.motion.value_or(MotionPlan{});
     SweepPlan plan;
-    plan.analysis = options.analysis == "position"
-                        ? Analysis::position
-                        : (options.analysis == "velocity" ? Analysis::velocity : Analysis::acceleration);
+    plan.analysis = *value_of(kAnalyses, options.analysis);
     plan.from = options.from.value_or(lesson_plan.from);
     plan.to = options.to.value_or(std::max(lesson_plan.to, plan.from));
     plan.step = options.step.value_or((lesson_plan.to - lesson_plan.from) / lesson_plan.steps);
@@ -155,7 +158,7 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
     command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
-        ->check(CLI::IsMember({"position", "velocity", "acceleration"}))
+        ->check(CLI::IsMember(words_of(kAnalyses)))
         ->type_name("WHAT");
     command->add_option("--from", options->from, "first time [s]; default: the lesson's")->type_name("T");
     command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");

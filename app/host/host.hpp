@@ -121,6 +121,8 @@ private:
     void take_events();
     void act_on(const InputEvent& event);
     bool act_in_browser(const InputEvent& event);
+    void leave_search_or_browser();
+    void open_chosen_lesson();
     bool act_in_panel(const InputEvent& event);
     void use_panel_keys(bool on);
     void draw_interface();
@@ -130,7 +132,12 @@ private:
     void draw_messages(const Ui& ui);
     void carry_out(Requests requests);
     void carry_out(Command command);
-    void carry_out_view(Command command);
+    int last_step() const;
+    void play_or_pause();
+    void let_go();
+    void change_tone();
+    void change_text(float by);
+    void show_or_leave_browser();
     void forget_what_is_pointed_at();
     void go_to(int step);
     void go_to_joint(int direction);

@@ -42,11 +42,11 @@ Pointed pointed_at(const std::vector<panels::HotSpot>& spots, const ImVec2& mous
     Pointed found;
     for (const panels::HotSpot& spot : spots) {
         if (!spot.box.contains(panels::Point{mouse.x, mouse.y})) { continue; }
-        switch (spot.link.kind) {
-            case Pointable::Kind::row: found.row = spot.link; break;
-            case Pointable::Kind::column: found.column = spot.link; break;
-            default: found.other = spot.link; break;
-        }
+        const Pointable::Kind kind = spot.link.kind;
+        Pointable& under = kind == Pointable::Kind::row      ? found.row
+                           : kind == Pointable::Kind::column ? found.column
+                                                             : found.other;
+        under = spot.link;
     }
     return found;
 }
@@ -92,8 +92,11 @@ std::string tip_of(const Session& session, const Pointable& link) {
             return std::string("fixed in body ") + (link.part == Pointable::kVectorI ? "i: " : "j: ") +
                    mechanism.bodies[static_cast<std::size_t>(body)].name;
         }
-        default: return {};
+        case Pointable::Kind::none:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
     }
+    return {};
 }
 
 /// That the pose is not one of the lesson.

@@ -16,16 +16,12 @@ namespace {
 using panels::Box;
 using panels::Point;
 
-constexpr const char* kTopicTexts[] = {
-    "Quantities over time", "‖Φ‖ over all iterations", "Singular values over time",
-    "Condition of the pairs over time"};
-constexpr const char* kTopicNames[] = {"quantities", "residuals", "singular-values", "conditions"};
 constexpr double kZoomPerNotch = 1.25;
 constexpr float kReach = 12.0F;  // pixels at 720
 
 }  // namespace
 
-const char* PlotTab::name() const { return kTopicNames[static_cast<std::size_t>(topic_)]; }
+const char* PlotTab::name() const { return word_of(kTopics, topic_); }
 
 const SeriesSet& PlotTab::set(const Session& session, int joint) {
     if (told_ != session.told()) {
@@ -79,14 +75,13 @@ void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
 }
 
 void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
-    const auto now = static_cast<int>(topic_);
     const ImGuiStyle& style = ImGui::GetStyle();
     const float buttons = ImGui::CalcTextSize("CurvesAllCSV").x + 6.0F * style.FramePadding.x +
                           3.0F * style.ItemSpacing.x + 1.0F;
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
-    if (ImGui::BeginCombo("##topic", kTopicTexts[now])) {
-        for (int k = 0; k < kTopics; ++k) {
-            if (ImGui::Selectable(kTopicTexts[k], k == now)) { topic_ = static_cast<Topic>(k); }
+    if (const Topic now = topic_; ImGui::BeginCombo("##topic", label_of(kTopics, now))) {
+        for (const auto& [topic, word, label] : kTopics) {
+            if (ImGui::Selectable(label, topic == now)) { topic_ = topic; }
         }
         ImGui::EndCombo();
     }

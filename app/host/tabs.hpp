@@ -8,7 +8,6 @@
 /// What stands beside the picture: the panels of the step, or a tab to experiment and compare.
 namespace jw::host {
 
-const char* name_of(Tab tab);
 /// ImGui's name of the part of the window that holds its widgets.
 const char* area_of(Tab tab);
 

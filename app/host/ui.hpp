@@ -8,13 +8,17 @@
 #include "app/panels/canvas.hpp"
 #include "app/panels/frame.hpp"
 #include "app/session/session.hpp"
+#include "lessons/enum_words.hpp"
 
 /// What the parts of the interface share: what they see, and what they ask for. Nothing is changed while a
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
 enum class Tab { step, experiments, plot, newton, price };
-inline constexpr int kTabs = 5;
+inline constexpr std::array kTabs{
+    EnumWord<Tab>{Tab::step, "step", "Step"}, EnumWord<Tab>{Tab::experiments, "try", "Try it"},
+    EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
+    EnumWord<Tab>{Tab::price, "price", "Price"}};
 
 /// What is on the screen beyond the lesson itself.
 struct UiState {

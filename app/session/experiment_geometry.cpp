@@ -2,8 +2,8 @@
 #include <array>
 
 #include "app/session/experiment_parts.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
 
 namespace jw::experiment_text {
 
@@ -74,7 +74,7 @@ void read_member(Words& words, JointGeometry& g) {
         g.*k.member = words.take("none") ? std::nullopt : std::optional<double>(words.number(key));
     }
     if (key == kAngleRow) {
-        g.screw_angle_form = static_cast<ScrewAngleForm>(words.name(strings(kAngleRows), "angle row"));
+        g.screw_angle_form = kAngleRows[words.name(words_of(kAngleRows), "angle row")].value;
     }
 }
 
@@ -95,7 +95,7 @@ std::string differences(const JointGeometry& before, const JointGeometry& g) {
         if (before.*k.member != value) { add(k.name, value ? writing::number_text(*value) : "none"); }
     }
     if (before.screw_angle_form != g.screw_angle_form) {
-        add(kAngleRow, std::string(kAngleRows[static_cast<std::size_t>(g.screw_angle_form)]));
+        add(kAngleRow, word_of(kAngleRows, g.screw_angle_form));
     }
     return text;
 }

@@ -5,9 +5,9 @@
 #include "app/session/experiment_parts.hpp"
 #include "app/session/labels.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/equation_labels.hpp"
 #include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
 
 namespace jw {
 
@@ -86,19 +86,17 @@ Experiment read_presence(Words& words, const Lesson& lesson, bool present) {
 
 Experiment read_form(Words& words, const Lesson& lesson) {
     const auto joint = static_cast<int>(words.name(names_of_joints(lesson), "joint"));
-    return SetParallelForm{
-        joint, static_cast<ParallelForm>(words.last_word(strings(kParallelForms), "form"))};
+    return SetParallelForm{joint, kParallelForms[words.last_word(words_of(kParallelForms), "form")].value};
 }
 
 Experiment read_screw(Words& words, const Lesson& lesson) {
     const auto joint = static_cast<int>(words.name(names_of_joints(lesson), "joint"));
-    return SetScrewAngleForm{
-        joint, static_cast<ScrewAngleForm>(words.last_word(strings(kAngleRows), "angle row"))};
+    return SetScrewAngleForm{joint, kAngleRows[words.last_word(words_of(kAngleRows), "angle row")].value};
 }
 
 Experiment read_coordinates(Words& words) {
     if (words.take("rp-true")) { return SetCoordinates{CoordinateChoice::true_euler_parameters}; }
-    return SetCoordinates{static_cast<CoordinateChoice>(words.last_word(strings(kChoices), "choice"))};
+    return SetCoordinates{kChoices[words.last_word(words_of(kChoices), "choice")].value};
 }
 
 Experiment read_drag(Words& words, const Session& session) {
@@ -196,10 +194,10 @@ struct Teller {
 
     std::string operator()(const GoTo& a) const { return "go to step " + std::to_string(a.step); }
     std::string operator()(const SetParallelForm& a) const {
-        return "form " + joint(a.joint) + " " + std::string(kParallelForms[static_cast<std::size_t>(a.form)]);
+        return "form " + joint(a.joint) + " " + word_of(kParallelForms, a.form);
     }
     std::string operator()(const SetScrewAngleForm& a) const {
-        return "screw " + joint(a.joint) + " " + std::string(kAngleRows[static_cast<std::size_t>(a.form)]);
+        return "screw " + joint(a.joint) + " " + word_of(kAngleRows, a.form);
     }
     std::string operator()(const SetCoordinates& a) const {
         return std::string("coordinates ") + name_of_choice(a.choice);

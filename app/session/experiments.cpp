@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/session/labels.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -71,8 +72,7 @@ public:
             return refused("only a screw has an angle row");
         }
         joint->geometry.screw_angle_form = a.form;
-        constexpr const char* names[] = {"sound row", "cos row", "sin row"};
-        return done(joint->name + ": " + names[static_cast<int>(a.form)]);
+        return done(joint->name + ": " + label_of(kAngleRows, a.form));
     }
 
     Edit operator()(const SetCoordinates& a) {

@@ -3,6 +3,7 @@
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/view_equations.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -48,12 +49,11 @@ struct PrimitiveJson {
         return json;
     }
     Json operator()(const ScrewAngle& c) const {
-        constexpr const char* forms[] = {"rotation", "cosine", "sine"};
         return {
             {"s_i_local", json_of(c.s_i_local)},
             {"u_i_local", json_of(c.u_i_local)},
             {"u_j_local", json_of(c.u_j_local)},
-            {"form", forms[static_cast<int>(c.form)]}};
+            {"form", word_of(kAngleRows, c.form)}};
     }
 
 private:

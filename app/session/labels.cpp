@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/equation_labels.hpp"
 
 namespace jw {
@@ -45,8 +46,12 @@ const char* unit_of_role(Role role) {
         case Role::distance_perpendicular:
         case Role::screw_advance: return "m";
         case Role::length: return "m²";
-        default: return "-";
+        case Role::axes_parallel:
+        case Role::axes_perpendicular:
+        case Role::sides_perpendicular:
+        case Role::screw_angle: break;
     }
+    return "-";
 }
 
 const Constraint& constraint_of(const System& system, const RowOrigin& origin) {
@@ -81,27 +86,9 @@ const char* axis_name(int component) {
     return names[static_cast<std::size_t>(component)];
 }
 
-const char* name_of_choice(CoordinateChoice choice) {
-    switch (choice) {
-        case CoordinateChoice::true_euler_parameters: return "rp";
-        case CoordinateChoice::modified_euler_parameters: return "rp-modified";
-        case CoordinateChoice::omega_local: return "omega-local";
-        case CoordinateChoice::omega_global: break;
-    }
-    return "omega-global";
-}
+const char* name_of_choice(CoordinateChoice choice) { return word_of(kChoices, choice); }
 
-const char* name_of_form(ParallelForm form) {
-    switch (form) {
-        case ParallelForm::rule: return "rule";
-        case ParallelForm::drop_x: return "drop x";
-        case ParallelForm::drop_y: return "drop y";
-        case ParallelForm::drop_z: return "drop z";
-        case ParallelForm::all_three: return "all three";
-        case ParallelForm::pair: break;
-    }
-    return "pair";
-}
+const char* name_of_form(ParallelForm form) { return word_of(kParallelForms, form); }
 
 std::string name_of_role(Role role, ParallelForm form) { return primitive_name(role, form); }
 

@@ -34,7 +34,7 @@ std::string title_of(const Story& story, int start, const NewtonPlan& plan) {
     const std::string part = name_of_part(story.lesson().mechanism, *subject_of(story.lesson(), step));
     const std::string what = plan.by_method
                                  ? std::string("methods in ") + name_of_choice(plan.choice)
-                                 : "coordinates by " + method_names()[static_cast<std::size_t>(plan.method)];
+                                 : std::string("coordinates by ") + word_of(kNewtonMethods, plan.method);
     return "Closing " + part + " from the same start, " + what +
            (plan.normalisation_rows ? "" : ", without the rows pᵀp − 1");
 }
@@ -81,7 +81,7 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
     }
     return {
         {"name", name},
-        {"method", method_names()[static_cast<std::size_t>(trace.method)]},
+        {"method", word_of(kNewtonMethods, trace.method)},
         {"converged", trace.converged},
         {"wrong_branch", wrong.empty() ? Json() : Json(wrong)},
         {"order", trace.order ? number(*trace.order) : Json()},
@@ -89,11 +89,6 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
 }
 
 }  // namespace
-
-const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{"limited", "plain", "damped", "levenberg-marquardt"};
-    return names;
-}
 
 int start_of_closing(const Story& story, const Addition& subject) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
@@ -109,15 +104,15 @@ NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan) {
     NewtonRuns runs;
     runs.title = title_of(story, start, plan);
     std::vector<NewtonRun> compared;
-    for (int k = 0; k < 4; ++k) {
-        const CoordinateChoice choice = plan.by_method ? plan.choice : static_cast<CoordinateChoice>(k);
-        const NewtonMethod method = plan.by_method ? static_cast<NewtonMethod>(k) : plan.method;
+    const std::size_t ways = plan.by_method ? kNewtonMethods.size() : kChoices.size();
+    for (std::size_t k = 0; k < ways; ++k) {
+        const CoordinateChoice choice = plan.by_method ? plan.choice : kChoices[k].value;
+        const NewtonMethod method = plan.by_method ? kNewtonMethods[k].value : plan.method;
         NewtonTrace trace = with_choice(choice, [&](auto c) {
             return trace_newton<decltype(c)>(
                 *from.system, from.state, from.t, method, plan.normalisation_rows);
         });
-        runs.names.push_back(
-            plan.by_method ? method_names()[static_cast<std::size_t>(k)] : name_of_choice(choice));
+        runs.names.push_back(plan.by_method ? word_of(kNewtonMethods, method) : name_of_choice(choice));
         runs.wrong_branches.push_back(
             trace.wrong_branch ? branch_text(*from.system, *trace.wrong_branch) : std::string());
         compared.push_back(run_of(trace, runs.names.back()));

@@ -9,6 +9,7 @@
 #include "app/session/inspection.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/joint_needs.hpp"
 
 namespace jw {
@@ -93,15 +94,13 @@ void Laboratory::add_presence(const Addition& part, ExperimentGroup& group) cons
 void Laboratory::add_forms(int index, ExperimentGroup& group) const {
     const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     if (std::ranges::any_of(joint.type->roles, is_parallel)) {
-        for (int form = 0; form < 6; ++form) {
-            const auto wanted = static_cast<ParallelForm>(form);
+        for (const auto& [wanted, word, label] : kParallelForms) {
             group.experiments.push_back(
                 judged(SetParallelForm{index, wanted}, joint.parallel_form == wanted));
         }
     }
     if (joint.type->uses(Role::screw_angle)) {
-        for (int form = 0; form < 3; ++form) {
-            const auto wanted = static_cast<ScrewAngleForm>(form);
+        for (const auto& [wanted, word, label] : kAngleRows) {
             group.experiments.push_back(
                 judged(SetScrewAngleForm{index, wanted}, joint.geometry.screw_angle_form == wanted));
         }
@@ -177,8 +176,7 @@ ExperimentGroup Laboratory::coordinates() const {
     ExperimentGroup group;
     group.title = "coordinates of Φq";
     const int step = closed_step(session_.story(), session_.index());
-    for (int k = 0; k < 4; ++k) {
-        const auto choice = static_cast<CoordinateChoice>(k);
+    for (const auto& [choice, word, label] : kChoices) {
         PossibleExperiment e{
             text_of(SetCoordinates{choice}, session_), session_.lesson().coordinates == choice, false, {}};
         const Inspection inspection = inspect_step(session_.story(), step, choice);
