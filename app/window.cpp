@@ -249,7 +249,7 @@ void run_window(const WindowSetup& setup) {
     glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
     Host host(wanted);
     host.choose(setup.tab);
-    if (setup.file) { host.open(*setup.file, setup.at, setup.tries); }
+    if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
     glfwSetWindowUserPointer(window.get(), &host);
     listen(window.get());
     use_clipboard(window.get());

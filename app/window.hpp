@@ -18,8 +18,8 @@ struct WindowSetup {
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
     std::string at;
     host::Tab tab = host::Tab::step;
-    std::vector<std::string> tries;  ///< experiments to begin with
-    std::ostream* log = nullptr;     ///< where faults of drawing are told; must be set
+    std::vector<std::string> experiments;  ///< experiments to begin with
+    std::ostream* log = nullptr;           ///< where faults of drawing are told; must be set
 };
 
 /// Runs until the window is closed. What was tried and not saved then is in a file that the log names.

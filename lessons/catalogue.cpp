@@ -1,11 +1,20 @@
 #include "lessons/catalogue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace jw {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// in which a course meets them
+constexpr std::array<std::string_view, 8> kChapters{"vectors", "parallel", "joints", "links",
+                                                    "loops",   "screws",   "hard",   "dynamics"};
+
+}  // namespace
 
 fs::path catalogue_folder() {
     const char* chosen = std::getenv("JOINTWISE_LESSONS");
@@ -24,6 +33,11 @@ std::vector<fs::path> lessons_below(const fs::path& folder) {
     }
     std::ranges::sort(files);
     return files;
+}
+
+std::size_t chapter_place(const fs::path& file) {
+    const std::string folder = file.parent_path().filename().string();
+    return static_cast<std::size_t>(std::ranges::find(kChapters, folder) - kChapters.begin());
 }
 
 std::vector<fs::path> named_lessons(

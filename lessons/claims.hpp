@@ -83,6 +83,14 @@ struct QuantityClaim {
 };
 using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim>;
 
+/// The joint that a claim is about, -1 for none.
+inline int joint_of(const Fact& fact) {
+    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
+    const auto* quantity = std::get_if<QuantityClaim>(&fact);
+    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
+    return measure != nullptr ? measure->joint : -1;
+}
+
 struct Claim {
     Moment when;
     Fact fact;

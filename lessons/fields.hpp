@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "core/linear.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/problems.hpp"
 
 /// Typed access to a TOML table that collects what is wrong instead of throwing.
@@ -65,6 +66,12 @@ public:
     std::vector<Fields> tables(std::string_view key, std::size_t most = kLongestList);
     /// Index of the text among `words`.
     std::optional<std::size_t> word(std::string_view key, const std::vector<std::string>& words);
+    /// The value that the text is a word for.
+    template <class E, std::size_t N>
+    std::optional<E> word(std::string_view key, const std::array<EnumWord<E>, N>& table) {
+        const auto found = word(key, words_of(table));
+        return found ? std::optional<E>(table[*found].value) : std::nullopt;
+    }
 
     /// A number under `key` + "_deg" or `key` + "_rad" [rad].
     std::optional<Located<double>> angle(std::string_view key);

@@ -181,9 +181,7 @@ void read_pitch(Fields& fields, JointGeometry& g) {
 
 void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
     read_pitch(fields, g);
-    if (const auto form = fields.word("angle_row", strings(kAngleRows))) {
-        g.screw_angle_form = static_cast<ScrewAngleForm>(*form);
-    }
+    g.screw_angle_form = fields.word("angle_row", kAngleRows).value_or(g.screw_angle_form);
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
     // the start pose lies on the thread unless the author says otherwise, with both or neither of the two
     const double d = start_displacement(pair, g);

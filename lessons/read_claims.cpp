@@ -40,35 +40,34 @@ std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
 }
 
 void read_counts(Fields& fields, Facts& facts) {
-    const auto count = [&](const char* key, Count what, int least) {
-        if (const auto value = fields.integer(key, least, kLargestCount)) {
-            facts.emplace_back(CountClaim{what, value->value}, value->span);
+    for (const EnumWord<Count>& count : kCounts) {
+        const int least = count.value == Count::mobility_by_counting ? -kLargestCount : 0;
+        if (const auto value = fields.integer(count.word, least, kLargestCount)) {
+            facts.emplace_back(CountClaim{count.value, value->value}, value->span);
         }
-    };
-    count("rank", Count::rank, 0);
-    count("rows", Count::rows, 0);
-    count("columns", Count::columns, 0);
-    count("dof", Count::dof, 0);
-    count("redundant", Count::redundant, 0);
-    count("mobility_by_counting", Count::mobility_by_counting, -kLargestCount);
+    }
 }
 
 void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
-    const auto bound = [&](const char* key, Bound what) {
-        if (const auto value = fields.positive(key)) {
-            facts.emplace_back(BoundClaim{what, value->value}, value->span);
+    for (const EnumWord<Bound>& bound : kBounds) {
+        if (const auto value = fields.positive(bound.word)) {
+            facts.emplace_back(BoundClaim{bound.value, value->value}, value->span);
         }
-    };
-    bound("residual_below", Bound::residual_below);
-    bound("condition_below", Bound::condition_below);
-    bound("condition_above", Bound::condition_above);
-    const auto verdict = [&](const char* key, Verdict what) {
-        if (const auto value = fields.flag(key)) {
-            facts.emplace_back(VerdictClaim{what, value->value}, value->span);
+    }
+    for (const EnumWord<Verdict>& verdict : kVerdicts) {
+        if (const auto value = fields.flag(verdict.word)) {
+            facts.emplace_back(VerdictClaim{verdict.value, value->value}, value->span);
         }
-    };
-    verdict("change_point", Verdict::change_point);
-    verdict("closes", Verdict::closes);
+    }
+}
+
+/// Keys of which a claim needs one.
+std::vector<std::string> keys_of_facts() {
+    std::vector<std::string> keys = words_of(kCounts);
+    for (const EnumWord<Bound>& bound : kBounds) { keys.emplace_back(bound.word); }
+    for (const EnumWord<Verdict>& verdict : kVerdicts) { keys.emplace_back(verdict.word); }
+    keys.insert(keys.end(), {"dropped", "quantity"});
+    return keys;
 }
 
 /// "hinge p1 z": the joint's name may have blanks, the last two words are primitive and component.
@@ -176,20 +175,7 @@ void read_claim(Fields& fields, Reading& reading) {
     read_bounds_and_verdicts(fields, facts);
     read_dropped(fields, reading, when, facts);
     read_measured(fields, reading, when, facts);
-    static const std::vector<std::string> kFacts{
-        "rank",
-        "rows",
-        "columns",
-        "dof",
-        "redundant",
-        "mobility_by_counting",
-        "residual_below",
-        "condition_below",
-        "condition_above",
-        "change_point",
-        "closes",
-        "dropped",
-        "quantity"};
+    static const std::vector<std::string> kFacts = keys_of_facts();
     if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
             fields.span(), "the claim says nothing; expected one or several of " + comma_list(kFacts));

@@ -20,8 +20,7 @@ void read_head(Fields& root, Lesson& lesson) {
     take("chapter", lesson.chapter);
     take("source", lesson.source);
     take("text", lesson.text);
-    const auto choice = root.word("coordinates", strings(kChoices));
-    if (choice) { lesson.coordinates = static_cast<CoordinateChoice>(*choice); }
+    lesson.coordinates = root.word("coordinates", kChoices).value_or(lesson.coordinates);
 }
 
 void read_motion(Fields& root, Lesson& lesson) {

@@ -29,8 +29,7 @@ void check_keys(Fields& fields) {
 
 void read_parallel_form(Fields& fields, Joint& joint) {
     if (!std::ranges::any_of(joint.type->roles, is_parallel)) { return; }
-    const auto form = fields.word("parallel", strings(kParallelForms));
-    if (form) { joint.parallel_form = static_cast<ParallelForm>(*form); }
+    joint.parallel_form = fields.word("parallel", kParallelForms).value_or(joint.parallel_form);
 }
 
 /// Equations that are taken out, by the names that the program shows beside their rows.

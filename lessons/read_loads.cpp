@@ -19,7 +19,7 @@ struct Vector {
 };
 Vector read_vector(Fields& fields, const char* what, const char* unit, double duration) {
     Vector out;
-    if (const auto frame = fields.word("frame", strings(kFrames))) { out.frame = static_cast<Frame>(*frame); }
+    out.frame = fields.word("frame", kFrames).value_or(out.frame);
     const auto whole = fields.vector(what);
     const auto direction = fields.direction("direction");
     fields.at_most_one({what, "direction"});

@@ -34,13 +34,8 @@ inline bool is_frame(const Mat3& A) {
            A.determinant() > 0.0;
 }
 
-// words in the order of the enumerators that they stand for
-inline constexpr std::array<std::string_view, 4> kChoices{"rp", "rp-modified", "omega-local", "omega-global"};
-inline constexpr std::array<std::string_view, 6> kParallelForms{"rule",   "drop x",    "drop y",
-                                                                "drop z", "all three", "pair"};
-inline constexpr std::array<std::string_view, 3> kAngleRows{"rotation", "cosine", "sine"};
+// by the index of a coordinate
 inline constexpr std::array<std::string_view, 7> kCoordinates{"x", "y", "z", "e0", "e1", "e2", "e3"};
-inline constexpr std::array<std::string_view, 2> kFrames{"global", "local"};
 
 /// Colours by name, sRGB.
 struct NamedColour {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -27,14 +28,6 @@ bool same_moment(const Moment& a, const Moment& b) {
     }
     const auto* at = std::get_if<AtTime>(&a);
     return at == nullptr || at->t == std::get<AtTime>(b).t;
-}
-
-/// The joint that a claim is about, -1 for none.
-int joint_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
-    const auto* quantity = std::get_if<QuantityClaim>(&fact);
-    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
-    return measure != nullptr ? measure->joint : -1;
 }
 
 /// Whether what the claim is about is in the file.
@@ -77,16 +70,11 @@ struct FactWriter {
     Lines& lines;
 
     void operator()(const CountClaim& c) const {
-        constexpr std::array keys{"rank", "rows", "columns", "dof", "redundant", "mobility_by_counting"};
-        lines.key(keys[static_cast<std::size_t>(c.count)], std::to_string(c.value));
+        lines.key(word_of(kCounts, c.count), std::to_string(c.value));
     }
-    void operator()(const BoundClaim& c) const {
-        constexpr std::array keys{"residual_below", "condition_below", "condition_above"};
-        lines.key(keys[static_cast<std::size_t>(c.bound)], c.limit);
-    }
+    void operator()(const BoundClaim& c) const { lines.key(word_of(kBounds, c.bound), c.limit); }
     void operator()(const VerdictClaim& c) const {
-        constexpr std::array keys{"change_point", "closes"};
-        lines.key(keys[static_cast<std::size_t>(c.verdict)], c.value ? "true" : "false");
+        lines.key(word_of(kVerdicts, c.verdict), c.value ? "true" : "false");
     }
     void operator()(const DroppedClaim& c) const {
         const std::string primitive = c.role == Role::axes_parallel ? " p1 " : " p2 ";

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
@@ -34,9 +35,7 @@ void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) 
 void write_vector(
     const std::string& what, const std::string& unit, const Vec3& direction, Frame frame,
     const TimeFunction& magnitude, Lines& lines) {
-    if (frame != Frame::global) {
-        lines.key("frame", string_text(std::string(kFrames[static_cast<std::size_t>(frame)])));
-    }
+    if (frame != Frame::global) { lines.key("frame", string_text(word_of(kFrames, frame))); }
     const bool constant = magnitude == TimeFunction{{1.0}, {}, {}};
     const bool unit_length = std::abs(direction.squaredNorm() - 1.0) <= kUnitUpToRounding;
     if (!constant && unit_length) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -37,8 +38,7 @@ void write_head(const Written& written, Lines& lines) {
     if (!lesson.text.empty()) { lines.key("text", words_text(lesson.text)); }
     write_order(written, lines);
     if (lesson.coordinates != Lesson().coordinates) {
-        const auto choice = static_cast<std::size_t>(lesson.coordinates);
-        lines.key("coordinates", string_text(std::string(kChoices[choice])));
+        lines.key("coordinates", string_text(word_of(kChoices, lesson.coordinates)));
     }
 }
 

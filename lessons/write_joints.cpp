@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/equation_labels.hpp"
 #include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
@@ -36,8 +37,7 @@ void write_screw(const JointGeometry& g, Lines& lines) {
         lines.key("advance_per_rad", g.alpha, "m/rad");
     }
     if (g.screw_angle_form != ScrewAngleForm::rotation) {
-        const auto form = static_cast<std::size_t>(g.screw_angle_form);
-        lines.key("angle_row", string_text(std::string(kAngleRows[form])));
+        lines.key("angle_row", string_text(word_of(kAngleRows, g.screw_angle_form)));
     }
     lines.key("d_0", g.d_0, "m");
     lines.angle("theta_0", g.theta_0);
@@ -64,8 +64,7 @@ void write_joint(const Written& written, const Joint& joint, const std::string& 
     if (joint.type->uses(Role::length)) { lines.key("length", joint.geometry.length, "m"); }
     if (joint.type->uses(Role::screw_advance)) { write_screw(joint.geometry, lines); }
     if (joint.parallel_form != ParallelForm::rule && std::ranges::any_of(joint.type->roles, is_parallel)) {
-        const auto form = static_cast<std::size_t>(joint.parallel_form);
-        lines.key("parallel", string_text(std::string(kParallelForms[form])));
+        lines.key("parallel", string_text(word_of(kParallelForms, joint.parallel_form)));
     }
     write_without(joint, lines);
     if (!text.empty()) { lines.key("text", string_text(text)); }

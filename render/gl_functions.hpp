@@ -63,7 +63,6 @@ namespace jw::render {
     X(PFNGLGETUNIFORMLOCATIONPROC,             GetUniformLocation)     \
     X(PFNGLLINKPROGRAMPROC,                    LinkProgram)            \
     X(PFNGLPIXELSTOREIPROC,                    PixelStorei)            \
-    X(PFNGLPOLYGONOFFSETPROC,                  PolygonOffset)          \
     X(PFNGLREADBUFFERPROC,                     ReadBuffer)             \
     X(PFNGLREADPIXELSPROC,                     ReadPixels)             \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \

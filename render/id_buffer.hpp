@@ -28,9 +28,6 @@ public:
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
         std::uint64_t version);
 
-    /// The id at a point of the frame as of the last `update`; 0 where nothing is, and outside the viewport.
-    int id_at(double x, double y) const { return nearest_id(x, y, 0.0); }
-
     /// The id for a pointer that need not be exact: that of the nearest vector, point or line within `radius`
     /// pixels, else of the body under the pointer, else of the nearest body within `radius`, else 0.
     int nearest_id(double x, double y, double radius) const;

@@ -127,15 +127,6 @@ Camera blended(const Camera& from, const Camera& to, double fraction) {
     return camera;
 }
 
-Ray ray_through(const Camera& camera, const Rect& viewport, double x, double y) {
-    const Vector3d at_target = point_at_depth(camera, viewport, x, y, camera.target);
-    if (camera.orthographic) {
-        const Vector3d forward = axes_of(camera).forward;
-        return {at_target - camera.distance() * forward, forward};
-    }
-    return {camera.eye, (at_target - camera.eye).normalized()};
-}
-
 Vector3d point_at_depth(
     const Camera& camera, const Rect& viewport, double x, double y, const Vector3d& through) {
     const CameraAxes axes = axes_of(camera);

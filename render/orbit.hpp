@@ -35,16 +35,6 @@ Camera standard_view(const Camera& camera, StandardView view);
 /// gives `to`, exactly.
 Camera blended(const Camera& from, const Camera& to, double fraction);
 
-struct Ray {
-    Vector3d origin;
-    Vector3d direction;  ///< unit, away from the viewer
-
-    Vector3d point(double distance) const { return origin + distance * direction; }
-};
-
-/// All points that are seen at (x, y).
-Ray ray_through(const Camera& camera, const Rect& viewport, double x, double y);
-
 /// Where the ray through (x, y) meets the plane through `through` that is parallel to the picture: what is
 /// grabbed at `through` and dragged to (x, y) comes to lie there. `through` must be in front of the eye.
 Vector3d point_at_depth(

@@ -78,11 +78,4 @@ Colour toned(const Colour& colour, Tone tone) {
     return {channel(linear.x()), channel(linear.y()), channel(linear.z()), colour.a};
 }
 
-double contrast(const Colour& a, const Colour& b) {
-    const Vector3d weights{0.2126, 0.7152, 0.0722};
-    const double first = weights.dot(linear_of(a)) + 0.05;
-    const double second = weights.dot(linear_of(b)) + 0.05;
-    return std::max(first, second) / std::min(first, second);
-}
-
 }  // namespace jw::render

@@ -68,7 +68,6 @@ inline constexpr Colour kInkFaint = from_hex(0x9AA5B1);
 inline constexpr Colour kLine = from_hex(0xD8DEE6);
 inline constexpr Colour kPaper = from_hex(0xFDFCFA);
 inline constexpr Colour kPaperShade = from_hex(0xF3F2EE);
-inline constexpr Colour kGood = from_hex(0x1F8A66);
 inline constexpr Colour kBad = from_hex(0xC2410C);
 
 // picture
@@ -87,8 +86,5 @@ enum class Tone { light, dark };
 /// What a colour of the palette becomes: itself in the light; in the dark of inverted lightness, with hue
 /// and, where a screen can show it, chroma as they are.
 Colour toned(const Colour& colour, Tone tone);
-
-/// Ratio of luminances from 1 to 21 as WCAG 2 defines it; opaque colours. 4.5 is asked of text, 3 of symbols.
-double contrast(const Colour& a, const Colour& b);
 
 }  // namespace jw::render

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <libdeflate.h>
-#include <stb_image.h>  // reading comes from the library of the package, writing from the header: it needs the hook
 
 namespace {
 
@@ -62,18 +61,6 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
         stbi_write_png_to_mem(image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size));
     if (!png) { throw std::bad_alloc(); }
     return {png.get(), png.get() + size};
-}
-
-Image read_png(const std::filesystem::path& path) {
-    Image image;
-    int channels = 0;
-    const Memory pixels(stbi_load(path.c_str(), &image.width, &image.height, &channels, 3));
-    if (!pixels) {
-        throw std::runtime_error("cannot read '" + path.string() + "': " + stbi_failure_reason());
-    }
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    image.rgb.assign(pixels.get(), pixels.get() + 3 * count);
-    return image;
 }
 
 std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }

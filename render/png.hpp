@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,6 @@ namespace jw::render {
 /// The same picture gives the same bytes on every machine with the same libdeflate.
 /// @throws std::invalid_argument if the picture is empty or its size and its data disagree.
 std::vector<std::uint8_t> encode_png(const Image& image);
-
-/// @throws std::runtime_error naming `path` and the reason.
-Image read_png(const std::filesystem::path& path);
 
 /// "1.14": bytes of pictures depend on it.
 std::string libdeflate_version();

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "app/commands/bench_hard.hpp"
 #include "app/commands/bench_kinematics.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/panels/price_panel.hpp"
@@ -16,6 +16,7 @@
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/prices.hpp"
+#include "app/session/text_table.hpp"
 #include "lessons/catalogue.hpp"
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
@@ -29,7 +30,7 @@ struct BenchOptions {
     std::vector<std::string> methods;
     std::string treatment = "projection";
     std::string coordinates;
-    std::string output = "table";
+    std::string format;
     std::string picture;
     bool hard = false;
     bool kinematics = false;
@@ -71,51 +72,54 @@ BenchPlan plan_of(const BenchOptions& options) {
     return plan;
 }
 
-std::string cell(const char* format, double value) {
-    if (std::isnan(value)) { return "-"; }
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
+/// Methods, and numbers about them.
+std::vector<TextColumn> columns_for(std::size_t numbers) {
+    std::vector<TextColumn> columns(numbers + 1, {true, 10, 1});
+    columns.front() = {false, 14, 0};
+    return columns;
 }
 
-std::string row_text(const std::vector<std::string>& cells) {
-    std::string line;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        const std::size_t width = k == 0 ? 14 : 11;
-        line += k == 0 ? cells[k] + std::string(width - std::min(width, cells[k].size()), ' ')
-                       : std::string(width - std::min(width - 1, cells[k].size()), ' ') + cells[k];
+/// What every run cost, and how good it was.
+std::string runs_text(const SceneResult& result) {
+    TextRows table{
+        {"method", "setting", "CPU ms", "position m", "velocity", "energy", "constraint", "evaluations",
+         "steps", "rejected"}};
+    for (const BenchRun& run : result.runs) {
+        for (const BenchPoint& p : run.points) {
+            table.push_back(
+                {std::string(entry_of(run.method).name), number_cell("%.0e", p.setting),
+                 number_cell("%.3g", 1e3 * p.cpu), number_cell("%.1e", p.position),
+                 number_cell("%.1e", p.velocity), number_cell("%.1e", p.energy),
+                 number_cell("%.1e", p.violation), std::to_string(p.counts.evaluations),
+                 std::to_string(p.counts.steps), std::to_string(p.counts.rejected)});
+        }
     }
-    return line + '\n';
+    return text_table(table, columns_for(9));
+}
+
+std::string prices_text(const SceneResult& result) {
+    TextRows table{{"ms to reach"}};
+    for (std::size_t level = 0; level < kErrorLevels.size(); ++level) {
+        table.front().push_back(level_text(level));
+    }
+    for (const PriceRow& row : prices_of(result.runs).rows) {
+        table.push_back({row.name});
+        for (const auto& time : row.milliseconds) {
+            table.back().push_back(time ? number_cell("%.3g", *time) : "-");
+        }
+    }
+    return text_table(table, columns_for(kErrorLevels.size()));
 }
 
 void write_table(const SceneResult& result, std::ostream& out) {
     out << result.name << "\n  reference: " << result.reference.origin << "\n";
-    out << row_text(
-        {"method", "setting", "CPU ms", "position m", "velocity", "energy", "constraint", "evaluations",
-         "steps", "rejected"});
-    for (const BenchRun& run : result.runs) {
-        for (const BenchPoint& p : run.points) {
-            out << row_text(
-                {std::string(entry_of(run.method).name), cell("%.0e", p.setting), cell("%.3g", 1e3 * p.cpu),
-                 cell("%.1e", p.position), cell("%.1e", p.velocity), cell("%.1e", p.energy),
-                 cell("%.1e", p.violation), std::to_string(p.counts.evaluations),
-                 std::to_string(p.counts.steps), std::to_string(p.counts.rejected)});
-        }
-    }
-    std::vector<std::string> head{"ms to reach"};
-    for (std::size_t level = 0; level < kErrorLevels.size(); ++level) { head.push_back(level_text(level)); }
-    out << row_text(head);
-    for (const PriceRow& row : prices_of(result.runs).rows) {
-        std::vector<std::string> cells{row.name};
-        for (const auto& time : row.milliseconds) { cells.push_back(time ? cell("%.3g", *time) : "-"); }
-        out << row_text(cells);
-    }
+    out << runs_text(result) << prices_text(result);
     for (const BenchRun& run : result.runs) {
         const auto failed =
             std::ranges::find_if(run.points, [](const auto& p) { return !p.failure.empty(); });
         if (failed == run.points.end()) { continue; }
-        out << entry_of(run.method).name << " at " << cell("%.0e", failed->setting) << ": " << failed->failure
-            << '\n';
+        out << entry_of(run.method).name << " at " << number_cell("%.0e", failed->setting) << ": "
+            << failed->failure << '\n';
     }
     out << '\n' << std::flush;
 }
@@ -177,14 +181,14 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
 }
 
 Exit bench_command(const BenchOptions& options, const Streams& streams) {
-    if (options.hard) { return bench_hard(options.scenes, options.output, streams); }
-    if (options.output == "markdown") {
+    if (options.hard) { return bench_hard(options.scenes, options.format, streams); }
+    if (options.format == "markdown") {
         throw CommandError(
             Exit::bad_input,
-            "jointwise: error: --output markdown goes with --hard; expected table, csv or json\n"
+            "jointwise: error: --format markdown goes with --hard; expected table, csv or json\n"
             "hint: jointwise bench --help");
     }
-    if (options.kinematics) { return bench_kinematics(options.scenes, options.output, streams); }
+    if (options.kinematics) { return bench_kinematics(options.scenes, options.format, streams); }
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
@@ -194,16 +198,16 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     }
     if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();
-    if (options.output == "csv") {
+    if (options.format == "csv") {
         streams.out
             << "scene,method,setting,cpu_ms,position_m,velocity_m_per_s,energy,constraint,evaluations,"
                "steps,rejected\n";
     }
     for (const std::filesystem::path& file : files) {
         const SceneResult result = bench_scene(file, plan, streams);
-        if (options.output == "table") { write_table(result, streams.out); }
-        if (options.output == "csv") { write_csv_rows(result, streams.out); }
-        if (options.output == "json") { scenes.push_back(json_of(result)); }
+        if (options.format == "table") { write_table(result, streams.out); }
+        if (options.format == "csv") { write_csv_rows(result, streams.out); }
+        if (options.format == "json") { scenes.push_back(json_of(result)); }
         if (!options.picture.empty()) {
             const Prices prices = prices_of(result.runs);
             const render::Image image =
@@ -213,7 +217,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
             render::write_file_atomically(options.picture, render::encode_png(image));
         }
     }
-    if (options.output == "json") {
+    if (options.format == "json") {
         const Json json{{"format", "jointwise bench"}, {"version", kJsonVersion}, {"scenes", scenes}};
         streams.out << json.dump(1) << '\n';
     }
@@ -259,9 +263,9 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         other->excludes(method, treatment, coordinates, picture);
     }
     hard->excludes(kinematics);
-    command->add_option("--output", options->output, "table, csv, json; markdown with --hard")
-        ->check(CLI::IsMember({"table", "csv", "json", "markdown"}))
-        ->type_name("FORMAT");
+    add_format_option(
+        *command, options->format, {"table", "csv", "json", "markdown"},
+        "table, csv, json; markdown with --hard");
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     command->callback([options, &streams, &run] {
         run = [options, &streams] { return bench_command(*options, streams); };

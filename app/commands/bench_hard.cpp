@@ -66,26 +66,26 @@ Json json_of(const hard::Case& c, const hard::Result& result) {
 
 }  // namespace
 
-Exit bench_hard(const std::vector<std::string>& names, const std::string& output, const Streams& streams) {
+Exit bench_hard(const std::vector<std::string>& names, const std::string& format, const Streams& streams) {
     const std::vector<const hard::Case*> chosen = cases_of(names);
-    if (output == "markdown") { streams.out << hard::markdown_head(); }
-    if (output == "csv") {
+    if (format == "markdown") { streams.out << hard::markdown_head(); }
+    if (format == "csv") {
         streams.out << "case,what,naive,naive_at_least,naive_at_most,ours,ours_at_least,ours_at_most\n";
     }
     Json all = Json::array();
     bool broken = false;
     for (const hard::Case* c : chosen) {
         const hard::Result result = c->run();
-        if (output == "table") { streams.out << hard::text_of(*c, result) << std::flush; }
-        if (output == "markdown") { streams.out << hard::markdown_of(*c, result) << std::flush; }
-        if (output == "csv") { write_csv_rows(*c, result, streams.out); }
-        if (output == "json") { all.push_back(json_of(*c, result)); }
+        if (format == "table") { streams.out << hard::text_of(*c, result) << std::flush; }
+        if (format == "markdown") { streams.out << hard::markdown_of(*c, result) << std::flush; }
+        if (format == "csv") { write_csv_rows(*c, result, streams.out); }
+        if (format == "json") { all.push_back(json_of(*c, result)); }
         for (const std::string& sentence : hard::broken_bounds(result)) {
             streams.err << "jointwise: " << c->name << ": " << sentence << '\n';
             broken = true;
         }
     }
-    if (output == "json") {
+    if (format == "json") {
         const Json json{{"format", "jointwise hard cases"}, {"version", kJsonVersion}, {"cases", all}};
         streams.out << json.dump(1) << '\n';
     }

@@ -9,6 +9,6 @@ namespace jw {
 
 /// `jointwise bench --hard`: the cases named, or all. Exit status 1 if a number is out of its bounds.
 /// @throws CommandError for a name that is no case
-Exit bench_hard(const std::vector<std::string>& names, const std::string& output, const Streams& streams);
+Exit bench_hard(const std::vector<std::string>& names, const std::string& format, const Streams& streams);
 
 }  // namespace jw

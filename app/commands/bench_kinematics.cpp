@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/kinematics_bench.hpp"
+#include "app/session/text_table.hpp"
 #include "lessons/catalogue.hpp"
 
 namespace jw {
@@ -23,20 +23,21 @@ std::vector<std::filesystem::path> driven_files_of(const std::vector<std::string
 
 void write_table(const KinematicsScene& scene, std::ostream& out) {
     out << scene.name << ": " << scene.bodies << " moving bodies, " << scene.equations << " equations, "
-        << scene.moments << " moments\n"
-        << "  coordinates   rows       us/moment  ratio  rounds  position  velocity  acceleration  missed\n";
+        << scene.moments << " moments\n";
+    TextRows table{
+        {"coordinates", "rows", "us/moment", "ratio", "rounds", "position", "velocity", "acceleration",
+         "missed"}};
     const double first = scene.runs.front().microseconds;
     for (const KinematicsRun& run : scene.runs) {
-        char line[160];
-        char rounds[16] = "-";
-        if (!std::isnan(run.iterations)) { std::snprintf(rounds, sizeof rounds, "%.1f", run.iterations); }
-        std::snprintf(
-            line, sizeof line, "  %-13s %-9s %10.1f %6.2f %7s %9.1e %9.1e %13.1e %7d\n",
-            run.coordinates.c_str(), run.rows.c_str(), run.microseconds, run.microseconds / first, rounds,
-            run.position, run.velocity, run.acceleration, run.missed);
-        out << line;
+        table.push_back(
+            {run.coordinates, run.rows, number_cell("%.1f", run.microseconds),
+             number_cell("%.2f", run.microseconds / first), number_cell("%.1f", run.iterations),
+             number_cell("%.1e", run.position), number_cell("%.1e", run.velocity),
+             number_cell("%.1e", run.acceleration), std::to_string(run.missed)});
     }
-    out << '\n' << std::flush;
+    std::vector<TextColumn> columns(table.front().size());
+    columns[0] = columns[1] = {false, 0, 2};
+    out << text_table(table, columns) << '\n' << std::flush;
 }
 
 void write_csv_rows(const KinematicsScene& scene, std::ostream& out) {
@@ -72,9 +73,9 @@ Json json_of(const KinematicsScene& scene) {
 }  // namespace
 
 Exit bench_kinematics(
-    const std::vector<std::string>& scenes, const std::string& output, const Streams& streams) {
+    const std::vector<std::string>& scenes, const std::string& format, const Streams& streams) {
     Json all = Json::array();
-    if (output == "csv") {
+    if (format == "csv") {
         streams.out
             << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,acceleration,"
                "missed\n";
@@ -88,11 +89,11 @@ Exit bench_kinematics(
                                      ": error: no motion by drivers that can be followed to its end\n"
                                      "hint: docs/writing-a-lesson.md, [[driver]] and [motion]");
         }
-        if (output == "table") { write_table(*scene, streams.out); }
-        if (output == "csv") { write_csv_rows(*scene, streams.out); }
-        if (output == "json") { all.push_back(json_of(*scene)); }
+        if (format == "table") { write_table(*scene, streams.out); }
+        if (format == "csv") { write_csv_rows(*scene, streams.out); }
+        if (format == "json") { all.push_back(json_of(*scene)); }
     }
-    if (output == "json") {
+    if (format == "json") {
         const Json json{{"format", "jointwise bench kinematics"}, {"version", kJsonVersion}, {"scenes", all}};
         streams.out << json.dump(1) << '\n';
     }

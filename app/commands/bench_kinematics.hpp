@@ -10,6 +10,6 @@ namespace jw {
 /// `jointwise bench --kinematics`: lessons by file or name; by default all shipped ones that move by drivers.
 /// @throws CommandError for a lesson without a driven motion
 Exit bench_kinematics(
-    const std::vector<std::string>& scenes, const std::string& output, const Streams& streams);
+    const std::vector<std::string>& scenes, const std::string& format, const Streams& streams);
 
 }  // namespace jw

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/session/carried_claims.hpp"
 #include "app/session/checks.hpp"
 #include "app/session/describe.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 struct CheckOptions {
     std::vector<std::string> files;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     bool quiet = false;
 };
 
@@ -37,10 +37,10 @@ void print(const ClaimResult& result, const Lesson& lesson, const Streams& strea
     if (!result.why.empty()) { streams.out << "        " << result.why << '\n'; }
 }
 
-/// The lesson after `tries`, with the claims that can still be judged; says what was done.
+/// The lesson after `experiments`, with the claims that can still be judged; says what was done.
 Lesson changed_lesson(const Lesson& written, const CheckOptions& options, const Streams& streams) {
     Session session(written);
-    streams.out << tried_text(try_all(session, options.tries));
+    streams.out << done_text(carry_out_all(session, options.experiments));
     Lesson changed = session.lesson();
     changed.claims = carried_claims(written, changed);
     if (const std::size_t gone = written.claims.size() - changed.claims.size(); gone > 0) {
@@ -54,7 +54,7 @@ Tally check_one(const std::string& file, const CheckOptions& options, const Stre
     Lesson lesson = lesson_of(file, streams);
     const bool proves_end = lesson.dynamics && lesson.dynamics->point_at_end;
     const bool claims_nothing = lesson.claims.empty() && !proves_end;
-    if (!options.tries.empty()) { lesson = changed_lesson(lesson, options, streams); }
+    if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, streams); }
     Tally tally;
     const std::vector<ClaimResult> results = check_claims(lesson);
     for (const ClaimResult& result : results) { ++(result.holds ? tally.held : tally.failed); }
@@ -90,7 +90,7 @@ void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
     auto options = std::make_shared<CheckOptions>();
     command->add_option("FILE", options->files, "lesson files")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_flag("--quiet", options->quiet, "show only claims that fail");
     command->footer("Example: jointwise check lessons/catalogue/loops/*.toml");
     command->callback(

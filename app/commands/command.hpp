@@ -64,18 +64,4 @@ private:
     int shown_ = -1;
 };
 
-/// Colours and emphasis for the terminal; nothing where output is piped or NO_COLOR is set.
-struct TextStyle {
-    bool coloured = false;
-    std::string bold(const std::string& text) const { return wrapped("1", text); }
-    std::string soft(const std::string& text) const { return wrapped("2", text); }
-    std::string good(const std::string& text) const { return wrapped("32", text); }
-    std::string bad(const std::string& text) const { return wrapped("31;1", text); }
-
-private:
-    std::string wrapped(const char* code, const std::string& text) const {
-        return coloured ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
-    }
-};
-
 }  // namespace jw

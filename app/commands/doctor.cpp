@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/reader.hpp"
@@ -117,9 +118,9 @@ bool only_damaged(const Diagnosis& diagnosis) {
            diagnosis.lessons.state != LessonsReport::State::missing;
 }
 
-Exit doctor(bool as_json, const SurfaceDoctor& doctor_window, const Streams& streams) {
+Exit doctor(const std::string& format, const SurfaceDoctor& doctor_window, const Streams& streams) {
     const Diagnosis diagnosis = diagnose(doctor_window);
-    if (as_json) {
+    if (format == "json") {
         streams.out << json_of(diagnosis).dump(1) << '\n';
     } else {
         streams.out << describe(diagnosis);
@@ -269,11 +270,11 @@ Json json_of(const Diagnosis& diagnosis) {
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window) {
     CLI::App* command =
         app.add_subcommand("doctor", "look whether pictures, windows and fonts work on this machine");
-    auto as_json = std::make_shared<bool>(false);
-    command->add_flag("--json", *as_json, "as JSON");
+    auto format = std::make_shared<std::string>();
+    add_format_option(*command, *format, {"text", "json"});
     command->footer("Example: jointwise doctor");
-    command->callback([as_json, doctor_window, &streams, &run] {
-        run = [as_json, doctor_window, &streams] { return doctor(*as_json, doctor_window, streams); };
+    command->callback([format, doctor_window, &streams, &run] {
+        run = [format, doctor_window, &streams] { return doctor(*format, doctor_window, streams); };
     });
 }
 

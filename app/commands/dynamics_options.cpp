@@ -7,7 +7,7 @@
 
 #include "app/commands/command.hpp"
 #include "core/dynamics/tolerances.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -15,7 +15,7 @@ namespace {
 
 std::vector<std::string> coordinate_names() {
     std::vector<std::string> names = names_of(kFormulations);
-    names.insert(names.end(), kChoices.begin(), kChoices.end());
+    std::ranges::move(words_of(kChoices), std::back_inserter(names));
     return names;
 }
 
@@ -71,8 +71,7 @@ void apply(const DynamicsOptions& options, SimulationSettings& settings) {
     if (formulation != kFormulations.end()) {
         settings.formulation = formulation->formulation;
     } else if (!options.coordinates.empty()) {
-        const auto choice = std::ranges::find(kChoices, options.coordinates) - kChoices.begin();
-        settings.dense = static_cast<CoordinateChoice>(choice);
+        settings.dense = *value_of(kChoices, options.coordinates);
     }
     refuse_what_is_not_read(options, entry_of(settings.method));
     if (options.tolerance) {

@@ -4,10 +4,12 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/describe_inspection.hpp"
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -15,26 +17,17 @@ namespace {
 
 struct InspectOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::optional<int> step;
     std::optional<double> time;
     bool as_given = false;
     bool spectrum = false;
     std::string coordinates;
-    std::string format = "text";
+    std::string format;
 };
 
-CoordinateChoice choice_of(const std::string& name, const Lesson& lesson) {
-    for (const CoordinateChoice choice :
-         {CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
-          CoordinateChoice::omega_local, CoordinateChoice::omega_global}) {
-        if (name == name_of_choice(choice)) { return choice; }
-    }
-    return lesson.coordinates;
-}
-
 Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
-    const CoordinateChoice choice = choice_of(options.coordinates, lesson);
+    const CoordinateChoice choice = value_of(kChoices, options.coordinates).value_or(lesson.coordinates);
     const Spectrum spectrum = options.spectrum ? Spectrum::always : Spectrum::of_small;
     if (options.as_given) { return inspect_as_given(lesson, choice, spectrum); }
     if (options.time) {
@@ -60,15 +53,15 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
 }
 
 Exit inspect(const InspectOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
     const Inspection inspection = inspected(options, lesson);
     if (options.format == "json") {
         Json json = json_of(inspection, lesson);
-        add_tried(json, tried.done);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << tried_text(tried.done) << describe(inspection, lesson);
+        streams.out << done_text(changed.done) << describe(inspection, lesson);
     }
     return Exit::done;
 }
@@ -80,7 +73,7 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         "inspect", "every number of the equations at one moment; default: all put together");
     auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     auto* step =
         command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
             ->check(&fault_of_step)
@@ -98,11 +91,9 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         ->add_option(
             "--coordinates", options->coordinates,
             "rp, rp-modified, omega-local or omega-global; default: the lesson's")
-        ->check(CLI::IsMember({"rp", "rp-modified", "omega-local", "omega-global"}))
+        ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer(
         "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
         "json");

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/newton_runs.hpp"
 #include "lessons/diagnostics.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -14,13 +15,13 @@ namespace {
 
 struct NewtonChoices {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string at;
     std::string compare = "methods";
     std::string coordinates;
     std::string method = "limited";
     bool without_normalisation = false;
-    std::string format = "text";
+    std::string format;
 };
 
 template <class Names>
@@ -31,10 +32,8 @@ std::size_t place_in(const Names& names, const std::string& name) {
 NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     NewtonPlan plan;
     plan.by_method = options.compare == "methods";
-    plan.choice = options.coordinates.empty()
-                      ? lesson.coordinates
-                      : static_cast<CoordinateChoice>(place_in(kChoices, options.coordinates));
-    plan.method = static_cast<NewtonMethod>(place_in(method_names(), options.method));
+    plan.choice = options.coordinates.empty() ? lesson.coordinates : *value_of(kChoices, options.coordinates);
+    plan.method = *value_of(kNewtonMethods, options.method);
     plan.normalisation_rows = !options.without_normalisation;
     return plan;
 }
@@ -65,21 +64,21 @@ int start_of(const Story& story, const std::string& at) {
 }
 
 Exit newton(const NewtonChoices& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Story story(tried.lesson, poses_only());
-    const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, tried.lesson));
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Story story(changed.lesson, poses_only());
+    const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, changed.lesson));
     if (options.format == "json") {
-        Json json = json_of(runs, tried.lesson);
-        add_tried(json, tried.done);
+        Json json = json_of(runs, changed.lesson);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
     } else if (options.format == "csv") {
-        streams.err << tried_text(tried.done);
+        streams.err << done_text(changed.done);
         streams.out << csv_of(runs.comparison.residuals);
     } else {
-        streams.out << tried.lesson.title << '\n' << tried_text(tried.done) << describe(runs);
+        streams.out << changed.lesson.title << '\n' << done_text(changed.done) << describe(runs);
     }
     const bool any = std::ranges::any_of(runs.traces, &NewtonTrace::converged);
-    if (!any) { streams.err << tried.lesson.file_name << ": " << runs.comparison.summary << '\n'; }
+    if (!any) { streams.err << changed.lesson.file_name << ": " << runs.comparison.summary << '\n'; }
     return any ? Exit::done : Exit::numerics;
 }
 
@@ -90,7 +89,7 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("newton", "Newton's method in several ways from the same start, side by side");
     auto options = std::make_shared<NewtonChoices>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--at", options->at, "the joint or driver that is closed; default: the last one")
         ->type_name("NAME");
     command->add_option("--compare", options->compare, "methods or coordinates")
@@ -98,18 +97,16 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("WHAT")
         ->capture_default_str();
     command->add_option("--coordinates", options->coordinates, "of the methods; default: the lesson's")
-        ->check(CLI::IsMember(strings(kChoices)))
+        ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
     command->add_option("--method", options->method, "by which coordinates are compared")
-        ->check(CLI::IsMember(method_names()))
+        ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->type_name("METHOD")
         ->capture_default_str();
     command->add_flag(
         "--without-normalisation", options->without_normalisation,
         "leave the rows p'p - 1 of the (r, p) choices out");
-    command->add_option("--format", options->format, "text, json or csv")
-        ->check(CLI::IsMember({"text", "json", "csv"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json", "csv"});
     command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return newton(*options, streams); }; });

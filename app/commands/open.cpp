@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
@@ -20,7 +20,7 @@ namespace {
 struct OpenOptions {
     std::string file;
     std::string at;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string size = "1280x720";
     bool dark = false;
     double text = 1.0;
@@ -37,7 +37,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
     host.choose(setup.tab);
-    if (setup.file) { host.open(*setup.file, setup.at, setup.tries); }
+    if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
     host::Screen screen(surface.gl(), host);
     // a frame for ImGui to find its sizes, and one per small picture of the browser
     constexpr int most = 2000;
@@ -46,13 +46,6 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
         screen.draw();
     }
     render::write_file_atomically(path, render::encode_png(screen.read()));
-}
-
-host::Tab tab_of(const std::string& name) {
-    if (name == "try") { return host::Tab::attempt; }
-    if (name == "plots") { return host::Tab::plot; }
-    if (name == "price") { return host::Tab::price; }
-    return name == "newton" ? host::Tab::newton : host::Tab::step;
 }
 
 Exit open(const OpenOptions& options, const Streams& streams) {
@@ -71,10 +64,10 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.text_scale = static_cast<float>(options.text);
     setup.host.width = size.width;
     setup.host.height = size.height;
-    setup.tab = tab_of(options.tab);
+    setup.tab = *value_of(host::kTabs, options.tab);
     if (!options.file.empty()) {
         // mistakes are told before a window opens
-        const Lesson lesson = lesson_of(options.file, options.tries, streams).lesson;
+        const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
         if (!options.at.empty() && !host::step_at(Story(lesson), options.at)) {
             throw CommandError(
                 Exit::bad_input,
@@ -83,7 +76,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
         }
         setup.file = options.file;
         setup.at = options.at;
-        setup.tries = options.tries;
+        setup.experiments = options.experiments;
     }
     if (!options.picture.empty()) {
         // the same picture whatever was opened before
@@ -105,7 +98,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("");
     command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
         ->type_name("STEP");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--size", options->size, "of the window")->type_name("WxH")->capture_default_str();
     command->add_flag("--dark", options->dark, "light letters on dark paper");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
@@ -113,7 +106,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("X")
         ->capture_default_str();
     command->add_option("--tab", options->tab, "beside the picture: step, try, plots, newton or price")
-        ->check(CLI::IsMember({"step", "try", "plots", "newton", "price"}))
+        ->check(CLI::IsMember(words_of(host::kTabs)))
         ->type_name("TAB")
         ->capture_default_str();
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")

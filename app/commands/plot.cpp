@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/commands/size_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/session/inspection.hpp"
 #include "app/session/series.hpp"
 #include "lessons/diagnostics.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 struct PlotOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string of = "quantities";
     std::string joint;
     std::vector<std::string> curves;
@@ -96,26 +96,26 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
         throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
     }
     check_output("--out", options.out, {options.file});
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    streams.err << tried_text(tried.done);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    streams.err << done_text(changed.done);
     StoryOptions how;
     how.with_ranks = false;
-    const Story story(tried.lesson, how);
+    const Story story(changed.lesson, how);
     const SeriesSet set = set_of(options, story);
-    if (set.at.empty() && story.failure() != nullptr) { throw not_reached(tried.lesson, *story.failure()); }
+    if (set.at.empty() && story.failure() != nullptr) { throw not_reached(changed.lesson, *story.failure()); }
     if (set.at.empty()) { throw bad("nothing to plot: " + set.why_empty); }
     panels::PlotState state;
     state.shown = chosen(set, options.curves);
     if (is_csv) {
         render::write_file_atomically(options.out, csv_of(only(set, state.shown)));
     } else {
-        const std::string title = tried.lesson.title + ": " + title_of(options.of);
+        const std::string title = changed.lesson.title + ": " + title_of(options.of);
         render::write_file_atomically(
             options.out, render::encode_png(picture_of_plot(set, state, title, size.width, size.height)));
     }
     streams.err << options.out << ": " << set.at.size() << " points\n";
     if (const Step* failed = story.failure()) {
-        streams.err << not_reached(tried.lesson, *failed).what() << '\n';
+        streams.err << not_reached(changed.lesson, *failed).what() << '\n';
         return Exit::numerics;
     }
     return Exit::done;
@@ -127,7 +127,7 @@ void add_plot(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("plot", "curves over time or iterations, as a picture or a table");
     auto options = std::make_shared<PlotOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--of", options->of, "quantities, residuals, singular-values or conditions")
         ->check(CLI::IsMember({"quantities", "residuals", "singular-values", "conditions"}))
         ->type_name("WHAT")

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
 #include "app/commands/frame_range.hpp"
 #include "app/commands/size_option.hpp"
-#include "app/commands/tries.hpp"
 #include "app/host/frame_files.hpp"
 #include "app/host/frame_painter.hpp"
 #include "app/session/pace.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 struct RenderOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string out;
     std::string size = "1280x720";
     double fps = 30.0;
@@ -47,9 +47,9 @@ int intervals_of(const Lesson& lesson, double fps) {
 
 Exit render_command(const RenderOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallest, kLargest);
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
-    streams.err << tried_text(tried.done);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
+    streams.err << done_text(changed.done);
     StoryOptions how;
     how.intervals = intervals_of(lesson, options.fps);
     const Story story(lesson, how);
@@ -73,7 +73,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
             {"size", {size.width, size.height}},
             {"fps", options.fps},
             {"frames_in_all", frames}};
-        add_tried(manifest, tried.done);
+        add_done(manifest, changed.done);
         files.finish(manifest);
     }
     const int drawn = range.last - range.first + 1;
@@ -93,7 +93,7 @@ void add_render(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("render", "draw a lesson as PNG pictures, one per step and moment");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--out", options->out, "folder for the pictures and manifest.json; made if needed")
         ->required()
         ->type_name("DIR");

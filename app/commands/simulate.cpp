@@ -5,7 +5,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
@@ -18,13 +19,13 @@ namespace {
 
 struct SimulateOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::optional<double> duration;
     std::optional<int> samples;
     std::optional<double> most_steps;
     DynamicsOptions dynamics;
     bool reactions = false;
-    std::string output = "csv";
+    std::string format;
 };
 
 DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson) {
@@ -90,9 +91,9 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
 }
 
 Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
-    streams.err << tried_text(tried.done);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
+    streams.err << done_text(changed.done);
     if (!lesson.dynamics) {
         throw CommandError(
             Exit::bad_input,
@@ -114,9 +115,9 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
     }
-    if (options.output == "json") {
+    if (options.format == "json") {
         Json json = json_of(table, lesson);
-        add_tried(json, tried.done);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
     } else {
         streams.out << csv_of(table.columns, table.rows);
@@ -141,7 +142,7 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("simulate", "motion under masses and forces, as a table");
     auto options = std::make_shared<SimulateOptions>();
     command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--duration", options->duration, "time to simulate [s]; default: the lesson's")
         ->type_name("T");
     command->add_option("--samples", options->samples, "equal intervals of the table; default 100")
@@ -153,9 +154,7 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
             "steps after which an adaptive method gives up; default one million")
         ->type_name("N");
     command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
-    command->add_option("--output", options->output, "csv or json")
-        ->check(CLI::IsMember({"csv", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"csv", "json"});
     command->footer(
         "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
         "1e-9");

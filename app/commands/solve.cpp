@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/solution.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -16,13 +18,17 @@ namespace {
 
 struct SolveOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     std::string analysis = "position";
     std::optional<double> from;
     std::optional<double> to;
     std::optional<double> step;
-    std::string format = "csv";
+    std::string format;
 };
+
+constexpr std::array kAnalyses{
+    EnumWord<Analysis>{Analysis::position, "position"}, EnumWord<Analysis>{Analysis::velocity, "velocity"},
+    EnumWord<Analysis>{Analysis::acceleration, "acceleration"}};
 
 // a table of more rows than this is a slip of a decimal point
 constexpr double kMostRows = 1e6;
@@ -30,9 +36,7 @@ constexpr double kMostRows = 1e6;
 SweepPlan plan_of(const SolveOptions& options, const Lesson& lesson) {
     const MotionPlan lesson_plan = lesson.motion.value_or(MotionPlan{});
     SweepPlan plan;
-    plan.analysis = options.analysis == "position"
-                        ? Analysis::position
-                        : (options.analysis == "velocity" ? Analysis::velocity : Analysis::acceleration);
+    plan.analysis = *value_of(kAnalyses, options.analysis);
     plan.from = options.from.value_or(lesson_plan.from);
     plan.to = options.to.value_or(std::max(lesson_plan.to, plan.from));
     plan.step = options.step.value_or((lesson_plan.to - lesson_plan.from) / lesson_plan.steps);
@@ -59,8 +63,8 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
 }
 
 void write_json(
-    const Sweep& sweep, const LessonTried& tried, const SolveOptions& options, std::ostream& out) {
-    const Lesson& lesson = tried.lesson;
+    const Sweep& sweep, const ChangedLesson& changed, const SolveOptions& options, std::ostream& out) {
+    const Lesson& lesson = changed.lesson;
     Json rows = Json::array();
     for (const SweepRow& row : sweep.rows) {
         Json entry{
@@ -83,7 +87,7 @@ void write_json(
         {"columns", sweep.columns},
         {"rows", rows},
         {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
-    add_tried(json, tried.done);
+    add_done(json, changed.done);
     out << json.dump(1) << '\n';
 }
 
@@ -125,9 +129,9 @@ void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Str
 }
 
 Exit solve_command(const SolveOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
-    streams.err << tried_text(tried.done);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
+    streams.err << done_text(changed.done);
     const SweepPlan plan = plan_of(options, lesson);
     Sweep sweep;
     {
@@ -135,7 +139,7 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
     if (options.format == "json") {
-        write_json(sweep, tried, options, streams.out);
+        write_json(sweep, changed, options, streams.out);
     } else {
         write_csv(sweep, streams.out);
     }
@@ -152,16 +156,14 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
         app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
     auto options = std::make_shared<SolveOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
-        ->check(CLI::IsMember({"position", "velocity", "acceleration"}))
+        ->check(CLI::IsMember(words_of(kAnalyses)))
         ->type_name("WHAT");
     command->add_option("--from", options->from, "first time [s]; default: the lesson's")->type_name("T");
     command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");
     command->add_option("--step", options->step, "interval [s]; default: the lesson's")->type_name("T");
-    command->add_option("--format", options->format, "csv or json")
-        ->check(CLI::IsMember({"csv", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"csv", "json"});
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "

@@ -1,7 +1,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/describe.hpp"
 #include "app/session/inspection.hpp"
 #include "app/session/json.hpp"
@@ -12,9 +13,9 @@ namespace {
 
 struct StepOptions {
     std::string file;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     int until = -1;
-    std::string format = "text";
+    std::string format;
 };
 
 constexpr int kWidth = 100;
@@ -37,8 +38,8 @@ std::vector<int> told_steps(const Story& story, int until) {
 }
 
 Exit step(const StepOptions& options, const Streams& streams) {
-    const LessonTried tried = lesson_of(options.file, options.tries, streams);
-    const Lesson& lesson = tried.lesson;
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    const Lesson& lesson = changed.lesson;
     ProgressBar bar(streams, "following the motion");
     StoryOptions how;
     how.progress = [&](double fraction) { bar.show(fraction); };
@@ -55,13 +56,13 @@ Exit step(const StepOptions& options, const Streams& streams) {
     if (exit == Exit::numerics) { streams.err << not_reached(lesson, *story.failure()).what() << '\n'; }
     if (options.format == "json") {
         Json json = json_of(story, until);
-        add_tried(json, tried.done);
+        add_done(json, changed.done);
         streams.out << json.dump(1) << '\n';
         return exit;
     }
     streams.out << lesson.title << '\n';
     if (!lesson.source.empty()) { streams.out << lesson.source << '\n'; }
-    streams.out << tried_text(tried.done) << '\n';
+    streams.out << done_text(changed.done) << '\n';
     for (const int k : told_steps(story, until)) {
         streams.out << describe(view_of(story, k, ViewParts::without_matrix), kWidth) << '\n';
     }
@@ -74,13 +75,11 @@ void add_step(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("step", "tell a lesson joint by joint");
     auto options = std::make_shared<StepOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
+    add_try_option(*command, options->experiments);
     command->add_option("--until", options->until, "last step to show")
         ->check(&fault_of_step)
         ->type_name("N");
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return step(*options, streams); }; });

@@ -59,18 +59,6 @@ render::Camera test_camera() {
     return camera;
 }
 
-render::Image draw(const render::GlFunctions& gl, render::RenderTargets& targets) {
-    render::Scene scene;
-    for (const Ball& ball : balls()) {
-        scene.shapes.push_back({render::Sphere{ball.centre, ball.radius}, ball.colour});
-    }
-    const render::SceneRenderer renderer(gl);
-    targets.begin_3d();
-    renderer.draw(scene, test_camera(), whole(), targets.size());
-    targets.begin_2d();
-    return targets.read();
-}
-
 /// Which channel is stronger than the next: hue without light.
 template <class Channel>
 std::array<bool, 2> hue_of(Channel r, Channel g, Channel b) {
@@ -90,9 +78,16 @@ std::string text_of(const render::GlFunctions& gl, GLenum name) {
 
 }  // namespace
 
-render::Image draw_test_picture(const render::GlFunctions& gl) {
-    render::RenderTargets targets(gl, kTestWidth, kTestHeight);
-    return draw(gl, targets);
+render::Image draw_test_picture(const render::GlFunctions& gl, render::RenderTargets& targets) {
+    render::Scene scene;
+    for (const Ball& ball : balls()) {
+        scene.shapes.push_back({render::Sphere{ball.centre, ball.radius}, ball.colour});
+    }
+    const render::SceneRenderer renderer(gl);
+    targets.begin_3d();
+    renderer.draw(scene, test_camera(), whole(), targets.size());
+    targets.begin_2d();
+    return targets.read();
 }
 
 std::string fault_of(const render::Image& picture) {
@@ -123,7 +118,7 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report) {
     try {
         render::RenderTargets targets(gl, kTestWidth, kTestHeight);
         report.samples = targets.samples();
-        report.problem = fault_of(draw(gl, targets));
+        report.problem = fault_of(draw_test_picture(gl, targets));
     } catch (const std::exception& error) { report.problem = error.what(); }
     report.state = report.problem.empty() ? SurfaceReport::State::right : SurfaceReport::State::draws_wrong;
     if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may do"; }

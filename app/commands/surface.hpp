@@ -6,6 +6,7 @@
 
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
+#include "render/render_targets.hpp"
 
 /// Whether a surface, memory or a window, can be drawn on: for `jointwise doctor`.
 namespace jw {
@@ -59,9 +60,9 @@ using SurfaceDoctor = std::function<SurfaceReport()>;
 /// The test picture: three balls at the corners of a triangle, and one before another in the middle.
 inline constexpr int kTestWidth = 160;
 inline constexpr int kTestHeight = 120;
-/// Draws it with the context that is current.
+/// Draws it with the context that is current, on `targets` of its size.
 /// @throws std::runtime_error with the driver's words
-render::Image draw_test_picture(const render::GlFunctions& gl);
+render::Image draw_test_picture(const render::GlFunctions& gl, render::RenderTargets& targets);
 /// What is wrong with a test picture, empty if nothing is.
 std::string fault_of(const render::Image& picture);
 

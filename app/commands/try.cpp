@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/tries.hpp"
-#include "app/session/experiments.hpp"
-#include "app/session/trial.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
+#include "app/session/carry_out.hpp"
+#include "app/session/possible_experiments.hpp"
 
 namespace jw {
 
@@ -11,22 +12,22 @@ namespace {
 
 struct TryOptions {
     std::string file;
-    std::vector<std::string> tries;
-    std::string format = "text";
+    std::vector<std::string> experiments;
+    std::string format;
 };
 
 Exit try_command(const TryOptions& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
     Session session(lesson);
     session.apply(GoTo{session.story().last_assembled()});
-    const std::vector<std::string> done = try_all(session, options.tries);
-    const Experiments experiments = experiments_of(session);
+    const std::vector<std::string> done = carry_out_all(session, options.experiments);
+    const PossibleExperiments experiments = possible_experiments_of(session);
     if (options.format == "json") {
         Json json = json_of(experiments, lesson);
-        add_tried(json, done);
+        add_done(json, done);
         streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << tried_text(done) << describe(experiments, lesson);
+        streams.out << done_text(done) << describe(experiments, lesson);
     }
     return Exit::done;
 }
@@ -38,10 +39,8 @@ void add_try(CLI::App& app, const Streams& streams, Run& run) {
         "try", "what can be tried in a lesson, and what it would do to rank and condition");
     auto options = std::make_shared<TryOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->tries);
-    command->add_option("--format", options->format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->type_name("FORMAT");
+    add_try_option(*command, options->experiments);
+    add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return try_command(*options, streams); }; });

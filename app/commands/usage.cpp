@@ -74,6 +74,7 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
+        if (option->get_group().empty()) { continue; }  // hidden: what nobody should learn
         for (const std::string& name : option->get_lnames()) { names.push_back("--" + name); }
     }
     return names;

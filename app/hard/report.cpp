@@ -1,8 +1,9 @@
 #include "app/hard/report.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "app/session/text_table.hpp"
 
 namespace jw::hard {
 
@@ -35,23 +36,6 @@ std::string bound_text(const std::optional<Bounded>& number) {
     return number ? bounds_text(number->bounds) : "";
 }
 
-/// In a table of Markdown "|" would begin a new cell.
-std::string cell_text(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '|') { out += '\\'; }
-        out += c;
-    }
-    return out;
-}
-
-std::string padded(std::string text, std::size_t columns) {
-    const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-    const auto width = static_cast<std::size_t>(std::ranges::count_if(text, is_letter));
-    if (width < columns) { text.append(columns - width, ' '); }
-    return text;
-}
-
 }  // namespace
 
 std::vector<std::string> broken_bounds(const Result& result) {
@@ -73,11 +57,11 @@ std::string text_of(const Case& hard_case, const Result& result) {
                       std::string(hard_case.hard) + "\n";
     out += "  naive      " + std::string(hard_case.naive_method) + ": " + result.naive + "\n";
     out += "  Jointwise  " + std::string(hard_case.our_method) + ": " + result.ours + "\n";
-    out += "  " + padded("", 52) + padded("naive", 11) + padded("Jointwise", 11) + "asked for\n";
+    TextRows table{{"", "naive", "Jointwise", "asked for"}};
     for (const Measurement& m : result.measurements) {
-        out += "  " + padded(m.what, 52) + padded(value_text(m.naive), 11) + padded(value_text(m.ours), 11) +
-               bound_text(m.ours) + "\n";
+        table.push_back({m.what, value_text(m.naive), value_text(m.ours), bound_text(m.ours)});
     }
+    out += text_table(table, {{false, 52, 2}, {false, 11, 0}, {false, 11, 0}, {false, 0, 0}});
     return out + "  lesson     lessons/catalogue/" + std::string(hard_case.lesson) + "\n\n";
 }
 
@@ -89,15 +73,15 @@ std::string markdown_of(const Case& hard_case, const Result& result) {
     out += "- Lesson: [" + lesson + "](../lessons/catalogue/" + lesson + ")\n\n";
     out += "| | naive | Jointwise | asked of Jointwise |\n| --- | --- | --- | --- |\n";
     for (const Measurement& m : result.measurements) {
-        out += "| " + cell_text(m.what) + " | " + value_text(m.naive) + " | " + value_text(m.ours) + " | " +
-               bound_text(m.ours) + " |\n";
+        out += "| " + markdown_cell(m.what) + " | " + value_text(m.naive) + " | " + value_text(m.ours) +
+               " | " + bound_text(m.ours) + " |\n";
     }
     return out + "\n";
 }
 
 std::string markdown_head() {
     return "# Hard cases\n\n"
-           "Written by `./dev run bench --hard --output markdown`; do not edit. Each case runs a naive "
+           "Written by `./dev run bench --hard --format markdown`; do not edit. Each case runs a naive "
            "method and\n"
            "Jointwise on the same mechanism. What is asked of the numbers is asked by a test as well\n"
            "(`tests/app/hard_cases_test.cpp`), of the naive ones too: where the naive method stopped "

@@ -1,7 +1,6 @@
 #include "app/host/catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
@@ -20,9 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kMostShown = 5;  // a row of cards
-// in which a course meets them
-constexpr std::array<std::string_view, 8> kChapters{"vectors", "parallel", "joints", "links",
-                                                    "loops",   "screws",   "hard",   "dynamics"};
 
 CatalogueEntry entry_of(const fs::path& path) {
     CatalogueEntry entry;
@@ -38,11 +34,6 @@ CatalogueEntry entry_of(const fs::path& path) {
     entry.source = read.lesson->source;
     entry.text = read.lesson->text;
     return entry;
-}
-
-std::size_t order_of(const CatalogueEntry& entry) {
-    const std::string folder = entry.path.parent_path().filename().string();
-    return static_cast<std::size_t>(std::ranges::find(kChapters, folder) - kChapters.begin());
 }
 
 std::string lower(std::string text) {
@@ -70,7 +61,7 @@ std::vector<CatalogueEntry> catalogue_of(
     add(recent, "Opened last");
     std::vector<CatalogueEntry> shipped;
     for (const fs::path& path : lessons_below(folder)) { shipped.push_back(entry_of(path)); }
-    std::ranges::stable_sort(shipped, {}, order_of);
+    std::ranges::stable_sort(shipped, {}, [](const CatalogueEntry& e) { return chapter_place(e.path); });
     std::ranges::move(shipped, std::back_inserter(entries));
     return entries;
 }

@@ -19,7 +19,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::slower, Group::timeline, "Slower", ",", Key::none, ','},
 
     CommandInfo{Command::tab_step, Group::panels, "This step: equations, Φq, rank", "1", Key::none, '1'},
-    CommandInfo{Command::tab_try, Group::panels, "Try it: change the lesson", "2", Key::none, '2'},
+    CommandInfo{Command::tab_experiments, Group::panels, "Try it: change the lesson", "2", Key::none, '2'},
     CommandInfo{Command::tab_plot, Group::panels, "Plots", "3", Key::none, '3'},
     CommandInfo{Command::tab_newton, Group::panels, "Newton-Raphson, compared", "4", Key::none, '4'},
     CommandInfo{Command::tab_price, Group::panels, "Price: what a digit costs", "5", Key::none, '5'},

@@ -22,7 +22,7 @@ enum class Command {
     slower,
     // what stands beside the picture
     tab_step,
-    tab_try,
+    tab_experiments,
     tab_plot,
     tab_newton,
     tab_price,

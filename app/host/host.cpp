@@ -1,6 +1,7 @@
 #include "app/host/host.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -11,8 +12,8 @@
 #include "app/host/browser.hpp"
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
+#include "app/session/carry_out.hpp"
 #include "app/session/picture_camera.hpp"
-#include "app/session/trial.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {
@@ -78,7 +79,7 @@ Host::Host(HostSetup setup)
 Host::~Host() { ImGui::DestroyContext(context_); }
 
 bool Host::open(
-    const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& tries) {
+    const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& experiments) {
     const ReadResult read = read_lesson_file(path);
     if (!read.lesson) {
         file_errors_ = read.report();
@@ -96,13 +97,13 @@ bool Host::open(
     state_.browser = false;
     state_.playing = false;
     state_.pointed_at = {};
-    state_.try_joint = -1;
-    state_.try_driver = 0;
+    state_.experiment_joint = -1;
+    state_.experiment_driver = 0;
     state_.freedom = -1;
     step_waited_ = 0.0;
     picture_of_ = 0;
-    benches_ = {.price = PriceBench(path)};  // what they remember is of the lesson before
-    for (const std::string& text : tries) { say(try_out(*session_, text).said); }
+    tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
+    for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
     settle_ = 2;
@@ -207,19 +208,13 @@ void Host::act_on(const InputEvent& event) {
 
 bool Host::act_in_panel(const InputEvent& event) {
     if (event.kind != InputEvent::Kind::key) { return false; }
-    switch (event.key) {
-        case Key::escape:
-            if (!ImGui::GetIO().WantTextInput) { use_panel_keys(false); }
-            return true;
-        case Key::left:
-        case Key::right:
-        case Key::up:
-        case Key::down:
-        case Key::space:
-        case Key::enter:
-        case Key::tab: return true;  // ImGui moves among its widgets
-        default: return false;
+    if (event.key == Key::escape) {
+        if (!ImGui::GetIO().WantTextInput) { use_panel_keys(false); }
+        return true;
     }
+    // ImGui moves among its widgets
+    constexpr std::array moving{Key::left, Key::right, Key::up, Key::down, Key::space, Key::enter, Key::tab};
+    return std::ranges::find(moving, event.key) != moving.end();
 }
 
 bool Host::act_in_browser(const InputEvent& event) {
@@ -231,29 +226,34 @@ bool Host::act_in_browser(const InputEvent& event) {
         state_.chosen_lesson = -1;
         return true;
     }
-    switch (event.key) {
-        case Key::left:
-        case Key::up: move_choice(state_, entries_, -1); return true;
-        case Key::right:
-        case Key::down: move_choice(state_, entries_, 1); return true;
-        case Key::backspace:
-            if (!ImGui::GetIO().WantTextInput && !state_.search.empty()) { state_.search.pop_back(); }
-            return true;
-        case Key::escape:
-            if (!state_.search.empty()) {
-                state_.search.clear();
-            } else if (session_) {
-                state_.browser = false;
-            }
-            return true;
-        case Key::enter:
-            if (state_.chosen_lesson < 0) { move_choice(state_, entries_, 1); }
-            if (state_.chosen_lesson >= 0) {
-                open(entries_[static_cast<std::size_t>(state_.chosen_lesson)].path);
-            }
-            return true;
-        default: return false;
+    const Key key = event.key;
+    if (key == Key::left || key == Key::up) {
+        move_choice(state_, entries_, -1);
+    } else if (key == Key::right || key == Key::down) {
+        move_choice(state_, entries_, 1);
+    } else if (key == Key::backspace) {
+        if (!ImGui::GetIO().WantTextInput && !state_.search.empty()) { state_.search.pop_back(); }
+    } else if (key == Key::escape) {
+        leave_search_or_browser();
+    } else if (key == Key::enter) {
+        open_chosen_lesson();
+    } else {
+        return false;
     }
+    return true;
+}
+
+void Host::leave_search_or_browser() {
+    if (!state_.search.empty()) {
+        state_.search.clear();
+    } else if (session_) {
+        state_.browser = false;
+    }
+}
+
+void Host::open_chosen_lesson() {
+    if (state_.chosen_lesson < 0) { move_choice(state_, entries_, 1); }
+    if (state_.chosen_lesson >= 0) { open(entries_[static_cast<std::size_t>(state_.chosen_lesson)].path); }
 }
 
 }  // namespace jw::host

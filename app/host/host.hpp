@@ -46,11 +46,11 @@ public:
     void choose(Tab tab) { state_.tab = tab; }
 
     /// Opens a lesson file at a step; without it the lessons are shown.
-    /// @param tries  experiments to begin with, see app/session/trial.hpp
+    /// @param experiments  to begin with, see app/session/carry_out.hpp
     /// @return false if it has mistakes: they are shown, and what was open stays
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
-        const std::vector<std::string>& tries = {});
+        const std::vector<std::string>& experiments = {});
 
     /// Size of the picture in pixels of the framebuffer.
     void resize(int width, int height);
@@ -121,6 +121,8 @@ private:
     void take_events();
     void act_on(const InputEvent& event);
     bool act_in_browser(const InputEvent& event);
+    void leave_search_or_browser();
+    void open_chosen_lesson();
     bool act_in_panel(const InputEvent& event);
     void use_panel_keys(bool on);
     void draw_interface();
@@ -130,11 +132,16 @@ private:
     void draw_messages(const Ui& ui);
     void carry_out(Requests requests);
     void carry_out(Command command);
-    void carry_out_view(Command command);
+    int last_step() const;
+    void play_or_pause();
+    void let_go();
+    void change_tone();
+    void change_text(float by);
+    void show_or_leave_browser();
     void forget_what_is_pointed_at();
     void go_to(int step);
     void go_to_joint(int direction);
-    void apply(const Action& action);
+    void apply(const Experiment& experiment);
     void advance(double seconds);
     void advance_play(double seconds);
     void advance_freedom(double seconds);
@@ -170,7 +177,7 @@ private:
 
     UiState state_;
     SceneHand hand_;
-    Benches benches_;
+    Tabs tabs_;
     Picker pick_;
     InputQueue events_;
     std::vector<panels::HotSpot> spots_;

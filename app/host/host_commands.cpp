@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -16,6 +17,8 @@ namespace jw::host {
 
 namespace {
 
+using render::StandardView;
+
 constexpr double kTurn = 0.15;  // [rad] per key
 constexpr double kZoom = 1.2;
 constexpr double kMessageSeconds = 6.0;
@@ -28,8 +31,18 @@ constexpr double kMeasuring = 0.25;
 constexpr double kMoving = 1.0 / 60.0;
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
+constexpr float kTextStep = 0.125F;
 
-bool is_view(Command c) { return c >= Command::fit && c <= Command::zoom_out; }
+bool needs_lesson(Command command) {
+    constexpr std::array always{Command::dark,    Command::larger_text, Command::smaller_text,
+                                Command::lessons, Command::help,        Command::quit};
+    return std::ranges::find(always, command) == always.end();
+}
+
+Tab tab_after(Tab tab) {
+    const auto* const now = std::ranges::find(kTabs, tab, &EnumWord<Tab>::value);
+    return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
+}
 
 }  // namespace
 
@@ -38,18 +51,18 @@ void Host::carry_out(Requests requests) {
         state_.lit_rows = std::move(requests.lit_rows);
         settle_ = 2;
     }
-    for (const Action& action : requests.actions) { apply(action); }
+    for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
     if (requests.copy) { copy(*requests.copy, "Copied."); }
     if (requests.open) { open(*requests.open); }
 }
 
-void Host::apply(const Action& action) {
+void Host::apply(const Experiment& experiment) {
     if (!session_) { return; }
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
     try {
-        say(session_->apply(action));
+        say(session_->apply(experiment));
     } catch (const std::exception& error) {
         // the lesson is as it was before
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -91,84 +104,29 @@ void Host::go_to_joint(int direction) {
 
 void Host::carry_out(Command command) {
     settle_ = 2;
+    if (needs_lesson(command) && !shows_lesson()) { return; }
     switch (command) {
-        case Command::help: state_.help = !state_.help; return;
-        case Command::quit: close_ = true; return;
-        case Command::dark:
-            state_.dark = !state_.dark;
-            set_style(ImGui::GetStyle(), scale_, state_.dark);
-            ++picture_version_;
-            return;
-        case Command::larger_text:
-        case Command::smaller_text: {
-            const float by = command == Command::larger_text ? 0.125F : -0.125F;
-            state_.text_scale = std::clamp(state_.text_scale + by, kSmallestText, kLargestText);
-            new_text_scale_ = true;
-            return;
-        }
-        case Command::lessons:
-            if (state_.browser && !session_) { return; }
-            state_.playing = false;
-            if (state_.browser) {
-                state_.browser = false;
-            } else {
-                show_browser();
-            }
-            return;
-        default: break;
-    }
-    if (!shows_lesson()) { return; }
-    if (is_view(command)) { return carry_out_view(command); }
-    const int now = session_->index();
-    const int last = static_cast<int>(session_->story().steps().size()) - 1;
-    switch (command) {
-        case Command::next: state_.playing = false; return go_to(now + 1);
-        case Command::back: state_.playing = false; return go_to(now - 1);
-        case Command::play:
-            state_.playing = !state_.playing;
-            if (state_.playing && now == last) { go_to(0); }
-            step_waited_ = 0.0;
-            return;
+        case Command::next: state_.playing = false; return go_to(session_->index() + 1);
+        case Command::back: state_.playing = false; return go_to(session_->index() - 1);
+        case Command::play: return play_or_pause();
         case Command::next_joint: return go_to_joint(1);
         case Command::previous_joint: return go_to_joint(-1);
         case Command::first: return go_to(0);
-        case Command::last: return go_to(last);
+        case Command::last: return go_to(last_step());
         case Command::faster: state_.speed = std::min(4.0, 2.0 * state_.speed); return;
         case Command::slower: state_.speed = std::max(0.25, 0.5 * state_.speed); return;
         case Command::tab_step: state_.tab = Tab::step; return;
-        case Command::tab_try: state_.tab = Tab::attempt; return;
+        case Command::tab_experiments: state_.tab = Tab::experiments; return;
         case Command::tab_plot: state_.tab = Tab::plot; return;
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
-        case Command::next_tab:
-            state_.tab = static_cast<Tab>((static_cast<int>(state_.tab) + 1) % kTabs);
-            return;
+        case Command::next_tab: state_.tab = tab_after(state_.tab); return;
         case Command::panel_keys: return use_panel_keys(!state_.panel_keys);
         case Command::undo: return apply(Undo{});
         case Command::redo: return apply(Redo{});
         case Command::start_over: return apply(StartOver{});
         case Command::play_freedom: return next_freedom();
-        case Command::let_go:
-            task_ = Task::none;
-            state_.freedom = -1;
-            file_errors_.clear();
-            return apply(LetGo{});
-        case Command::reload:
-            saved_ = {};
-            look_at_file();
-            return;
-        case Command::save_picture: task_ = Task::save_picture; return;
-        case Command::record: task_ = Task::record; return;
-        case Command::save_lesson: return save_lesson();
-        case Command::save_csv: return save_csv();
-        default: break;
-    }
-    copy_view(command);
-}
-
-void Host::carry_out_view(Command command) {
-    using render::StandardView;
-    switch (command) {
+        case Command::let_go: return let_go();
         case Command::fit: return fit_camera(false);
         case Command::view_front: return hand_.show(StandardView::front);
         case Command::view_back: return hand_.show(StandardView::back);
@@ -183,7 +141,59 @@ void Host::carry_out_view(Command command) {
         case Command::turn_down: return hand_.turn(0.0, kTurn);
         case Command::zoom_in: return hand_.zoom(kZoom, layout_.scene, scene_size());
         case Command::zoom_out: return hand_.zoom(1.0 / kZoom, layout_.scene, scene_size());
-        default: return;
+        case Command::dark: return change_tone();
+        case Command::larger_text: return change_text(kTextStep);
+        case Command::smaller_text: return change_text(-kTextStep);
+        case Command::lessons: return show_or_leave_browser();
+        case Command::reload:
+            saved_ = {};
+            look_at_file();
+            return;
+        case Command::save_picture: task_ = Task::save_picture; return;
+        case Command::record: task_ = Task::record; return;
+        case Command::save_lesson: return save_lesson();
+        case Command::copy_equation:
+        case Command::copy_matrix:
+        case Command::copy_matrix_csv: return copy_view(command);
+        case Command::save_csv: return save_csv();
+        case Command::help: state_.help = !state_.help; return;
+        case Command::quit: close_ = true; return;
+    }
+}
+
+int Host::last_step() const { return static_cast<int>(session_->story().steps().size()) - 1; }
+
+void Host::play_or_pause() {
+    state_.playing = !state_.playing;
+    if (state_.playing && session_->index() == last_step()) { go_to(0); }
+    step_waited_ = 0.0;
+}
+
+void Host::let_go() {
+    task_ = Task::none;
+    state_.freedom = -1;
+    file_errors_.clear();
+    apply(LetGo{});
+}
+
+void Host::change_tone() {
+    state_.dark = !state_.dark;
+    set_style(ImGui::GetStyle(), scale_, state_.dark);
+    ++picture_version_;
+}
+
+void Host::change_text(float by) {
+    state_.text_scale = std::clamp(state_.text_scale + by, kSmallestText, kLargestText);
+    new_text_scale_ = true;
+}
+
+void Host::show_or_leave_browser() {
+    if (state_.browser && !session_) { return; }
+    state_.playing = false;
+    if (state_.browser) {
+        state_.browser = false;
+    } else {
+        show_browser();
     }
 }
 
@@ -192,7 +202,7 @@ void Host::use_panel_keys(bool on) {
     state_.panel_keys = on;
     if (on) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        if (state_.tab == Tab::step) { state_.tab = Tab::attempt; }
+        if (state_.tab == Tab::step) { state_.tab = Tab::experiments; }
         ImGui::SetWindowFocus(area_of(state_.tab));
         say("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
     } else {
@@ -258,7 +268,7 @@ double Host::seconds_to_change() const {
     double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
     if (!shows_lesson()) { return due; }
     if (state_.freedom >= 0) { return kMoving; }
-    if (benches_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     if (state_.playing) {
         const double step = seconds_of_step(session_->story(), session_->view());
         due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));

@@ -42,11 +42,11 @@ Pointed pointed_at(const std::vector<panels::HotSpot>& spots, const ImVec2& mous
     Pointed found;
     for (const panels::HotSpot& spot : spots) {
         if (!spot.box.contains(panels::Point{mouse.x, mouse.y})) { continue; }
-        switch (spot.link.kind) {
-            case Pointable::Kind::row: found.row = spot.link; break;
-            case Pointable::Kind::column: found.column = spot.link; break;
-            default: found.other = spot.link; break;
-        }
+        const Pointable::Kind kind = spot.link.kind;
+        Pointable& under = kind == Pointable::Kind::row      ? found.row
+                           : kind == Pointable::Kind::column ? found.column
+                                                             : found.other;
+        under = spot.link;
     }
     return found;
 }
@@ -92,8 +92,11 @@ std::string tip_of(const Session& session, const Pointable& link) {
             return std::string("fixed in body ") + (link.part == Pointable::kVectorI ? "i: " : "j: ") +
                    mechanism.bodies[static_cast<std::size_t>(body)].name;
         }
-        default: return {};
+        case Pointable::Kind::none:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
     }
+    return {};
 }
 
 /// That the pose is not one of the lesson.
@@ -154,7 +157,7 @@ void Host::draw_lesson(const LessonUi& ui) {
     panels::draw_title(ui.canvas, layout_.title, view);
     panels::draw_caption(ui.canvas, layout_.caption, view);
     if (session_->in_hand()) { draw_badge(ui.canvas, panels::box_of(layout_.scene)); }
-    side_column(ui, layout_, benches_);
+    side_column(ui, layout_, tabs_);
     timeline_bar(ui, bar_);
 
     // what is under the pointer now is lit in the next frame
@@ -193,16 +196,16 @@ void Host::draw_messages(const Ui& ui) {
 
 const Picture& Host::picture() {
     if (!session_) { return picture_; }
-    const std::span<const State> ghosts = benches_.newton.ghosts(session_->told());
+    const std::span<const State> ghosts = tabs_.newton.ghosts(session_->told());
     const bool same_ghosts =
-        picture_ghosts_ == benches_.newton.version() && picture_has_ghosts_ == !ghosts.empty();
+        picture_ghosts_ == tabs_.newton.version() && picture_has_ghosts_ == !ghosts.empty();
     if (picture_of_ == session_->version() && picture_link_ == state_.pointed_at && same_ghosts &&
         picture_rows_ == state_.lit_rows) {
         return picture_;
     }
     picture_ = session_->picture();
     add_ghosts(session_->lesson(), session_->style(), ghosts, picture_);
-    picture_ghosts_ = benches_.newton.version();
+    picture_ghosts_ = tabs_.newton.version();
     picture_has_ghosts_ = !ghosts.empty();
     if (picture_of_ != session_->version()) { ++pose_version_; }
     picture_of_ = session_->version();

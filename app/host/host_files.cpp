@@ -43,9 +43,9 @@ void Host::keep_unsaved() {
 }
 
 void Host::save_csv() {
-    const std::filesystem::path path = free_name(std::string("-") + benches_.plot.name() + ".csv");
+    const std::filesystem::path path = free_name(std::string("-") + tabs_.plot.name() + ".csv");
     std::string error;
-    const bool written = write_lesson_file(path, benches_.plot.csv(*session_), error);
+    const bool written = write_lesson_file(path, tabs_.plot.csv(*session_), error);
     say(written ? "Saved " + path.string() : "Not saved: " + error);
 }
 

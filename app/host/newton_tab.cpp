@@ -8,6 +8,7 @@
 #include "app/host/widgets.hpp"
 #include "app/panels/newton_comparison.hpp"
 #include "app/session/labels.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw::host {
 
@@ -15,11 +16,6 @@ namespace {
 
 using panels::Box;
 
-constexpr NewtonMethod kMethods[] = {
-    NewtonMethod::stepwise_limited, NewtonMethod::plain, NewtonMethod::damped,
-    NewtonMethod::levenberg_marquardt};
-constexpr const char* kMethodTexts[] = {
-    "turns limited to 0.5 rad", "plain Newton", "damped (line search)", "Levenberg-Marquardt"};
 // more ghosts than this hide each other
 constexpr std::size_t kMostGhosts = 12;
 
@@ -35,18 +31,18 @@ int start_of_solve(const Session& session) {
 }
 
 void choose_method(float width, NewtonMethod& method) {
-    const auto* const now = std::ranges::find(kMethods, method);
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##method", kMethodTexts[now - std::begin(kMethods)])) { return; }
-    for (std::size_t k = 0; k < std::size(kMethods); ++k) {
-        if (ImGui::Selectable(kMethodTexts[k], kMethods[k] == method)) { method = kMethods[k]; }
+    if (!ImGui::BeginCombo("##method", label_of(kNewtonMethods, method))) { return; }
+    const NewtonMethod before = method;
+    for (const auto& [value, word, label] : kNewtonMethods) {
+        if (ImGui::Selectable(label, value == before)) { method = value; }
     }
     ImGui::EndCombo();
 }
 
 }  // namespace
 
-void NewtonBench::controls(const LessonUi& ui) {
+void NewtonTab::controls(const LessonUi& ui) {
     if (choice_of_ != ui.session.told()) {
         choice_of_ = ui.session.told();
         choice_ = ui.session.lesson().coordinates;
@@ -66,7 +62,7 @@ void NewtonBench::controls(const LessonUi& ui) {
     ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
 }
 
-void NewtonBench::compute(const Session& session, int start) {
+void NewtonTab::compute(const Session& session, int start) {
     const NewtonPlan plan{compared_ == Compared::methods, choice_, method_, normalisation_};
     const Key key{session.told(), start, plan};
     if (key == key_) { return; }
@@ -75,7 +71,7 @@ void NewtonBench::compute(const Session& session, int start) {
     choose(chosen_);
 }
 
-void NewtonBench::choose(int run) {
+void NewtonTab::choose(int run) {
     ghosts_.clear();
     ++version_;
     if (runs_.traces.empty()) { return; }
@@ -85,7 +81,7 @@ void NewtonBench::choose(int run) {
     }
 }
 
-void NewtonBench::draw(const LessonUi& ui, const Box& box) {
+void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     Area area(ui, "newton", box);
     const int start = start_of_solve(ui.session);
     if (start < 0) {
@@ -106,7 +102,7 @@ void NewtonBench::draw(const LessonUi& ui, const Box& box) {
     ImGui::TextUnformatted("Iterates in the picture:");
     for (int run = 0; run < static_cast<int>(runs_.comparison.rows.size()); ++run) {
         const auto way = static_cast<std::size_t>(run);
-        const char* const text = key_.plan.by_method ? kMethodTexts[way] : text_of(kCoordinateChoices[way]);
+        const char* const text = key_.plan.by_method ? kNewtonMethods[way].label : kChoices[way].label;
         if (ImGui::RadioButton(text, chosen_ == run)) { choose(run); }
         if (run % 2 == 0) { ImGui::SameLine(ui.px(240.0F)); }
     }

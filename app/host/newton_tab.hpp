@@ -11,7 +11,7 @@
 namespace jw::host {
 
 /// "Newton": the same start, several methods or coordinates side by side; the iterates of one as ghosts.
-class NewtonBench {
+class NewtonTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
 

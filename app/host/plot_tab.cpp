@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
 #include "app/panels/parts.hpp"
 
@@ -16,18 +16,14 @@ namespace {
 using panels::Box;
 using panels::Point;
 
-constexpr const char* kTopicTexts[] = {
-    "Quantities over time", "‖Φ‖ over all iterations", "Singular values over time",
-    "Condition of the pairs over time"};
-constexpr const char* kTopicNames[] = {"quantities", "residuals", "singular-values", "conditions"};
 constexpr double kZoomPerNotch = 1.25;
 constexpr float kReach = 12.0F;  // pixels at 720
 
 }  // namespace
 
-const char* PlotBench::name() const { return kTopicNames[static_cast<std::size_t>(topic_)]; }
+const char* PlotTab::name() const { return word_of(kTopics, topic_); }
 
-const SeriesSet& PlotBench::set(const Session& session, int joint) {
+const SeriesSet& PlotTab::set(const Session& session, int joint) {
     if (told_ != session.told()) {
         // told anew: numbers are others, what was chosen to be seen stays
         told_ = session.told();
@@ -51,9 +47,9 @@ const SeriesSet& PlotBench::set(const Session& session, int joint) {
     return *set;
 }
 
-std::string PlotBench::csv(const Session& session) { return csv_of(set(session, joint_)); }
+std::string PlotTab::csv(const Session& session) { return csv_of(set(session, joint_)); }
 
-void PlotBench::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
+void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
     if (ImGui::Button("Curves")) { ImGui::OpenPopup("curves"); }
     if (!ImGui::BeginPopup("curves")) { return; }
     std::vector<int> chosen = panels::shown_series(shown, state());
@@ -78,15 +74,14 @@ void PlotBench::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
     ImGui::EndPopup();
 }
 
-void PlotBench::controls(const LessonUi& ui, const SeriesSet& shown) {
-    const auto now = static_cast<int>(topic_);
+void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float buttons = ImGui::CalcTextSize("CurvesAllCSV").x + 6.0F * style.FramePadding.x +
                           3.0F * style.ItemSpacing.x + 1.0F;
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
-    if (ImGui::BeginCombo("##topic", kTopicTexts[now])) {
-        for (int k = 0; k < kTopics; ++k) {
-            if (ImGui::Selectable(kTopicTexts[k], k == now)) { topic_ = static_cast<Topic>(k); }
+    if (const Topic now = topic_; ImGui::BeginCombo("##topic", label_of(kTopics, now))) {
+        for (const auto& [topic, word, label] : kTopics) {
+            if (ImGui::Selectable(label, topic == now)) { topic_ = topic; }
         }
         ImGui::EndCombo();
     }
@@ -99,7 +94,7 @@ void PlotBench::controls(const LessonUi& ui, const SeriesSet& shown) {
     command_button(ui, Command::save_csv, "CSV");
 }
 
-void PlotBench::handle(const LessonUi& ui, const panels::PlotLayout& layout, const SeriesSet& shown) {
+void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const SeriesSet& shown) {
     const ImGuiIO& io = ImGui::GetIO();
     const Point mouse{io.MousePos.x, io.MousePos.y};
     ImGui::SetCursorScreenPos({layout.box.x, layout.box.y});
@@ -130,8 +125,8 @@ void PlotBench::handle(const LessonUi& ui, const panels::PlotLayout& layout, con
     }
 }
 
-void PlotBench::draw(const LessonUi& ui, const Box& box) {
-    const SeriesSet& shown = set(ui.session, try_joint_of(ui));
+void PlotTab::draw(const LessonUi& ui, const Box& box) {
+    const SeriesSet& shown = set(ui.session, experiment_joint_of(ui));
     Area area(ui, "plots", box);
     controls(ui, shown);
     const float top = ImGui::GetCursorScreenPos().y + ui.px(6.0F);

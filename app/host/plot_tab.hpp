@@ -6,11 +6,12 @@
 #include "app/host/ui.hpp"
 #include "app/panels/plot.hpp"
 #include "app/session/series.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw::host {
 
 /// "Plots": series of the story over time or over iterations, the cursor where the timeline is.
-class PlotBench {
+class PlotTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
     /// What is shown now as CSV.
@@ -20,7 +21,11 @@ public:
 
 private:
     enum class Topic { quantities, residuals, singular_values, conditions };
-    static constexpr int kTopics = 4;
+    static constexpr std::array kTopics{
+        EnumWord<Topic>{Topic::quantities, "quantities", "Quantities over time"},
+        EnumWord<Topic>{Topic::residuals, "residuals", "‖Φ‖ over all iterations"},
+        EnumWord<Topic>{Topic::singular_values, "singular-values", "Singular values over time"},
+        EnumWord<Topic>{Topic::conditions, "conditions", "Condition of the pairs over time"}};
 
     const SeriesSet& set(const Session& session, int joint);
     void controls(const LessonUi& ui, const SeriesSet& shown);
@@ -31,8 +36,8 @@ private:
     Topic topic_ = Topic::quantities;
     int joint_ = -1;  ///< of the conditions
     std::uint64_t told_ = 0;
-    std::array<std::optional<SeriesSet>, kTopics> sets_;
-    std::array<panels::PlotState, kTopics> states_;
+    std::array<std::optional<SeriesSet>, kTopics.size()> sets_;
+    std::array<panels::PlotState, kTopics.size()> states_;
     bool panning_ = false;
 };
 

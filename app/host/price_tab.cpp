@@ -27,14 +27,14 @@ std::string why_not(const Lesson& lesson) {
 
 }  // namespace
 
-void PriceBench::forget() {
+void PriceTab::forget() {
     job_.reset();
     news_ = {};
     prices_.reset();
     seen_ = 0;
 }
 
-void PriceBench::begin(const Session& session) {
+void PriceTab::begin(const Session& session) {
     std::optional<Reference> reference;
     if (!session.is_changed()) { reference = stored_reference(lesson_file_); }
     BenchPlan plan;
@@ -43,14 +43,14 @@ void PriceBench::begin(const Session& session) {
     job_ = std::make_unique<BenchJob>(session.lesson(), std::move(reference), plan);
 }
 
-void PriceBench::look_at_news() {
+void PriceTab::look_at_news() {
     if (!job_ || job_->version() == seen_) { return; }
     seen_ = job_->version();
     news_ = job_->news();
     prices_ = prices_of(news_.runs);
 }
 
-void PriceBench::controls(const LessonUi& ui) {
+void PriceTab::controls(const LessonUi& ui) {
     if (is_measuring()) {
         if (ImGui::Button("Stop")) {
             job_.reset();
@@ -78,7 +78,7 @@ void PriceBench::controls(const LessonUi& ui) {
     ImGui::EndDisabled();
 }
 
-void PriceBench::draw(const LessonUi& ui, const Box& box) {
+void PriceTab::draw(const LessonUi& ui, const Box& box) {
     Area area(ui, "price", box);
     if (told_ != ui.session.told()) {
         told_ = ui.session.told();

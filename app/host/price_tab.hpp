@@ -14,11 +14,11 @@ namespace jw::host {
 
 /// "Price": what a digit of this lesson costs, method by method, measured here and now while the window goes
 /// on.
-class PriceBench {
+class PriceTab {
 public:
-    PriceBench() = default;
+    PriceTab() = default;
     /// @param lesson_file  its stored reference is used as long as the lesson is as the file has it
-    explicit PriceBench(std::filesystem::path lesson_file) : lesson_file_(std::move(lesson_file)) {}
+    explicit PriceTab(std::filesystem::path lesson_file) : lesson_file_(std::move(lesson_file)) {}
 
     void draw(const LessonUi& ui, const panels::Box& box);
     /// Whether there will be something new without an event.

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
 #include "app/panels/column.hpp"
 #include "app/panels/parts.hpp"
@@ -15,25 +15,32 @@ namespace {
 using panels::Box;
 namespace theme = panels::theme;
 
-constexpr Command kCommandOf[] = {
-    Command::tab_step, Command::tab_try, Command::tab_plot, Command::tab_newton, Command::tab_price};
+Command command_of(Tab tab) {
+    switch (tab) {
+        case Tab::step: return Command::tab_step;
+        case Tab::experiments: return Command::tab_experiments;
+        case Tab::plot: return Command::tab_plot;
+        case Tab::newton: return Command::tab_newton;
+        case Tab::price: break;
+    }
+    return Command::tab_price;
+}
 
 void tab_strip(const LessonUi& ui, const Box& strip) {
     const panels::Canvas& canvas = ui.canvas;
     canvas.fill(strip, theme::kShade);
     Area area(ui, "tabs", strip);
-    for (int k = 0; k < kTabs; ++k) {
-        const auto tab = static_cast<Tab>(k);
-        const Box box = panels::column_of(strip, k, kTabs);
+    constexpr int count = static_cast<int>(kTabs.size());
+    for (int k = 0; k < count; ++k) {
+        const Tab tab = kTabs[static_cast<std::size_t>(k)].value;
+        const Box box = panels::column_of(strip, k, count);
         const bool chosen = ui.state.tab == tab;
         ImGui::SetCursorScreenPos({box.x, box.y});
         ImGui::PushID(k);
-        if (ImGui::InvisibleButton("tab", {box.width, box.height})) {
-            ui.requests.add(kCommandOf[static_cast<std::size_t>(k)]);
-        }
+        if (ImGui::InvisibleButton("tab", {box.width, box.height})) { ui.requests.add(command_of(tab)); }
         const bool hovered = ImGui::IsItemHovered();
         if (hovered) {
-            const CommandInfo& info = info_of(kCommandOf[static_cast<std::size_t>(k)]);
+            const CommandInfo& info = info_of(command_of(tab));
             ImGui::SetTooltip("%s  (%s)", info.text, info.keys);
         }
         ImGui::PopID();
@@ -44,7 +51,7 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
         const ImFont* const font = chosen ? canvas.fonts().bold : canvas.fonts().normal;
         const float y = box.centre().y - 0.5F * canvas.line_height(font);
         canvas.text(
-            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft, name_of(tab),
+            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft, label_of(kTabs, tab),
             panels::Align::centre);
     }
     canvas.fill({strip.x, strip.y, panels::hairline(canvas), strip.height}, theme::kLine);
@@ -52,20 +59,9 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
 
 }  // namespace
 
-const char* name_of(Tab tab) {
-    switch (tab) {
-        case Tab::step: return "Step";
-        case Tab::attempt: return "Try it";
-        case Tab::plot: return "Plots";
-        case Tab::newton: return "Newton";
-        case Tab::price: break;
-    }
-    return "Price";
-}
-
 const char* area_of(Tab tab) {
     switch (tab) {
-        case Tab::attempt: return "try it";
+        case Tab::experiments: return "try it";
         case Tab::plot: return "plots";
         case Tab::newton: return "newton";
         case Tab::price: return "price";
@@ -74,9 +70,9 @@ const char* area_of(Tab tab) {
     return "tabs";
 }
 
-void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches& benches) {
+void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs) {
     tab_strip(ui, layout.tabs);
-    if (ui.state.tab != Tab::newton) { benches.newton.forget_ghosts(); }
+    if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
     if (ui.state.tab == Tab::step) {
         panels::draw_column(ui.canvas, layout.column, ui.session.view());
         return;
@@ -85,10 +81,10 @@ void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Benches&
     ui.canvas.fill(
         {layout.column.x, layout.column.y, panels::hairline(ui.canvas), layout.column.height}, theme::kLine);
     switch (ui.state.tab) {
-        case Tab::attempt: return try_tab(ui, layout.column);
-        case Tab::plot: return benches.plot.draw(ui, layout.column);
-        case Tab::newton: return benches.newton.draw(ui, layout.column);
-        case Tab::price: return benches.price.draw(ui, layout.column);
+        case Tab::experiments: return experiment_tab(ui, layout.column);
+        case Tab::plot: return tabs.plot.draw(ui, layout.column);
+        case Tab::newton: return tabs.newton.draw(ui, layout.column);
+        case Tab::price: return tabs.price.draw(ui, layout.column);
         case Tab::step: return;
     }
 }

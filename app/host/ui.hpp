@@ -8,13 +8,17 @@
 #include "app/panels/canvas.hpp"
 #include "app/panels/frame.hpp"
 #include "app/session/session.hpp"
+#include "lessons/enum_words.hpp"
 
 /// What the parts of the interface share: what they see, and what they ask for. Nothing is changed while a
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
-enum class Tab { step, attempt, plot, newton, price };
-inline constexpr int kTabs = 5;
+enum class Tab { step, experiments, plot, newton, price };
+inline constexpr std::array kTabs{
+    EnumWord<Tab>{Tab::step, "step", "Step"}, EnumWord<Tab>{Tab::experiments, "try", "Try it"},
+    EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
+    EnumWord<Tab>{Tab::price, "price", "Price"}};
 
 /// What is on the screen beyond the lesson itself.
 struct UiState {
@@ -36,8 +40,8 @@ struct UiState {
     int freedom = -1;  ///< the free motion that is animated
     double freedom_time = 0.0;
 
-    int try_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
-    int try_driver = 0;
+    int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
+    int experiment_driver = 0;
 
     std::string search;      ///< in the browser
     int chosen_lesson = -1;  ///< index into the catalogue
@@ -45,13 +49,13 @@ struct UiState {
 
 /// What was asked for in one frame.
 struct Requests {
-    std::vector<Action> actions;
+    std::vector<Experiment> experiments;
     std::vector<Command> commands;
     std::optional<std::string> open;  ///< lesson file
     std::optional<std::string> copy;  ///< text for the clipboard
     std::vector<int> lit_rows;        ///< for the next frame
 
-    void add(const Action& action) { actions.push_back(action); }
+    void add(const Experiment& experiment) { experiments.push_back(experiment); }
     void add(Command command) { commands.push_back(command); }
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/panels/text.hpp"
 #include "app/panels/theme.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw::host {
 
@@ -120,22 +121,12 @@ void note(const Ui& ui, const std::string& text) {
     ImGui::PopFont();
 }
 
-const char* text_of(CoordinateChoice choice) {
-    switch (choice) {
-        case CoordinateChoice::true_euler_parameters: return "(r, p), true";
-        case CoordinateChoice::modified_euler_parameters: return "(r, p), modified";
-        case CoordinateChoice::omega_local: return "(r, ω′), local";
-        case CoordinateChoice::omega_global: break;
-    }
-    return "(r, ω), global";
-}
-
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo(id, text_of(choice))) { return false; }
+    if (!ImGui::BeginCombo(id, label_of(kChoices, choice))) { return false; }
     const CoordinateChoice before = choice;
-    for (const CoordinateChoice c : kCoordinateChoices) {
-        if (ImGui::Selectable(text_of(c), c == before)) { choice = c; }
+    for (const auto& [value, word, label] : kChoices) {
+        if (ImGui::Selectable(label, value == before)) { choice = value; }
     }
     ImGui::EndCombo();
     return choice != before;

@@ -34,13 +34,8 @@ void section(const Ui& ui, const char* title);
 /// Wrapped words in the small font.
 void note(const Ui& ui, const std::string& text);
 
-inline constexpr CoordinateChoice kCoordinateChoices[] = {
-    CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
-    CoordinateChoice::omega_local, CoordinateChoice::omega_global};
-
-/// The four coordinate choices as people read them, and a list to choose one from.
+/// A list of the four coordinate choices, to choose one from.
 /// @return true if another one was chosen
-const char* text_of(CoordinateChoice choice);
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice);
 
 }  // namespace jw::host

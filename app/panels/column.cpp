@@ -7,11 +7,11 @@
 
 #include "app/panels/equations_panel.hpp"
 #include "app/panels/failure_panel.hpp"
-#include "app/panels/log_plot.hpp"
 #include "app/panels/matrix_panel.hpp"
 #include "app/panels/motion_panel.hpp"
 #include "app/panels/newton_panel.hpp"
 #include "app/panels/rank_panel.hpp"
+#include "app/panels/small_plots.hpp"
 #include "app/panels/theme.hpp"
 
 namespace jw::panels {

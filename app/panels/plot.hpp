@@ -103,8 +103,6 @@ std::optional<PlotHit> hit_of(const PlotLayout& layout, const SeriesSet& set, Po
 
 /// Zoomed by `factor` (above 1: nearer) about a pixel, the axis and the values of the pane that it is in.
 PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, double factor);
-/// The window that was dragged open within one pane.
-PlotState zoomed_to(const PlotState& state, const PlotLayout& layout, Point from, Point to);
 /// Moved along with the mouse.
 PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by);
 /// Everything in sight again.

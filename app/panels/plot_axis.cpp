@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "app/session/numbers.hpp"
 
@@ -122,6 +123,18 @@ double Axis::value(float pixel) const {
     const double part = static_cast<double>(pixel - start) / static_cast<double>(end - start);
     return logarithmic ? range.from * std::pow(range.to / range.from, part)
                        : range.from + part * range.length();
+}
+
+Axis axis_of_powers(const std::vector<double>& values, int low, float start, float end) {
+    double largest = 0.0;
+    for (const double value : values) {
+        if (std::isfinite(value)) { largest = std::max(largest, value); }
+    }
+    int high = low + 2;
+    // a value just at a power of ten stays at it
+    if (largest > 0.0) { high = std::max(high, static_cast<int>(std::ceil(std::log10(largest) - kSlack))); }
+    high = std::min(high, std::numeric_limits<double>::max_exponent10);
+    return {{std::pow(10.0, low), std::pow(10.0, high)}, true, start, end};
 }
 
 double nice_step(double length, int most) {

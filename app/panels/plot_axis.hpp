@@ -31,6 +31,9 @@ struct Tick {
     std::string text;  ///< empty: a line without a number
 };
 
+/// Whole powers of ten, from 10^low up to the largest of `values` or two powers more.
+Axis axis_of_powers(const std::vector<double>& values, int low, float start, float end);
+
 /// What numbers a plot may show on an axis.
 enum class Ticks {
     decimal,  ///< steps of 1, 2, 5

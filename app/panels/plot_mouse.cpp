@@ -89,19 +89,6 @@ PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, 
     return next;
 }
 
-PlotState zoomed_to(const PlotState& state, const PlotLayout& layout, Point from, Point to) {
-    PlotState next = state;
-    const PlotPane* const pane = pane_at(layout, from);
-    constexpr float least = 3.0F;  // pixels: less was a click
-    if (pane == nullptr || std::abs(to.x - from.x) < least || std::abs(to.y - from.y) < least) {
-        return next;
-    }
-    const Box& plot = pane->plot;
-    next.window = between(layout.x, from.x, std::clamp(to.x, plot.x, plot.right()));
-    set_height(next, pane->unit, between(pane->y, from.y, std::clamp(to.y, plot.y, plot.bottom())));
-    return next;
-}
-
 PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by) {
     PlotState next = state;
     const PlotPane* const pane = pane_at(layout, at);

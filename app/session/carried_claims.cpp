@@ -7,14 +7,6 @@ namespace jw {
 
 namespace {
 
-/// The joint that a claim is about, -1 for none.
-int joint_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
-    const auto* quantity = std::get_if<QuantityClaim>(&fact);
-    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
-    return measure != nullptr ? measure->joint : -1;
-}
-
 /// Nothing if what it comes after is gone.
 std::optional<Moment> carried(const Moment& when, const Lesson& written, const Lesson& changed) {
     const auto* after = std::get_if<AfterAddition>(&when);

@@ -6,34 +6,11 @@
 
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/text_table.hpp"
 
 namespace jw {
 
 namespace {
-
-using Table = std::vector<std::vector<std::string>>;
-
-/// Columns as wide as their widest entry, two spaces apart; the first and the last are left-aligned, the
-/// others right.
-std::string table_text(const Table& table, int indent) {
-    std::vector<int> widths;
-    for (const auto& row : table) {
-        widths.resize(std::max(widths.size(), row.size()), 0);
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            widths[k] = std::max(widths[k], displayed_width(row[k]));
-        }
-    }
-    std::string text;
-    for (const auto& row : table) {
-        std::string line(static_cast<std::size_t>(indent), ' ');
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            line += (k == 0 ? "" : "  ") + padded(row[k], widths[k], k > 0 && k + 1 < widths.size());
-        }
-        while (line.ends_with(' ')) { line.pop_back(); }
-        text += line + '\n';
-    }
-    return text;
-}
 
 std::string status_text(EquationRow::Status status) {
     switch (status) {
@@ -53,19 +30,20 @@ std::string equations_text(const View& view, int width) {
                     padded(group.unit == "-" ? "" : group.unit, 4) + status_text(row.status) + '\n';
         }
         if (group.choice) {
-            Table table{{"", "x", "y", "z"}, {"|sᵢ|"}, {"condition without it"}};
+            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {"condition without it"}};
             for (std::size_t k = 0; k < 3; ++k) {
                 table[1].push_back(number_text(group.choice->axis_size[k], 3));
                 table[2].push_back(number_text(group.choice->pair_condition[k], 3));
             }
-            text += table_text(table, 6) + "      " + wrapped(group.choice->reason, width - 6, 6) + '\n';
+            text += text_table(table, columns_of_numbers(4, 6)) + "      " +
+                    wrapped(group.choice->reason, width - 6, 6) + '\n';
         }
     }
     return text;
 }
 
 std::string newton_text(const View& view) {
-    Table table{{"", "‖Φ‖", "largest", "‖Δq‖", "turn", "rank", "equation"}};
+    TextRows table{{"", "‖Φ‖", "largest", "‖Δq‖", "turn", "rank", "equation"}};
     for (const NewtonRow& row : view.newton) {
         table.push_back(
             {std::to_string(row.iteration), small_text(row.phi_norm), small_text(row.largest_value),
@@ -74,7 +52,7 @@ std::string newton_text(const View& view) {
              row.stepped ? std::to_string(row.rank) : "",
              row.largest_row + (row.note.empty() ? "" : "   " + row.note)});
     }
-    return table_text(table, 2);
+    return text_table(table, columns_of_numbers(table.front().size(), 2));
 }
 
 std::string rank_text(const View& view, int width) {
@@ -109,17 +87,18 @@ std::string clean_text(double value) {
 }
 
 std::string motion_text(const View& view) {
-    Table quantities{{"quantity", "value", "rate", "acceleration", ""}};
+    TextRows quantities{{"quantity", "value", "rate", "acceleration", ""}};
     for (const QuantityMotion& q : view.quantities) {
         quantities.push_back(
             {q.name, clean_text(q.value), clean_text(q.rate), clean_text(q.acceleration),
              (q.unit == "-" ? "" : q.unit) + (q.driven ? " driven" : "")});
     }
-    Table bodies{{"body", "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
+    TextRows bodies{{"body", "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
     for (const BodyMotion& b : view.bodies) {
         bodies.push_back({b.body, vector_text(b.r), vector_text(b.r_dot), vector_text(b.omega)});
     }
-    return (view.quantities.empty() ? "" : table_text(quantities, 2)) + table_text(bodies, 2);
+    return (view.quantities.empty() ? "" : text_table(quantities, columns_of_numbers(5, 2))) +
+           text_table(bodies, columns_of_numbers(4, 2));
 }
 
 }  // namespace

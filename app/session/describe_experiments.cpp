@@ -1,15 +1,15 @@
 #include <algorithm>
 
 #include "app/session/describe.hpp"
-#include "app/session/experiments.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/possible_experiments.hpp"
+#include "app/session/text_table.hpp"
 
 namespace jw {
 
 namespace {
 
 constexpr int kWidth = 100;
-constexpr int kNumberWidth = 10;
 
 std::string summary_of(const Effect& e) {
     return count_text(e.rows, "equation") + ", rank " + std::to_string(e.rank) + ", " +
@@ -17,31 +17,41 @@ std::string summary_of(const Effect& e) {
            number_text(e.condition, 3);
 }
 
-std::string cells(const Effect& e) {
-    const auto cell = [](const std::string& text) { return padded(text, kNumberWidth, true); };
-    return cell(std::to_string(e.rank)) + cell(std::to_string(e.dof)) + cell(std::to_string(e.redundant())) +
-           cell(number_text(e.condition, 3));
+/// One table through all groups, each under its title: as wide as the widest text of any.
+std::vector<TextColumn> columns_for(int widest) {
+    const TextColumn number{true, 10, 0};
+    return {{false, widest, 2}, number, number, number, number, {false, 0, 2}};
+}
+
+std::vector<std::string> cells(const PossibleExperiment& e) {
+    // geometry has no effect yet: it is as it is
+    if (!e.effect) { return {e.text, e.now ? "as it is" : ""}; }
+    const std::string note = e.now ? "as it is" : "";
+    const std::string price = e.free ? "costs no rank" : "";
+    return {
+        e.text,
+        std::to_string(e.effect->rank),
+        std::to_string(e.effect->dof),
+        std::to_string(e.effect->redundant()),
+        number_text(e.effect->condition, 3),
+        note + (note.empty() || price.empty() ? "" : "  ") + price};
 }
 
 int widest_of(const ExperimentGroup& group) {
     int widest = 0;
-    for (const Experiment& e : group.experiments) { widest = std::max(widest, displayed_width(e.text)); }
+    for (const PossibleExperiment& e : group.experiments) {
+        widest = std::max(widest, displayed_width(e.text));
+    }
     return widest;
 }
 
 std::string group_text(const ExperimentGroup& group, int widest) {
-    std::string text = group.title + '\n';
-    for (const Experiment& e : group.experiments) {
-        std::string line = "  " + padded(e.text, widest);
-        if (e.effect) { line += cells(*e.effect); }
-        if (e.now) { line += "  as it is"; }
-        if (e.free) { line += "  costs no rank"; }
-        text += line + '\n';
-    }
-    return text + '\n';
+    TextRows rows;
+    for (const PossibleExperiment& e : group.experiments) { rows.push_back(cells(e)); }
+    return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
 }
 
-std::string motions_text(const Experiments& all) {
+std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) { return "No free motion: every direction is held.\n"; }
     std::string text = "Free motions\n";
     for (const FreeMotionVerdict& v : all.free_motions) {
@@ -51,7 +61,7 @@ std::string motions_text(const Experiments& all) {
     return text;
 }
 
-std::string repeated_text(const Experiments& all) {
+std::string repeated_text(const PossibleExperiments& all) {
     if (all.combinations.empty()) { return "No equation repeats others.\n\n"; }
     std::string text = "Equations that repeat each other\n";
     for (const std::string& combination : all.combinations) {
@@ -76,7 +86,7 @@ Json json_of(const Effect& e) {
 
 Json json_of(const ExperimentGroup& group) {
     Json experiments = Json::array();
-    for (const Experiment& e : group.experiments) {
+    for (const PossibleExperiment& e : group.experiments) {
         experiments.push_back(
             {{"try", e.text},
              {"now", e.now},
@@ -88,20 +98,18 @@ Json json_of(const ExperimentGroup& group) {
 
 }  // namespace
 
-std::string describe(const Experiments& all, const Lesson& lesson) {
+std::string describe(const PossibleExperiments& all, const Lesson& lesson) {
     std::string text = lesson.title + '\n' + all.moment + " (step " + std::to_string(all.step) +
                        "): " + summary_of(all.present) + "\n\n";
     int widest = widest_of(all.coordinates);
     for (const ExperimentGroup& group : all.groups) { widest = std::max(widest, widest_of(group)); }
-    const auto cell = [](const char* word) { return padded(word, kNumberWidth, true); };
-    text += "  " + padded("", widest) + cell("rank") + cell("freedoms") + cell("repeated") +
-            cell("condition") + '\n';
+    text += text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest));
     for (const ExperimentGroup& group : all.groups) { text += group_text(group, widest); }
     text += group_text(all.coordinates, widest);
     return text + repeated_text(all) + motions_text(all);
 }
 
-Json json_of(const Experiments& all, const Lesson& lesson) {
+Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
     Json groups = Json::array();
     for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
     Json motions = Json::array();

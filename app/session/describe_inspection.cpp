@@ -7,6 +7,7 @@
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/text_table.hpp"
 #include "app/session/view_equations.hpp"
 
 namespace jw {
@@ -34,17 +35,23 @@ int widest_of(const std::vector<std::string>& labels) {
     return widest;
 }
 
+/// Number and label of a row, and `numbers` columns as wide as `width`.
+std::vector<TextColumn> columns_for_rows(int widest, std::size_t numbers, int width) {
+    std::vector<TextColumn> columns(numbers + 2, {true, width, 0});
+    columns[0] = {false, 3, 2};
+    columns[1] = {false, widest, 0};
+    return columns;
+}
+
 std::string right_sides(const Inspection& inspection, const std::vector<std::string>& labels, int widest) {
-    std::string text = "  " + padded("", 3) + padded("", widest) + padded("Φ", 13, true) +
-                       padded("ν", 13, true) + padded("γ", 13, true) + '\n';
+    TextRows table{{"", "", "Φ", "ν", "γ"}};
     for (std::size_t k = 0; k < labels.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(k);
-        text += "  " + padded(std::to_string(k), 3) + padded(labels[k], widest) +
-                padded(number_text(inspection.phi(row), 6), 13, true) +
-                padded(number_text(inspection.nu(row), 6), 13, true) +
-                padded(number_text(inspection.gamma(row), 6), 13, true) + '\n';
+        table.push_back(
+            {std::to_string(k), labels[k], number_text(inspection.phi(row), 6),
+             number_text(inspection.nu(row), 6), number_text(inspection.gamma(row), 6)});
     }
-    return text;
+    return text_table(table, columns_for_rows(widest, 3, 13));
 }
 
 /// An entry of a column that is not zero.
@@ -87,18 +94,17 @@ std::string matrix_text(
         while (end < names.size() && end - first < fitting && names[end].owner == names[first].owner) {
             ++end;
         }
-        text += "\n  Φq, columns of " + names[first].owner + "\n  " + padded("", widest + 3);
-        for (std::size_t k = first; k < end; ++k) { text += padded(names[k].symbol, kEntryWidth, true); }
-        text += '\n';
+        TextRows table{{"", ""}};
+        for (std::size_t k = first; k < end; ++k) { table.front().push_back(names[k].symbol); }
         for (const std::size_t row : rows_of(columns, first, end)) {
-            text += "  " + padded(std::to_string(row), 3) + padded(labels[row], widest);
+            table.push_back({std::to_string(row), labels[row]});
             for (std::size_t k = first; k < end; ++k) {
                 const auto entry = std::ranges::find(columns[k], row, &Entry::row);
-                const double value = entry == columns[k].end() ? 0.0 : entry->value;
-                text += padded(entry_text(value), kEntryWidth, true);
+                table.back().push_back(entry_text(entry == columns[k].end() ? 0.0 : entry->value));
             }
-            text += '\n';
         }
+        text += "\n  Φq, columns of " + names[first].owner + '\n' +
+                text_table(table, columns_for_rows(widest, end - first, kEntryWidth));
         first = end;
     }
     return text;

@@ -1,242 +1,209 @@
 #include "app/session/experiments.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
-#include "app/session/action_parts.hpp"
-#include "app/session/action_text.hpp"
-#include "app/session/explanations.hpp"
-#include "app/session/inspection.hpp"
 #include "app/session/labels.hpp"
-#include "app/session/numbers.hpp"
-#include "lessons/joint_needs.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
 namespace {
 
-bool is_in(const std::vector<Addition>& order, const Addition& addition) {
-    return std::ranges::find(order, addition) != order.end();
+bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+Edit refused(std::string why) { return {std::nullopt, std::move(why)}; }
+
+const std::string& name_of(const Lesson& lesson, const Addition& addition) {
+    const auto k = static_cast<std::size_t>(addition.index);
+    return addition.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                  : lesson.mechanism.drivers[k].name;
 }
 
-Effect effect_of(const RankReport& report) {
-    Effect effect{report.rows, report.rank, report.dof, 0.0};
-    if (report.rank > 0) { effect.condition = report.first_value() / report.last_value(); }
-    return effect;
+/// Shortest turn from one direction to another.
+Mat3 turn_between(const Vec3& from, const Vec3& to) {
+    const Vec3 a = from.normalized();
+    const Vec3 b = to.normalized();
+    const double cosine = a.dot(b);
+    if (cosine < -1.0 + 1e-12) {
+        const Vec3 side = a.unitOrthogonal();
+        return 2.0 * side * side.transpose() - Mat3::Identity();
+    }
+    const Mat3 v = tilde(a.cross(b));
+    return Mat3::Identity() + v + v * v / (1.0 + cosine);
 }
 
-/// The experiments with one lesson, judged at the pose of one step.
-class Laboratory {
+bool is_finite(const TimeFunction& f) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return std::ranges::all_of(f.polynomial, finite) &&
+           std::ranges::all_of(
+               f.harmonics,
+               [&](const auto& h) { return finite(h.amplitude) && finite(h.omega) && finite(h.phase); }) &&
+           std::ranges::all_of(f.steps, [&](const auto& s) {
+               return finite(s.from) && finite(s.to) && finite(s.start) && finite(s.end) && s.start < s.end;
+           });
+}
+
+bool usable(const JointGeometry& g) {
+    const auto finite = [](const Vec3& v) { return v.allFinite(); };
+    const auto direction = [](const Vec3& v) { return v.allFinite() && v.norm() > 1e-9; };
+    return finite(g.P_i_local) && finite(g.P_j_local) && direction(g.s_i_local) && direction(g.s_j_local) &&
+           direction(g.h_i_local) && direction(g.h_j_local) && direction(g.u_i_local) &&
+           direction(g.u_j_local) && std::isfinite(g.length);
+}
+
+class Editor {
 public:
-    explicit Laboratory(const Session& session)
-        : session_(session),
-          step_(session.story()
-                    .steps()[static_cast<std::size_t>(closed_step(session.story(), session.index()))]),
-          report_(rank_of(*step_.system, step_.state, step_.t)) {
-        const std::vector<Addition>& order = session.lesson().order;
-        present_.assign(order.begin(), order.begin() + step_.additions);
+    Editor(const Lesson& lesson, const Lesson& written) : lesson_(lesson), written_(written) {}
+
+    Edit operator()(const SetParallelForm& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr) { return refused("there is no such joint"); }
+        if (!joint->type->uses(Role::axes_parallel) && !joint->type->uses(Role::distance_parallel)) {
+            return refused(joint->name + " has no p1 or p2");
+        }
+        joint->parallel_form = a.form;
+        return done(joint->name + ": " + name_of_form(a.form));
     }
 
-    Experiments all() const;
+    Edit operator()(const SetScrewAngleForm& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr || !joint->type->uses(Role::screw_angle)) {
+            return refused("only a screw has an angle row");
+        }
+        joint->geometry.screw_angle_form = a.form;
+        return done(joint->name + ": " + label_of(kAngleRows, a.form));
+    }
+
+    Edit operator()(const SetCoordinates& a) {
+        lesson_.coordinates = a.choice;
+        return done(std::string("coordinates ") + name_of_choice(a.choice));
+    }
+
+    Edit operator()(const SetPresent& a) {
+        const std::size_t size = a.what.kind == Addition::Kind::joint ? lesson_.mechanism.joints.size()
+                                                                      : lesson_.mechanism.drivers.size();
+        if (!is_index(a.what.index, size)) { return refused("there is nothing of that number"); }
+        const std::string name = name_of(lesson_, a.what);
+        const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
+        if (is_present == a.present) {
+            return refused(name + (is_present ? " is there" : " is out") + " already");
+        }
+        if (a.present) { return put_back(a.what, name); }
+        std::erase(lesson_.order, a.what);
+        // a motor goes with the joint that it sits on
+        std::erase_if(lesson_.order, [&](const Addition& other) {
+            return a.what.kind == Addition::Kind::joint && joint_driven_by(other) == a.what.index;
+        });
+        return done(name + " taken out");
+    }
+
+    Edit operator()(const SetEquationPresent& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr || !joint->type->uses(a.equation.role)) {
+            return refused("the joint has no such equation");
+        }
+        const auto found = std::ranges::find(joint->without, a.equation);
+        const bool is_present = found == joint->without.end();
+        if (is_present == a.present) { return refused("nothing changes"); }
+        if (a.present) {
+            joint->without.erase(found);
+        } else {
+            joint->without.push_back(a.equation);
+        }
+        const std::string name = joint->name + " · " + name_of_role(a.equation.role, joint->parallel_form);
+        return done(name + (a.present ? ": equation put back" : ": equation taken out"));
+    }
+
+    Edit operator()(const SetGeometry& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr) { return refused("there is no such joint"); }
+        if (!usable(a.geometry)) { return refused("points must be finite and directions not zero"); }
+        if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
+            return refused("a length must be above 0");
+        }
+        joint->geometry = a.geometry;
+        measure_anew(a.joint);
+        return done(joint->name + " moved");
+    }
+
+    Edit operator()(const SetDriver& a) {
+        if (!is_index(a.driver, lesson_.mechanism.drivers.size())) {
+            return refused("there is no such driver");
+        }
+        if (!is_finite(a.function)) {
+            return refused("numbers of a driver must be finite, a step must have an end");
+        }
+        Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
+        driver.function = a.function;
+        return done(driver.name + " changed");
+    }
+
+    template <class Other>
+    Edit operator()(const Other& /*looking*/) {
+        return refused("");
+    }
 
 private:
-    Experiment experiment(const Action& action, bool now) const;
-    Effect effect_of_lesson(const Lesson& lesson) const;
-    ExperimentGroup of_joint(int index) const;
-    void add_forms(int index, ExperimentGroup& group) const;
-    void add_equations(int index, ExperimentGroup& group) const;
-    void add_geometry(int index, ExperimentGroup& group) const;
-    ExperimentGroup of_driver(int index) const;
-    void add_presence(const Addition& part, ExperimentGroup& group) const;
-    ExperimentGroup coordinates() const;
-    std::vector<FreeMotionVerdict> free_motions() const;
-    std::string moment() const;
+    Joint* joint_of(int index) {
+        return is_index(index, lesson_.mechanism.joints.size())
+                   ? &lesson_.mechanism.joints[static_cast<std::size_t>(index)]
+                   : nullptr;
+    }
 
-    const Session& session_;
-    const Step& step_;
-    RankReport report_;
-    std::vector<Addition> present_;
+    /// What drivers along a joint measure moves with the joint.
+    void measure_anew(int index) {
+        const Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        for (Driver& driver : lesson_.mechanism.drivers) {
+            if (driver.joint != index) { continue; }
+            if (std::holds_alternative<AngleMeasure>(driver.measure)) { driver.measure = angle_of(joint); }
+            if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
+                driver.measure = displacement_of(joint);
+            }
+        }
+    }
+
+    /// The joint that a driver acts along, -1 for anything else.
+    int joint_driven_by(const Addition& addition) const {
+        if (addition.kind == Addition::Kind::joint) { return -1; }
+        return lesson_.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
+    }
+
+    /// Behind whatever the author has before it.
+    Edit put_back(const Addition& what, const std::string& name) {
+        const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
+        if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
+            return refused(name + " drives " + name_of(lesson_, its_joint) + ": put that back first");
+        }
+        const auto rank = [&](const Addition& a) { return std::ranges::find(written_.order, a); };
+        const auto later =
+            std::ranges::find_if(lesson_.order, [&](const Addition& a) { return rank(a) > rank(what); });
+        lesson_.order.insert(later, what);
+        return done(name + " put back");
+    }
+
+    Edit done(std::string what) { return {std::move(lesson_), std::move(what)}; }
+
+    Lesson lesson_;
+    const Lesson& written_;
 };
-
-Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
-    Lesson part = lesson;
-    // what the story has not added yet stays out; what is put back takes part
-    std::erase_if(part.order, [&](const Addition& a) {
-        return is_in(session_.lesson().order, a) && !is_in(present_, a);
-    });
-    System system(part.mechanism, selection_of(part, static_cast<int>(part.order.size())));
-    system.choose_rows(step_.state);
-    return effect_of(rank_of(system, step_.state, step_.t));
-}
-
-Experiment Laboratory::experiment(const Action& action, bool now) const {
-    Experiment e;
-    e.text = text_of(action, session_);
-    e.now = now;
-    if (now) {
-        e.effect = effect_of(report_);
-        return e;
-    }
-    const Edit edit = edited(session_.lesson(), session_.as_written(), action);
-    if (edit.lesson) { e.effect = effect_of_lesson(*edit.lesson); }
-    return e;
-}
-
-void Laboratory::add_presence(const Addition& part, ExperimentGroup& group) const {
-    if (!is_in(session_.lesson().order, part)) {
-        group.experiments.push_back(experiment(SetPresent{part, true}, false));
-    } else if (is_in(present_, part)) {
-        group.experiments.push_back(experiment(SetPresent{part, false}, false));
-    }
-}
-
-void Laboratory::add_forms(int index, ExperimentGroup& group) const {
-    const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
-    if (std::ranges::any_of(joint.type->roles, is_parallel)) {
-        for (int form = 0; form < 6; ++form) {
-            const auto wanted = static_cast<ParallelForm>(form);
-            group.experiments.push_back(
-                experiment(SetParallelForm{index, wanted}, joint.parallel_form == wanted));
-        }
-    }
-    if (joint.type->uses(Role::screw_angle)) {
-        for (int form = 0; form < 3; ++form) {
-            const auto wanted = static_cast<ScrewAngleForm>(form);
-            group.experiments.push_back(
-                experiment(SetScrewAngleForm{index, wanted}, joint.geometry.screw_angle_form == wanted));
-        }
-    }
-}
-
-/// Equations with a row can be taken out, those that are out put back.
-void Laboratory::add_equations(int index, ExperimentGroup& group) const {
-    const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
-    const std::vector<int> removable = removable_rows(report_);
-    for (int row = 0; row < step_.system->rows(); ++row) {
-        const RowOrigin origin = step_.system->origin(row);
-        if (origin.kind != RowOrigin::Kind::constraint) { continue; }
-        const Constraint& c = step_.system->constraints()[static_cast<std::size_t>(origin.index)];
-        if (c.joint != index) { continue; }
-        Experiment e = experiment(SetEquationPresent{index, {c.role, origin.component}, false}, false);
-        e.free = std::ranges::find(removable, row) != removable.end();
-        group.experiments.push_back(std::move(e));
-    }
-    for (const EquationOut& out : joint.without) {
-        group.experiments.push_back(experiment(SetEquationPresent{index, out, true}, false));
-    }
-}
-
-/// As it is: to be typed with other numbers.
-void Laboratory::add_geometry(int index, ExperimentGroup& group) const {
-    const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
-    const std::string name = " " + quoted_name(joint.name, action_text::names_of_joints(session_.lesson()));
-    const auto add = [&](const std::string& what, const std::string& side, const Vec3& v) {
-        const std::string numbers = action_text::numbers_text(v);
-        group.experiments.push_back({what + name + side + numbers, true, false, {}});
-    };
-    const JointGeometry& g = joint.geometry;
-    const JointNeeds needs(*joint.type);
-    if (needs.axis) { add("axis", " i ", g.s_i_local); }
-    if (needs.axis_j) { add("axis", " j ", g.s_j_local); }
-    if (needs.points) {
-        add("point", " i ", g.P_i_local);
-        add("point", " j ", g.P_j_local);
-    }
-}
-
-ExperimentGroup Laboratory::of_joint(int index) const {
-    const Mechanism& m = session_.lesson().mechanism;
-    const Joint& joint = m.joints[static_cast<std::size_t>(index)];
-    ExperimentGroup group;
-    group.title = joint.name + " · " + std::string(joint.type->name) + " · " +
-                  m.bodies[static_cast<std::size_t>(joint.body_i)].name + " – " +
-                  m.bodies[static_cast<std::size_t>(joint.body_j)].name;
-    const Addition part{Addition::Kind::joint, index};
-    add_presence(part, group);
-    if (!is_in(present_, part)) { return group; }
-    add_forms(index, group);
-    add_equations(index, group);
-    add_geometry(index, group);
-    return group;
-}
-
-ExperimentGroup Laboratory::of_driver(int index) const {
-    const Driver& driver = session_.lesson().mechanism.drivers[static_cast<std::size_t>(index)];
-    ExperimentGroup group;
-    group.title = driver.name + " · driver";
-    add_presence({Addition::Kind::driver, index}, group);
-    TimeFunction function = driver.function;
-    function.polynomial.resize(std::max<std::size_t>(2, function.polynomial.size()), 0.0);
-    group.experiments.push_back({text_of(SetDriver{index, function}, session_), true, false, {}});
-    return group;
-}
-
-/// The condition is that of Φq with its normalisation rows, as it stands.
-ExperimentGroup Laboratory::coordinates() const {
-    ExperimentGroup group;
-    group.title = "coordinates of Φq";
-    const int step = closed_step(session_.story(), session_.index());
-    for (int k = 0; k < 4; ++k) {
-        const auto choice = static_cast<CoordinateChoice>(k);
-        Experiment e{
-            text_of(SetCoordinates{choice}, session_), session_.lesson().coordinates == choice, false, {}};
-        const Inspection inspection = inspect_step(session_.story(), step, choice);
-        const auto rows = static_cast<int>(inspection.phi.size());
-        // a row pᵀp - 1 per moving body is independent of all others
-        const int rank = report_.rank + rows - step_.system->rows();
-        e.effect = Effect{rows, rank, report_.dof, 0.0};
-        if (rank > 0 && inspection.singular_values.size() >= rank) {
-            e.effect->condition = inspection.singular_values(0) / inspection.singular_values(rank - 1);
-        }
-        group.experiments.push_back(std::move(e));
-    }
-    return group;
-}
-
-std::vector<FreeMotionVerdict> Laboratory::free_motions() const {
-    std::vector<FreeMotionVerdict> verdicts;
-    Hand hand(session_.story(), session_.index());
-    for (int k = 0; k < static_cast<int>(report_.free_motions.size()); ++k) {
-        if (!hand.follow(k, 1.0)) { continue; }
-        const FollowedMotion& followed = *hand.followed();
-        FreeMotionVerdict verdict;
-        verdict.text = text_of(ShowFreedom{k, 1.0}, session_);
-        verdict.motion = free_motion_text(*step_.system, report_.free_motions[static_cast<std::size_t>(k)]);
-        verdict.finite = followed.finite;
-        verdicts.push_back(std::move(verdict));
-    }
-    return verdicts;
-}
-
-std::string Laboratory::moment() const {
-    const std::optional<Addition> subject = subject_of(session_.lesson(), step_);
-    if (step_.kind == Step::Kind::motion) { return "at " + number_text(step_.t, 6) + " s"; }
-    if (!subject) { return "with the free bodies"; }
-    const Mechanism& m = session_.lesson().mechanism;
-    const auto k = static_cast<std::size_t>(subject->index);
-    return "after " + (subject->kind == Addition::Kind::joint ? m.joints[k].name : m.drivers[k].name);
-}
-
-Experiments Laboratory::all() const {
-    Experiments all;
-    all.moment = moment();
-    all.step = closed_step(session_.story(), session_.index());
-    all.present = effect_of(report_);
-    for (const Addition& part : session_.as_written().order) {
-        const bool is_joint = part.kind == Addition::Kind::joint;
-        all.groups.push_back(is_joint ? of_joint(part.index) : of_driver(part.index));
-    }
-    for (const int row : removable_rows(report_)) { all.removable.push_back(row_label(*step_.system, row)); }
-    for (const RedundantRow& row : report_.redundant_rows) {
-        all.combinations.push_back(combination_text(*step_.system, row));
-    }
-    all.free_motions = free_motions();
-    all.coordinates = coordinates();
-    return all;
-}
 
 }  // namespace
 
-Experiments experiments_of(const Session& session) { return Laboratory(session).all(); }
+JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec3& s_local) {
+    JointGeometry moved = geometry;
+    Vec3& s = in_body_j ? moved.s_j_local : moved.s_i_local;
+    Vec3& h = in_body_j ? moved.h_j_local : moved.h_i_local;
+    Vec3& u = in_body_j ? moved.u_j_local : moved.u_i_local;
+    const Mat3 turn = turn_between(s, s_local);
+    s = s_local.normalized() * s.norm();
+    h = turn * h;
+    u = turn * u;
+    return moved;
+}
+
+Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment) {
+    return std::visit(Editor(lesson, written), experiment);
+}
 
 }  // namespace jw

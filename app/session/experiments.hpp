@@ -2,59 +2,100 @@
 
 #include <optional>
 #include <string>
-#include <vector>
+#include <variant>
 
-#include "app/session/json.hpp"
-#include "app/session/session.hpp"
+#include "lessons/lesson.hpp"
 
-/// What can be tried in a lesson, and what each experiment would do to the equations where the lesson stands.
+/// What a person can do to a lesson that is being told: look at another step, or try something else than
+/// the author did. Plain values: the window makes them from clicks and keys, the command line from text.
 namespace jw {
 
-/// Of all equations that are present, at the same pose.
-struct Effect {
-    int rows = 0;
-    int rank = 0;
-    int dof = 0;
-    double condition =
-        0.0;  ///< largest by smallest singular value that counts, (r, ω′), scaled; 0 without rows
-
-    int redundant() const { return rows - rank; }
-};
-
-struct Experiment {
-    std::string text;   ///< to be typed: "form hinge drop x"
-    bool now = false;   ///< it is so already
-    bool free = false;  ///< taking it out costs no rank
-    std::optional<Effect> effect;
-};
-
-struct FreeMotionVerdict {
-    std::string text;     ///< "follow 1"
-    std::string motion;   ///< in words
-    bool finite = false;  ///< it goes on; else for an instant only
-};
-
-/// Everything about one joint or driver.
-struct ExperimentGroup {
-    std::string title;  ///< "A · revolute · ground – crank"
-    std::vector<Experiment> experiments;
-};
-
-struct Experiments {
-    std::string moment;  ///< "after D"
+/// Another step of the story; beyond its ends means the first or the last one.
+struct GoTo {
     int step = 0;
-    Effect present;
-    std::vector<ExperimentGroup> groups;
-    std::vector<std::string> removable;  ///< rows of which any single one may go without a loss of rank
-    std::vector<std::string> combinations;
-    std::vector<FreeMotionVerdict> free_motions;
-    ExperimentGroup coordinates;
 };
 
-/// Of what `session` shows: where a joint is being closed, before it.
-Experiments experiments_of(const Session& session);
+/// Which of the three equations of p1 and p2 a joint keeps.
+struct SetParallelForm {
+    int joint = 0;
+    ParallelForm form = ParallelForm::rule;
+};
 
-std::string describe(const Experiments& experiments, const Lesson& lesson);
-Json json_of(const Experiments& experiments, const Lesson& lesson);
+/// Which equation ties θ of a screw to the angle.
+struct SetScrewAngleForm {
+    int joint = 0;
+    ScrewAngleForm form = ScrewAngleForm::rotation;
+};
+
+struct SetCoordinates {
+    CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;
+};
+
+/// A joint or a driver is taken out, or put back where the author has it.
+struct SetPresent {
+    Addition what;
+    bool present = false;
+};
+
+/// One single equation of a joint is taken out or put back.
+struct SetEquationPresent {
+    int joint = 0;
+    EquationOut equation;
+    bool present = false;
+};
+
+/// Points and vectors of a joint; directions of any length but zero.
+struct SetGeometry {
+    int joint = 0;
+    JointGeometry geometry;
+};
+
+struct SetDriver {
+    int driver = 0;
+    TimeFunction function;
+};
+
+/// A point of a body is pulled towards a place; what is assembled so far holds.
+struct Drag {
+    int body = 0;
+    Vec3 point_local = Vec3::Zero();  ///< [m]
+    Vec3 target = Vec3::Zero();       ///< global [m]
+};
+
+/// The hand lets go: the pose becomes the start estimate.
+struct Release {};
+
+/// A free motion is followed: which one of the rank report, and how far from the pose it starts at, from -1
+/// to 1 of what was followed.
+struct ShowFreedom {
+    int motion = 0;
+    double part = 0.0;
+};
+
+/// Back to the step of the story, without the pose that a hand or a free motion led to.
+struct LetGo {};
+
+struct Undo {};
+struct Redo {};
+/// The lesson as it was written.
+struct StartOver {};
+
+using Experiment = std::variant<
+    GoTo, SetParallelForm, SetScrewAngleForm, SetCoordinates, SetPresent, SetEquationPresent, SetGeometry,
+    SetDriver, Drag, Release, ShowFreedom, LetGo, Undo, Redo, StartOver>;
+
+/// `geometry` with another axis in body i (or j): the vectors perpendicular to it turn with it.
+/// @param s_local  any length but zero
+JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec3& s_local);
+
+/// The changed lesson and what was changed in words, or why that is not possible.
+struct Edit {
+    std::optional<Lesson> lesson;
+    std::string what;  ///< "A keeps all three", or the reason
+};
+
+/// What an experiment makes of a lesson.
+/// @param written  the lesson as its author wrote it: where things that are put back come from
+Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment);
 
 }  // namespace jw

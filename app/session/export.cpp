@@ -110,32 +110,4 @@ std::string matrix_csv(const MatrixView& matrix) {
     return text;
 }
 
-std::string newton_csv(const std::vector<NewtonRow>& rows) {
-    std::string text =
-        "iteration,norm of phi,largest row,its value,norm of delta q,largest turn [deg],part of the step "
-        "taken,rank,note\n";
-    for (const NewtonRow& row : rows) {
-        text += std::to_string(row.iteration) + ',' + csv_number(row.phi_norm) + ',' +
-                csv_cell(row.largest_row) + ',' + csv_number(row.largest_value) + ',';
-        if (row.stepped) {
-            text += csv_number(row.delta_norm) + ',' + csv_number(row.turn_deg) + ',' +
-                    csv_number(row.fraction) + ',' + std::to_string(row.rank) + ',';
-        } else {
-            text += ",,,,";
-        }
-        text += csv_cell(row.note) + '\n';
-    }
-    return text;
-}
-
-std::string singular_values_csv(const RankView& rank) {
-    std::string text = "number,singular value,threshold,counts as\n";
-    for (std::size_t k = 0; k < rank.singular_values.size(); ++k) {
-        const double value = rank.singular_values[k];
-        text += std::to_string(k + 1) + ',' + csv_number(value) + ',' + csv_number(rank.threshold) + ',' +
-                (value > rank.threshold ? "independent" : "zero") + '\n';
-    }
-    return text;
-}
-
 }  // namespace jw

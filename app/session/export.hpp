@@ -26,9 +26,5 @@ std::string matrix_latex(const MatrixView& matrix, MatrixStyle style);
 
 /// A line per row of Φq: what it belongs to, its label, its entries; columns are named "crank ω′x".
 std::string matrix_csv(const MatrixView& matrix);
-/// A line per iteration.
-std::string newton_csv(const std::vector<NewtonRow>& rows);
-/// Largest first, with the threshold and whether each counts as zero.
-std::string singular_values_csv(const RankView& rank);
 
 }  // namespace jw

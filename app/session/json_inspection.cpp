@@ -3,16 +3,14 @@
 #include "app/session/json.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/view_equations.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
 namespace {
 
 Json json_of(double value) { return number(value); }
-Json json_of(ScrewAngleForm form) {
-    constexpr const char* forms[] = {"rotation", "cosine", "sine"};
-    return forms[static_cast<int>(form)];
-}
+Json json_of(ScrewAngleForm form) { return word_of(kAngleRows, form); }
 
 /// The data of a primitive, with the names of primitives.hpp.
 Json data_of(const Primitive& primitive) {

@@ -7,7 +7,7 @@
 
 #include "app/session/story.hpp"
 #include "core/motion_tracker.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw {
 
@@ -106,7 +106,7 @@ KinematicsRun dense(System system, const std::vector<Instant>& moments) {
     const Errors errors(system, moments);
     const double count = kFramesOfBench;
     KinematicsRun run;
-    run.coordinates = kChoices[static_cast<std::size_t>(C::kChoice)];
+    run.coordinates = word_of(kChoices, C::kChoice);
     run.microseconds = std::numeric_limits<double>::infinity();
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
         double seconds = 0.0;

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "app/session/describe.hpp"
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
+#include "app/session/text_table.hpp"
 
 namespace jw {
 
 namespace {
-
-constexpr int kNameWidth = 22;
-constexpr int kColumn = 22;
 
 NewtonRun run_of(const NewtonTrace& trace, const std::string& name) {
     NewtonRun run;
@@ -37,40 +34,38 @@ std::string title_of(const Story& story, int start, const NewtonPlan& plan) {
     const std::string part = name_of_part(story.lesson().mechanism, *subject_of(story.lesson(), step));
     const std::string what = plan.by_method
                                  ? std::string("methods in ") + name_of_choice(plan.choice)
-                                 : "coordinates by " + method_names()[static_cast<std::size_t>(plan.method)];
+                                 : std::string("coordinates by ") + word_of(kNewtonMethods, plan.method);
     return "Closing " + part + " from the same start, " + what +
            (plan.normalisation_rows ? "" : ", without the rows pᵀp − 1");
 }
 
-std::string cell(const std::string& text, int width) { return padded(text, width, true); }
-
 std::string table_text(const NewtonComparison& comparison) {
-    std::string text = "  " + padded("", kNameWidth) + cell("iterations", 10) + cell("‖Φ‖", 10) +
-                       cell("order", 8) + cell("turn", 10) + '\n';
+    TextRows table{{"", "iterations", "‖Φ‖", "order", "turn"}};
     for (const NewtonRunRow& row : comparison.rows) {
-        text += "  " + padded(row.name, kNameWidth) + cell(std::to_string(row.iterations), 10) +
-                cell(small_text(row.phi_norm), 10) + cell(row.order, 8) + cell(row.turn, 10) + "  " +
-                row.verdict + '\n';
+        table.push_back(
+            {row.name, std::to_string(row.iterations), small_text(row.phi_norm), row.order, row.turn,
+             row.verdict});
     }
-    return text;
+    return text_table(
+        table, {{false, 22, 2}, {true, 10, 0}, {true, 10, 0}, {true, 8, 0}, {true, 10, 0}, {false, 0, 2}});
 }
 
 /// ‖Φ‖ before the first step and after each, a column per way.
 std::string iterates_text(const NewtonRuns& runs) {
-    std::string text = "  " + padded("‖Φ‖", 5);
-    for (const std::string& name : runs.names) { text += cell(name, kColumn); }
-    text += '\n';
+    TextRows table{{"‖Φ‖"}};
+    table.front().insert(table.front().end(), runs.names.begin(), runs.names.end());
     std::size_t longest = 0;
     for (const NewtonTrace& trace : runs.traces) { longest = std::max(longest, trace.iterates.size()); }
     for (std::size_t k = 0; k < longest; ++k) {
-        std::string line = "  " + padded(std::to_string(k), 5);
+        table.push_back({std::to_string(k)});
         for (const NewtonTrace& trace : runs.traces) {
-            line += cell(k < trace.iterates.size() ? small_text(trace.iterates[k].phi_norm) : "", kColumn);
+            const bool goes_on = k < trace.iterates.size();
+            table.back().push_back(goes_on ? small_text(trace.iterates[k].phi_norm) : "");
         }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
     }
-    return text;
+    std::vector<TextColumn> columns(runs.names.size() + 1, {true, 22, 0});
+    columns.front() = {false, 5, 2};
+    return text_table(table, columns);
 }
 
 Json json_of(const NewtonTrace& trace, const std::string& name, const std::string& wrong) {
@@ -86,7 +81,7 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
     }
     return {
         {"name", name},
-        {"method", method_names()[static_cast<std::size_t>(trace.method)]},
+        {"method", word_of(kNewtonMethods, trace.method)},
         {"converged", trace.converged},
         {"wrong_branch", wrong.empty() ? Json() : Json(wrong)},
         {"order", trace.order ? number(*trace.order) : Json()},
@@ -94,11 +89,6 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
 }
 
 }  // namespace
-
-const std::vector<std::string>& method_names() {
-    static const std::vector<std::string> names{"limited", "plain", "damped", "levenberg-marquardt"};
-    return names;
-}
 
 int start_of_closing(const Story& story, const Addition& subject) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
@@ -114,15 +104,15 @@ NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan) {
     NewtonRuns runs;
     runs.title = title_of(story, start, plan);
     std::vector<NewtonRun> compared;
-    for (int k = 0; k < 4; ++k) {
-        const CoordinateChoice choice = plan.by_method ? plan.choice : static_cast<CoordinateChoice>(k);
-        const NewtonMethod method = plan.by_method ? static_cast<NewtonMethod>(k) : plan.method;
+    const std::size_t ways = plan.by_method ? kNewtonMethods.size() : kChoices.size();
+    for (std::size_t k = 0; k < ways; ++k) {
+        const CoordinateChoice choice = plan.by_method ? plan.choice : kChoices[k].value;
+        const NewtonMethod method = plan.by_method ? kNewtonMethods[k].value : plan.method;
         NewtonTrace trace = with_choice(choice, [&](auto c) {
             return trace_newton<decltype(c)>(
                 *from.system, from.state, from.t, method, plan.normalisation_rows);
         });
-        runs.names.push_back(
-            plan.by_method ? method_names()[static_cast<std::size_t>(k)] : name_of_choice(choice));
+        runs.names.push_back(plan.by_method ? word_of(kNewtonMethods, method) : name_of_choice(choice));
         runs.wrong_branches.push_back(
             trace.wrong_branch ? branch_text(*from.system, *trace.wrong_branch) : std::string());
         compared.push_back(run_of(trace, runs.names.back()));

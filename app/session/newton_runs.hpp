@@ -6,6 +6,7 @@
 #include "app/session/json.hpp"
 #include "app/session/newton_comparison.hpp"
 #include "core/newton_methods.hpp"
+#include "lessons/enum_words.hpp"
 
 /// Newton's method from one start of a story, in several ways: the comparison of newton_comparison.hpp with
 /// its numbers.
@@ -21,8 +22,11 @@ struct NewtonPlan {
     bool operator==(const NewtonPlan&) const = default;
 };
 
-/// "limited", "plain", "damped", "levenberg-marquardt": in the order of NewtonMethod.
-const std::vector<std::string>& method_names();
+inline constexpr std::array kNewtonMethods{
+    EnumWord<NewtonMethod>{NewtonMethod::stepwise_limited, "limited", "turns limited to 0.5 rad"},
+    EnumWord<NewtonMethod>{NewtonMethod::plain, "plain", "plain Newton"},
+    EnumWord<NewtonMethod>{NewtonMethod::damped, "damped", "damped (line search)"},
+    EnumWord<NewtonMethod>{NewtonMethod::levenberg_marquardt, "levenberg-marquardt", "Levenberg-Marquardt"}};
 
 /// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
 int start_of_closing(const Story& story, const Addition& subject);

@@ -29,8 +29,11 @@ int picture_id(const Pointable& link) {
         case Pointable::Kind::body: return (link.index + 1) * kRadix + kBody;
         case Pointable::Kind::joint: return (link.index + 1) * kRadix + kJoint;
         case Pointable::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
-        default: return 0;
+        case Pointable::Kind::none:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
     }
+    return 0;
 }
 
 Pointable pointable_of(int id) {

@@ -79,12 +79,12 @@ Lesson started_at(Lesson lesson, const State& state) {
 }
 
 /// Edits of one kind on one thing, as while a slider is dragged, are one change.
-std::size_t gesture_of(const Action& action) {
-    const std::size_t kind = action.index() + 1;
-    if (const auto* a = std::get_if<SetGeometry>(&action)) {
+std::size_t gesture_of(const Experiment& experiment) {
+    const std::size_t kind = experiment.index() + 1;
+    if (const auto* a = std::get_if<SetGeometry>(&experiment)) {
         return kind + 100 * (static_cast<std::size_t>(a->joint) + 1);
     }
-    if (const auto* a = std::get_if<SetDriver>(&action)) {
+    if (const auto* a = std::get_if<SetDriver>(&experiment)) {
         return kind + 100 * (static_cast<std::size_t>(a->driver) + 1);
     }
     return 0;
@@ -116,16 +116,16 @@ const Step& Session::step() const {
     return hand_ ? hand_->step() : story_->steps()[static_cast<std::size_t>(index_)];
 }
 
-std::string Session::apply(const Action& action) {
-    if (const auto* a = std::get_if<Drag>(&action)) { return drag(*a); }
-    if (std::holds_alternative<Release>(action)) { return release(); }
-    if (const auto* a = std::get_if<ShowFreedom>(&action)) { return show_freedom(*a); }
+std::string Session::apply(const Experiment& experiment) {
+    if (const auto* a = std::get_if<Drag>(&experiment)) { return drag(*a); }
+    if (std::holds_alternative<Release>(experiment)) { return release(); }
+    if (const auto* a = std::get_if<ShowFreedom>(&experiment)) { return show_freedom(*a); }
     if (hand_) {
         hand_.reset();
         changed();
     }
-    if (std::holds_alternative<LetGo>(action)) { return {}; }
-    if (const auto* a = std::get_if<GoTo>(&action)) {
+    if (std::holds_alternative<LetGo>(experiment)) { return {}; }
+    if (const auto* a = std::get_if<GoTo>(&experiment)) {
         gesture_ = 0;
         const int last = static_cast<int>(story_->steps().size()) - 1;
         const int next = std::clamp(a->step, 0, last);
@@ -135,9 +135,9 @@ std::string Session::apply(const Action& action) {
         }
         return {};
     }
-    if (std::holds_alternative<Undo>(action)) { return step_back_in_history(undo_, redo_); }
-    if (std::holds_alternative<Redo>(action)) { return step_back_in_history(redo_, undo_); }
-    if (std::holds_alternative<StartOver>(action)) {
+    if (std::holds_alternative<Undo>(experiment)) { return step_back_in_history(undo_, redo_); }
+    if (std::holds_alternative<Redo>(experiment)) { return step_back_in_history(redo_, undo_); }
+    if (std::holds_alternative<StartOver>(experiment)) {
         if (!is_changed()) { return "Nothing was changed."; }
         Past past = present("start over");
         take_over(written_);
@@ -146,13 +146,13 @@ std::string Session::apply(const Action& action) {
         gesture_ = 0;
         return "The lesson is as it was written.";
     }
-    return edit(action);
+    return edit(experiment);
 }
 
-std::string Session::edit(const Action& action) {
-    Edit result = edited(*lesson_, *written_, action);
+std::string Session::edit(const Experiment& experiment) {
+    Edit result = edited(*lesson_, *written_, experiment);
     if (!result.lesson) { return result.what; }
-    const std::size_t gesture = gesture_of(action);
+    const std::size_t gesture = gesture_of(experiment);
     Past past = present(result.what);
     take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
     if (gesture == 0 || gesture != gesture_) {
@@ -265,10 +265,10 @@ std::string Session::release() {
     return "The pose is the new start estimate.";
 }
 
-std::string Session::show_freedom(const ShowFreedom& action) {
+std::string Session::show_freedom(const ShowFreedom& experiment) {
     gesture_ = 0;
     if (!hand_) { hand_ = std::make_unique<Hand>(*story_, index_); }
-    if (!hand_->follow(action.motion, action.part)) {
+    if (!hand_->follow(experiment.motion, experiment.part)) {
         hand_.reset();
         changed();
         return "There is no such free motion here.";

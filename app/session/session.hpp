@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/session/actions.hpp"
+#include "app/session/experiments.hpp"
 #include "app/session/hand.hpp"
 #include "app/session/picture.hpp"
 #include "app/session/view.hpp"
@@ -34,7 +34,7 @@ public:
     bool in_hand() const { return hand_ != nullptr; }
 
     /// @return what was done or why it was not, for people; empty where there is nothing to say
-    std::string apply(const Action& action);
+    std::string apply(const Experiment& experiment);
 
     /// The file was saved anew. What was tried before stays in the history.
     void replace(Lesson lesson);
@@ -74,17 +74,16 @@ private:
     };
     struct Cache;
 
-    std::string edit(const Action& action);
+    std::string edit(const Experiment& experiment);
     std::string drag(const Drag& drag);
     std::string scrub(const Drag& drag);
     std::string release();
-    std::string show_freedom(const ShowFreedom& action);
+    std::string show_freedom(const ShowFreedom& experiment);
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
     void take_over(std::shared_ptr<const Lesson> lesson);
     void told_anew();
     void changed();
-    const Story* story_pointer() const { return story_.get(); }
 
     std::shared_ptr<const Lesson> written_;
     std::shared_ptr<const Lesson> lesson_;

@@ -85,7 +85,9 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
         case ParallelForm::pair:
             return "Two equations with vectors a and b perpendicular to sᵢ instead: their condition is " +
                    number_text(choice.form_condition, 3) + " whatever the direction of sᵢ.";
-        default: break;
+        case ParallelForm::drop_x:
+        case ParallelForm::drop_y:
+        case ParallelForm::drop_z: break;
     }
     const std::string name = axis_name(choice.dropped);
     const std::string said =

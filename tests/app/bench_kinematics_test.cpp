@@ -7,7 +7,7 @@
 namespace jw::test {
 
 TEST_CASE("bench --kinematics finds the same moments in every choice of coordinates and rows", "[app]") {
-    const Ran ran = run({"bench", "--kinematics", "four-bar", "parallelogram", "--output", "json"});
+    const Ran ran = run({"bench", "--kinematics", "four-bar", "parallelogram", "--format", "json"});
     REQUIRE(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     REQUIRE(json["scenes"].size() == 2);
@@ -37,8 +37,8 @@ TEST_CASE("bench --kinematics refuses lessons that no driver moves", "[app]") {
     CHECK(run({"bench", "--kinematics", "no-such-lesson"}).status == 2);
     CHECK(run({"bench", "--kinematics", "--hard"}).status == 2);
     CHECK(run({"bench", "--hard", "--picture", "x.png"}).status == 2);
-    CHECK(run({"bench", "--kinematics", "four-bar", "--output", "markdown"}).status == 2);
-    CHECK(run({"bench", "--kinematics", "four-bar", "--output", "csv"}).out.starts_with("scene,"));
+    CHECK(run({"bench", "--kinematics", "four-bar", "--format", "markdown"}).status == 2);
+    CHECK(run({"bench", "--kinematics", "four-bar", "--format", "csv"}).out.starts_with("scene,"));
 }
 
 }  // namespace jw::test

@@ -8,8 +8,27 @@
 namespace jw::test {
 namespace {
 
-const std::vector<std::string> kCommands{"open",   "list",  "check", "step",   "inspect", "try",
-                                         "newton", "solve", "plot",  "render", "doctor"};
+const std::vector<std::string> kCommands{"open",  "list",     "check", "step", "inspect", "try",   "newton",
+                                         "solve", "simulate", "bench", "plot", "render",  "doctor"};
+
+/// A command that can write JSON, with what it needs besides its format.
+std::vector<std::vector<std::string>> commands_with_json(const std::string& driven) {
+    const std::string pendulum = lesson_path("dynamics/simple-pendulum.toml");
+    return {
+        {"step", driven},
+        {"inspect", driven},
+        {"try", driven},
+        {"newton", driven},
+        {"solve", driven},
+        {"simulate", pendulum, "--duration", "0.1", "--samples", "2"},
+        {"bench", "--hard", "kept-pair-at-90"},
+        {"doctor"}};
+}
+
+Ran run_with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+}
 
 }  // namespace
 
@@ -25,6 +44,34 @@ TEST_CASE("help of every command has an example that works", "[app][commands]") 
     for (const std::string& command : kCommands) {
         CHECK(all.out.find("  " + command + " ") != std::string::npos);
     }
+}
+
+TEST_CASE("What is written is said by --format; --output and --json say the same", "[app][commands]") {
+    const Folder folder;
+    for (const auto& command : commands_with_json(folder.file("crank.toml", kCrank))) {
+        CAPTURE(command);
+        const Ran format = run_with(command, {"--format", "json"});
+        CHECK(format.status == 0);
+        CHECK(format.out.starts_with("{"));
+        CHECK(run_with(command, {"--output", "json"}).out == format.out);
+        CHECK(run_with(command, {"--json"}).out == format.out);
+        const Ran both = run_with(command, {"--format", "json", "--json"});
+        CHECK(both.status == 2);
+        CHECK_THAT(both.err, Catch::Contains("--format excludes --json"));
+    }
+}
+
+TEST_CASE("No help and no hint names another option for the format than --format", "[app][commands]") {
+    for (const std::string& command : kCommands) {
+        const Ran help = run({command, "--help"});
+        INFO(help.out);
+        CHECK(help.out.find("--output") == std::string::npos);
+        CHECK(help.out.find("--json") == std::string::npos);
+    }
+    const Folder folder;
+    const Ran slip = run({"step", folder.file("crank.toml", kCrank), "--outptu", "json"});
+    CHECK(slip.status == 2);
+    CHECK(slip.err.find("--output'") == std::string::npos);
 }
 
 TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]") {

@@ -30,7 +30,8 @@ render::Image changed(render::Image picture, const std::function<void(std::uint8
 render::Image test_picture() {
     static const render::Image picture = [] {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
-        return draw_test_picture(offscreen.gl());
+        render::RenderTargets targets(offscreen.gl(), kTestWidth, kTestHeight);
+        return draw_test_picture(offscreen.gl(), targets);
     }();
     return picture;
 }
@@ -52,7 +53,7 @@ TEST_CASE("doctor finds everything that is needed for pictures here", "[app][doc
 }
 
 TEST_CASE("doctor says the same as JSON", "[app][doctor]") {
-    const Ran ran = run({"doctor", "--json"});
+    const Ran ran = run({"doctor", "--format", "json"});
     CHECK(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     CHECK(json["format"] == "jointwise doctor");
@@ -77,7 +78,7 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
     const Ran own = run({"doctor"});
     folder.file("latinmodern-math.otf", "no font");
     const Ran broken = run({"doctor"});
-    const Ran broken_json = run({"doctor", "--json"});
+    const Ran broken_json = run({"doctor", "--format", "json"});
     ::unsetenv("JOINTWISE_FONTS");
     CHECK(empty.status == 0);
     CHECK(own.status == 0);

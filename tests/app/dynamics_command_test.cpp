@@ -25,7 +25,7 @@ const std::string kPendulum = lesson_path("dynamics/simple-pendulum.toml");
 
 TEST_CASE("simulate gives a table whose end is the reference", "[app][dynamics]") {
     const Ran ran =
-        run({"simulate", kPendulum, "--tolerance", "1e-10", "--samples", "10", "--output", "json"});
+        run({"simulate", kPendulum, "--tolerance", "1e-10", "--samples", "10", "--format", "json"});
     REQUIRE(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     CHECK(json["rows"].size() == 11);
@@ -89,7 +89,7 @@ TEST_CASE("simulate --reactions adds forces and names what is not unique", "[app
 TEST_CASE("simulate --reactions marks every number that other answers share", "[app][dynamics]") {
     const Ran ran = run(
         {"simulate", lesson_path("dynamics/four-bar-1.toml"), "--reactions", "--samples", "2", "--duration",
-         "0.1", "--output", "json"});
+         "0.1", "--format", "json"});
     REQUIRE(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     const auto columns = json["columns"].get<std::vector<std::string>>();
@@ -126,7 +126,7 @@ TEST_CASE("A spring wound up by more than a turn swings as its formula says", "[
         for (const char* method : {"explicit-8", "explicit-5", "implicit-5"}) {
             CAPTURE(free_deg, method);
             const Ran ran = run(
-                {"simulate", file, "--method", method, "--tolerance", "1e-10", "--samples", "30", "--output",
+                {"simulate", file, "--method", method, "--tolerance", "1e-10", "--samples", "30", "--format",
                  "json"});
             REQUIRE(ran.status == 0);
             const auto json = nlohmann::json::parse(ran.out);
@@ -201,7 +201,7 @@ TEST_CASE("A motion that ends without drivers is not blamed on one", "[app][dyna
 TEST_CASE("simulate --reactions says what of the forces no reaction explains", "[app][dynamics]") {
     const auto simulated = [](const char* reactions) {
         std::vector<std::string> arguments{
-            "simulate", lesson_path("dynamics/four-bar-1.toml"), "--samples", "4", "--output", "json"};
+            "simulate", lesson_path("dynamics/four-bar-1.toml"), "--samples", "4", "--format", "json"};
         if (*reactions != 0) { arguments.emplace_back(reactions); }
         const Ran ran = run(arguments);
         REQUIRE(ran.status == 0);
@@ -279,7 +279,7 @@ TEST_CASE("simulate says which start velocities it could not keep", "[app][dynam
 }
 
 TEST_CASE("inspect --time shows where masses and forces have led to", "[app][dynamics]") {
-    const Ran table = run({"simulate", kPendulum, "--duration", "0.5", "--samples", "1", "--output", "json"});
+    const Ran table = run({"simulate", kPendulum, "--duration", "0.5", "--samples", "1", "--format", "json"});
     const Ran seen = run({"inspect", kPendulum, "--time", "0.5", "--format", "json"});
     REQUIRE(seen.status == 0);
     const auto there = nlohmann::json::parse(table.out)["rows"].back();
@@ -291,7 +291,7 @@ TEST_CASE("inspect --time shows where masses and forces have led to", "[app][dyn
 }
 
 TEST_CASE("bench says what a digit costs", "[app][dynamics]") {
-    const Ran ran = run({"bench", "simple-pendulum", "--method", "explicit-8", "--output", "json"});
+    const Ran ran = run({"bench", "simple-pendulum", "--method", "explicit-8", "--format", "json"});
     REQUIRE(ran.status == 0);
     const auto json = nlohmann::json::parse(ran.out);
     const auto& points = json["scenes"][0]["runs"][0]["points"];

@@ -7,6 +7,7 @@
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
+#include "tests/support/read_png.hpp"
 
 /// Pictures that were looked at. `./dev golden` draws them anew; look at each before it is committed.
 ///
@@ -87,7 +88,7 @@ render::Image picture_of(const GoldenWindow& golden) {
     const Ran ran = run(arguments);
     INFO(ran.err);
     REQUIRE(ran.status == 0);
-    return render::read_png(picture);
+    return read_png(picture);
 }
 
 struct Difference {
@@ -119,7 +120,7 @@ void compare(const std::string& file, const render::Image& now) {
         render::write_file_atomically(path, render::encode_png(now));
         return;
     }
-    const render::Image then = render::read_png(path);
+    const render::Image then = read_png(path);
     REQUIRE(now.width == then.width);
     REQUIRE(now.height == then.height);
     const Difference difference = difference_of(now, then);

@@ -48,11 +48,11 @@ TEST_CASE("bench --hard runs the cases that are named, in every form", "[app][ha
     const Ran table = run({"bench", "--hard", "kept-pair-at-90"});
     CHECK(table.status == 0);
     CHECK(table.out.find("least rank") != std::string::npos);
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "json"}).out.starts_with("{"));
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "csv"}).out.starts_with("case,"));
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--output", "markdown"}).out.starts_with("# Hard"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "json"}).out.starts_with("{"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "csv"}).out.starts_with("case,"));
+    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "markdown"}).out.starts_with("# Hard"));
     CHECK(run({"bench", "--hard", "kept-pair-at-9"}).status == 2);
-    CHECK(run({"bench", "simple-pendulum", "--output", "markdown"}).status == 2);
+    CHECK(run({"bench", "simple-pendulum", "--format", "markdown"}).status == 2);
 }
 
 }  // namespace jw::test

@@ -60,4 +60,25 @@ TEST_CASE("list names every shipped lesson once", "[app][lessons]") {
     }
 }
 
+TEST_CASE("The table of lessons in README is the one that list makes", "[app][lessons]") {
+    const std::string readme = bytes_of(source_path("README.md"));
+    const std::string begin = "<!-- lessons: written by ./dev scenes -->\n";
+    const std::size_t from = readme.find(begin) + begin.size();
+    const std::size_t to = readme.find("<!-- lessons: end -->");
+    REQUIRE(from < to);
+    REQUIRE(to != std::string::npos);
+    INFO("where lessons have changed: ./dev scenes");
+    CHECK(readme.substr(from, to - from) == run({"list", "--format", "markdown"}).out);
+}
+
+TEST_CASE("A bar in a lesson's title does not end its cell of the table", "[app][lessons]") {
+    const Folder folder;
+    std::string crank = kCrank;
+    crank.replace(crank.find("A crank"), 7, "One | two");
+    folder.file("crank.toml", crank);
+    const Ran ran = run({"list", folder.path(), "--format", "markdown"});
+    CHECK(ran.status == 0);
+    CHECK_THAT(ran.out, Catch::EndsWith("\n| `crank` | One \\| two |  |\n"));
+}
+
 }  // namespace jw::test

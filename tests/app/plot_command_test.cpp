@@ -4,6 +4,7 @@
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
+#include "tests/support/read_png.hpp"
 
 namespace jw::test {
 namespace {
@@ -52,7 +53,7 @@ TEST_CASE(
         INFO(topic);
         REQUIRE(run(arguments).status == 0);
         const std::string bytes = bytes_of(out);
-        const render::Image image = render::read_png(out);
+        const render::Image image = read_png(out);
         CHECK(image.width == 640);
         CHECK(image.height == 400);
         CHECK(marked(image) > 640);

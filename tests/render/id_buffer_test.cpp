@@ -27,7 +27,7 @@ struct Picker {
     }
     int at(const Camera& camera, const Vector3d& point, const Rect& viewport = kWhole) const {
         const Projected seen = project(camera, viewport, point);
-        return ids.id_at(seen.x, seen.y);
+        return ids.nearest_id(seen.x, seen.y, 0.0);
     }
 };
 
@@ -107,7 +107,7 @@ TEST_CASE("no pixel has an id that is not in the scene", "[render][ids]") {
     picker.show(scene, camera_for(scene));
     std::set<int> found;
     for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) { found.insert(picker.ids.id_at(x, y)); }
+        for (int x = 0; x < kWidth; ++x) { found.insert(picker.ids.nearest_id(x, y, 0.0)); }
     }
     std::set<int> expected(ids.begin(), ids.end());
     expected.insert(0);
@@ -120,18 +120,18 @@ TEST_CASE("the background, the ground and what is outside the viewport are nothi
     scene.shapes.push_back(ball({0.0, 0.0, 0.0}, 20.0, 3));
     const Rect viewport{40.0, 20.0, 100.0, 80.0};
     Picker picker;
-    CHECK(picker.ids.id_at(90.0, 60.0) == 0);  // before the first update
+    CHECK(picker.ids.nearest_id(90.0, 60.0, 0.0) == 0);  // before the first update
     picker.show(scene, front_view(), viewport);
-    CHECK(picker.ids.id_at(40.5, 20.5) == 3);
-    CHECK(picker.ids.id_at(139.5, 99.5) == 3);
+    CHECK(picker.ids.nearest_id(40.5, 20.5, 0.0) == 3);
+    CHECK(picker.ids.nearest_id(139.5, 99.5, 0.0) == 3);
     for (const auto& [x, y] :
          {std::pair(39.5, 60.0), {140.5, 60.0}, {90.0, 19.5}, {90.0, 100.5}, {-1e4, 1e4}}) {
-        CHECK(picker.ids.id_at(x, y) == 0);
+        CHECK(picker.ids.nearest_id(x, y, 0.0) == 0);
         CHECK(picker.ids.nearest_id(x, y, 5.0) == 0);
     }
     scene.shapes.clear();
     picker.show(scene, front_view(), viewport, 2);
-    CHECK(picker.ids.id_at(90.0, 90.0) == 0);
+    CHECK(picker.ids.nearest_id(90.0, 90.0, 0.0) == 0);
 }
 
 TEST_CASE("a hidden body does not win, even if the one before it cannot be hit", "[render][ids]") {
@@ -226,7 +226,7 @@ TEST_CASE("ids cover exactly the pixels that bodies and vectors colour", "[rende
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             const bool coloured = !std::equal(full.at(x, y), full.at(x, y) + 3, bare.at(x, y));
-            const bool hit = picker.ids.id_at(x + 0.5, y + 0.5) != 0;
+            const bool hit = picker.ids.nearest_id(x + 0.5, y + 0.5, 0.0) != 0;
             covered += hit ? 1 : 0;
             disagreeing += coloured != hit ? 1 : 0;
         }
@@ -276,7 +276,7 @@ TEST_CASE("in a viewport without pixels nothing is drawn or hit, and no error is
     Picker picker;
     picker.show(scene, front_view());
     CHECK_FALSE(picker.show(scene, front_view(), none));
-    CHECK(picker.ids.id_at(100.0, 50.0) == 0);
+    CHECK(picker.ids.nearest_id(100.0, 50.0, 0.0) == 0);
     picker.offscreen.begin_3d();
     picker.renderer.draw(scene, front_view(), none, picker.offscreen.size());
     picker.offscreen.begin_2d();

@@ -195,18 +195,6 @@ TEST_CASE("from the front to the back a blend goes around, level", "[render][orb
     CHECK(half.distance() == Approx(front.distance()));
 }
 
-TEST_CASE("every point of a ray is seen at the pixel of the ray", "[render][orbit]") {
-    for_random_cameras([](const Camera& camera, std::mt19937& random) {
-        const double x = uniform(random, 40.0, 640.0);
-        const double y = uniform(random, 30.0, 430.0);
-        const Ray ray = ray_through(camera, kViewport, x, y);
-        CHECK(ray.direction.norm() == Approx(1.0));
-        for (const double share : {0.5, 1.0, 3.0}) {
-            CHECK(seen_at(camera, ray.point(share * camera.distance()), x, y));
-        }
-    });
-}
-
 TEST_CASE("what is grabbed stays under the pointer and in its depth", "[render][orbit]") {
     for_random_cameras([](const Camera& camera, std::mt19937& random) {
         const double x = uniform(random, 40.0, 640.0);

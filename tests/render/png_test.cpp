@@ -10,6 +10,7 @@
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
 #include "tests/render/support.hpp"
+#include "tests/support/read_png.hpp"
 
 namespace jw::render::test {
 namespace {
@@ -55,7 +56,7 @@ TEST_CASE("a picture comes back from its PNG as it was", "[render][png]") {
     const TemporaryFolder folder;
     const Image image = colourful(GENERATE(1, 37), GENERATE(1, 23));
     write_file_atomically(folder.path() / "picture.png", encode_png(image));
-    CHECK(read_png(folder.path() / "picture.png") == image);
+    CHECK(jw::test::read_png(folder.path() / "picture.png") == image);
     CHECK(folder.files() == 1);
 }
 
@@ -74,8 +75,8 @@ TEST_CASE("reading says which file and why not", "[render][png]") {
     const TemporaryFolder folder;
     const auto path = folder.path() / "text.png";
     std::ofstream(path) << "not a picture";
-    CHECK_THROWS_WITH(read_png(path), Catch::Contains(path.string()));
-    CHECK_THROWS_WITH(read_png(folder.path() / "none.png"), Catch::Contains("none.png"));
+    CHECK_THROWS_WITH(jw::test::read_png(path), Catch::Contains(path.string()));
+    CHECK_THROWS_WITH(jw::test::read_png(folder.path() / "none.png"), Catch::Contains("none.png"));
 }
 
 TEST_CASE("a folder that does not exist is named", "[render][png]") {

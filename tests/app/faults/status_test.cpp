@@ -36,7 +36,7 @@ TEST_CASE("Whatever ends with status 3 says so on standard error", "[app][comman
         {"plot", file, "--of", "residuals", "--out", folder.path("x.csv")},
         {"plot", file, "--of", "residuals", "--out", folder.path("x.png")},
         {"simulate", falls},
-        {"simulate", falls, "--output", "json"},
+        {"simulate", falls, "--format", "json"},
         {"step", falls},
         {"bench", falls, "--method", "rk4"},
     };

@@ -9,6 +9,7 @@
 
 #include "app/session/describe.hpp"
 #include "app/session/export.hpp"
+#include "tests/app/session/view_numbers.hpp"
 
 namespace jw::test {
 
@@ -98,8 +99,7 @@ std::string fault_of(const host::Host& host) {
 
 std::string text_of(const View& view) {
     std::ostringstream out;
-    out << std::hexfloat << describe(view, 1000) << matrix_csv(view.matrix) << newton_csv(view.newton)
-        << singular_values_csv(view.rank) << view.t;
+    out << std::hexfloat << describe(view, 1000) << matrix_csv(view.matrix) << numbers_of(view) << view.t;
     for (const BodyMotion& b : view.bodies) {
         out << b.body << b.r.transpose() << b.p.transpose() << b.r_dot.transpose() << b.omega.transpose()
             << b.r_ddot.transpose() << b.omega_dot.transpose();

@@ -34,7 +34,7 @@ void go_to_closed(Person& person, const std::string& name) {
 
 /// Clicks a widget of "Try it".
 void use(Person& person, std::initializer_list<std::variant<std::string, int>> path) {
-    if (person.host().state().tab != host::Tab::attempt) { person.ask(Command::tab_try); }
+    if (person.host().state().tab != host::Tab::experiments) { person.ask(Command::tab_experiments); }
     const Widget widget = find(person, kTry, path);
     person.click(widget.x, widget.y);
 }
@@ -131,7 +131,7 @@ TEST_CASE(
     "Without one repeated equation after the other the four-bar has full row rank; a needed one frees it") {
     Person person(kFourBar);
     go_to_closed(person, "D");
-    person.ask(Command::tab_try);
+    person.ask(Command::tab_experiments);
     REQUIRE(person.session().rank().redundant() == 3);
     for (int left = 3; left > 0; --left) {
         const std::vector<int> rows = removable_rows(person.session().rank());
@@ -231,7 +231,7 @@ TEST_CASE("What cannot be closed keeps the last good pose and says why") {
 TEST_CASE("An edit that cannot be closed is told, and undone again") {
     Person person(kFourBar);
     go_to_closed(person, "D");
-    person.ask(Command::tab_try);
+    person.ask(Command::tab_experiments);
     const std::string before = text_of(person.view());
     const int joint = joint_of(person, "D");
     const Widget slider = find(person, kTry, {"joint of try it", joint, "@s\u2032_i^P", 0, "##component"});

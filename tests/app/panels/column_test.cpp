@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "app/panels/equations_panel.hpp"
-#include "app/panels/log_plot.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 
@@ -95,17 +94,6 @@ TEST_CASE("a panel takes the height that it was measured to take", "[panels][col
         const Box taken{box.x - 5.0F, box.y, box.width + 5.0F, measured};
         CHECK(with_fringe(taken).contains(surface.drawn()));
     }
-}
-
-TEST_CASE(
-    "a power of ten more is the same step up on a log scale, and zero is at its bottom", "[panels][column]") {
-    const LogScale scale = log_scale_for({10.0, 0.5, 0.0}, -12, 500.0F, 100.0F);
-    CHECK(scale.high == 1);
-    CHECK(scale.y(10.0) == 100.0F);
-    CHECK(scale.y(0.0) == 500.0F);
-    CHECK(scale.y(1e-30) == 500.0F);
-    // pixels; the positions are floats near 300
-    CHECK(scale.y(1e-3) - scale.y(1e-2) == Approx(scale.y(1e-8) - scale.y(1e-7)).margin(1e-3));
 }
 
 }  // namespace jw::panels::test

@@ -81,6 +81,19 @@ TEST_CASE(
     CHECK(texts({1.05, 1.45}, 8).size() >= 2);
 }
 
+TEST_CASE(
+    "a power of ten more is the same step up an axis of powers, and zero is at its start", "[panels][plot]") {
+    const Axis axis = axis_of_powers({10.0, 0.5, 0.0}, -12, 500.0F, 100.0F);
+    CHECK(axis.range.to == 10.0);
+    CHECK(axis.pixel(10.0) == 100.0F);
+    CHECK(axis.pixel(0.0) == 500.0F);
+    CHECK(axis.pixel(1e-30) == 500.0F);
+    // pixels; the positions are floats near 300
+    CHECK(axis.pixel(1e-3) - axis.pixel(1e-2) == Approx(axis.pixel(1e-8) - axis.pixel(1e-7)).margin(1e-3));
+    CHECK(axis_of_powers({}, -12, 500.0F, 100.0F).range.to == Approx(1e-10));
+    CHECK(std::isfinite(axis_of_powers({1.7e308}, -12, 500.0F, 100.0F).range.to));
+}
+
 TEST_CASE("what never changes but by rounding is drawn as a flat line in the middle", "[panels][plot]") {
     CHECK(range_around({-1e-14, 2e-14}, 1e-12) == Range{-1.0, 1.0});
     const Range constant = range_around({3.0, 3.0}, 0.0);

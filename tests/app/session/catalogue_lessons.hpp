@@ -9,6 +9,7 @@
 #include "app/session/session.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
+#include "tests/app/session/view_numbers.hpp"
 
 /// Shipped lessons for tests of sessions.
 namespace jw::test {
@@ -40,8 +41,7 @@ inline std::string told(const Story& story) {
 /// What stands in a view; matrix, Newton table and singular values with every number in full.
 inline std::string shown(const Session& session) {
     const View& view = session.view();
-    return describe(view) + matrix_csv(view.matrix) + newton_csv(view.newton) +
-           singular_values_csv(view.rank);
+    return describe(view) + matrix_csv(view.matrix) + numbers_of(view);
 }
 
 /// Lessons of all kinds of joints and drivers, small enough to be told often.

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/experiments.hpp"
-#include "app/session/trial.hpp"
+#include "app/session/carry_out.hpp"
+#include "app/session/possible_experiments.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
 namespace jw::test {
@@ -9,7 +9,7 @@ namespace {
 
 struct Documented {
     std::string lesson;
-    std::vector<std::string> tries;
+    std::vector<std::string> experiments;
     int rows;
     int rank;
     int dof;
@@ -37,11 +37,11 @@ const std::vector<Documented>& documented() {
     return all;
 }
 
-void try_all(Session& session, const std::vector<std::string>& tries) {
-    for (const std::string& text : tries) {
-        const Trial trial = try_out(session, text);
-        INFO(text << ": " << trial.said);
-        REQUIRE(trial.done);
+void carry_out_all(Session& session, const std::vector<std::string>& experiments) {
+    for (const std::string& text : experiments) {
+        const ExperimentResult result = carry_out(session, text);
+        INFO(text << ": " << result.said);
+        REQUIRE(result.done);
     }
     session.apply(GoTo{session.story().last_assembled()});
 }
@@ -51,9 +51,9 @@ void try_all(Session& session, const std::vector<std::string>& tries) {
 TEST_CASE("the experiments of the documentation do what it says", "[app][session]") {
     for (const Documented& one : documented()) {
         Session session(without_motion(lesson_named(one.lesson)));
-        try_all(session, one.tries);
+        carry_out_all(session, one.experiments);
         const Effect effect = experiments_of(session).present;
-        INFO(one.lesson << (one.tries.empty() ? "" : ": " + one.tries.back()));
+        INFO(one.lesson << (one.experiments.empty() ? "" : ": " + one.experiments.back()));
         CHECK(effect.rows == one.rows);
         CHECK(effect.rank == one.rank);
         CHECK(effect.dof == one.dof);
@@ -62,9 +62,9 @@ TEST_CASE("the experiments of the documentation do what it says", "[app][session
 }
 
 TEST_CASE("the free motions of the documentation are finite or not as it says", "[app][session]") {
-    const auto verdicts = [](const std::string& lesson, const std::vector<std::string>& tries) {
+    const auto verdicts = [](const std::string& lesson, const std::vector<std::string>& experiments) {
         Session session(without_motion(lesson_named(lesson)));
-        try_all(session, tries);
+        carry_out_all(session, experiments);
         std::vector<bool> finite;
         for (const FreeMotionVerdict& v : experiments_of(session).free_motions) {
             finite.push_back(v.finite);
@@ -82,7 +82,7 @@ TEST_CASE("beyond half a turn the cosine row turns the nut backwards", "[app][se
         Lesson lesson = lesson_named("joints/screw");
         lesson.motion->steps = 2;
         Session session(lesson);
-        try_all(session, {"screw thread " + row, "driver turn start " + start + " deg rate 90 deg/s"});
+        carry_out_all(session, {"screw thread " + row, "driver turn start " + start + " deg rate 90 deg/s"});
         session.apply(GoTo{session.index_of_time(0.0)});
         REQUIRE(session.step().kind == Step::Kind::motion);
         // advances all the same: 0.12 m a turn, a quarter of a turn a second

@@ -206,26 +206,4 @@ TEST_CASE("the matrix as a table reads back exactly", "[app][export]") {
     }
 }
 
-TEST_CASE("the Newton table and the singular values have as many cells in every line", "[app][export]") {
-    for (const char* name : {"loops/four-bar.toml", "hard/anti-parallel.toml"}) {
-        const View view = view_at(name, Step::Kind::assembled);
-        for (const std::string& table : {newton_csv(view.newton), singular_values_csv(view.rank)}) {
-            const std::vector<std::string> lines = lines_of_text(table);
-            REQUIRE(lines.size() > 1);
-            for (const std::string& line : lines) {
-                // "wrong branch, left" is quoted
-                const auto quoted = std::ranges::count(line, '"') / 2;
-                CHECK(std::ranges::count(line, ',') - quoted == std::ranges::count(lines[0], ','));
-            }
-        }
-        const auto zeros = [&] {
-            const std::string text = singular_values_csv(view.rank);
-            int count = 0;
-            for (const std::string& line : lines_of_text(text)) { count += line.ends_with(",zero") ? 1 : 0; }
-            return count;
-        }();
-        CHECK(zeros == static_cast<int>(view.rank.singular_values.size()) - view.rank.rank);
-    }
-}
-
 }  // namespace jw::test

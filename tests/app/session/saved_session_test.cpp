@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/trial.hpp"
+#include "app/session/carry_out.hpp"
 #include "lessons/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
@@ -73,7 +73,7 @@ TEST_CASE("an axis is turned with all that is perpendicular to it", "[app][sessi
 TEST_CASE("a changed lesson that is saved and read tells the same story", "[app][session]") {
     struct Change {
         std::string lesson;
-        std::vector<std::string> tries;
+        std::vector<std::string> experiments;
     };
     const std::vector<Change> changes{
         {"loops/four-bar",
@@ -87,10 +87,10 @@ TEST_CASE("a changed lesson that is saved and read tells the same story", "[app]
     };
     for (const Change& change : changes) {
         Session session(without_motion(lesson_named(change.lesson)));
-        for (const std::string& text : change.tries) {
-            const Trial trial = try_out(session, text);
-            INFO(change.lesson << ": " << text << ": " << trial.said);
-            CHECK((trial.done || text == "take out p1" || text == "undo" || text.starts_with("screw")));
+        for (const std::string& text : change.experiments) {
+            const ExperimentResult result = carry_out(session, text);
+            INFO(change.lesson << ": " << text << ": " << result.said);
+            CHECK((result.done || text == "take out p1" || text == "undo" || text.starts_with("screw")));
         }
         const Lesson again = saved_and_read(session.lesson());
         INFO(change.lesson);

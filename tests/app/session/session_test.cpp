@@ -13,8 +13,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Edits that any lesson allows, and what some lessons have.
-std::vector<Action> edits_of(const Lesson& lesson) {
-    std::vector<Action> all{SetCoordinates{CoordinateChoice::omega_global}};
+std::vector<Experiment> edits_of(const Lesson& lesson) {
+    std::vector<Experiment> all{SetCoordinates{CoordinateChoice::omega_global}};
     const Mechanism& m = lesson.mechanism;
     for (int j = 0; j < static_cast<int>(m.joints.size()); ++j) {
         const Joint& joint = m.joints[static_cast<std::size_t>(j)];
@@ -66,9 +66,9 @@ TEST_CASE("every edit of every lesson is undone and done again exactly", "[app][
         Session session(without_motion(shipped(file)));
         session.apply(GoTo{session.story().last_assembled()});
         const std::string written = lesson_text(session.lesson());
-        for (const Action& action : edits_of(session.as_written())) {
+        for (const Experiment& experiment : edits_of(session.as_written())) {
             const Seen before(session);
-            const std::string said = session.apply(action);
+            const std::string said = session.apply(experiment);
             INFO(file << ": " << said);
             const Seen after(session);
             CHECK(after.undo == said);
@@ -91,9 +91,9 @@ TEST_CASE("a history of many edits leads back through every lesson it went throu
         Session session(without_motion(lesson_named(name)));
         std::vector<std::string> stories{told(session.story())};
         std::vector<std::string> lessons{lesson_text(session.lesson())};
-        for (const Action& action : edits_of(session.as_written())) {
+        for (const Experiment& experiment : edits_of(session.as_written())) {
             const std::uint64_t before = session.told();
-            session.apply(action);
+            session.apply(experiment);
             if (session.told() == before) { continue; }  // what it is about is taken out by now
             stories.push_back(told(session.story()));
             lessons.push_back(lesson_text(session.lesson()));
@@ -227,7 +227,7 @@ TEST_CASE("what is refused changes nothing and says why", "[app][session]") {
         no_axis.s_i_local.setZero();
         JointGeometry no_number = joint.geometry;
         no_number.P_j_local.y() = kNan;
-        std::vector<Action> refused{
+        std::vector<Experiment> refused{
             SetParallelForm{-1, ParallelForm::rule},
             SetParallelForm{joints, ParallelForm::rule},
             SetScrewAngleForm{joints, ScrewAngleForm::sine},
@@ -257,9 +257,9 @@ TEST_CASE("what is refused changes nothing and says why", "[app][session]") {
         }
         const Seen before(session);
         const std::uint64_t times_told = session.told();
-        for (const Action& action : refused) {
-            const std::string said = session.apply(action);
-            INFO(name << " action " << action.index() << ": " << said);
+        for (const Experiment& experiment : refused) {
+            const std::string said = session.apply(experiment);
+            INFO(name << " experiment " << experiment.index() << ": " << said);
             CHECK_FALSE(said.empty());
             CHECK(Seen(session) == before);
             CHECK(session.told() == times_told);

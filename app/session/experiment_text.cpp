@@ -1,17 +1,17 @@
-#include "app/session/action_text.hpp"
+#include "app/session/experiment_text.hpp"
 
 #include <algorithm>
 
-#include "app/session/action_parts.hpp"
+#include "app/session/experiment_parts.hpp"
 #include "app/session/labels.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/equation_labels.hpp"
 #include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
 
 namespace jw {
 
-namespace action_text {
+namespace experiment_text {
 
 std::vector<std::string> names_of_joints(const Lesson& lesson) {
     std::vector<std::string> names;
@@ -25,11 +25,11 @@ std::vector<std::string> names_of_drivers(const Lesson& lesson) {
     return names;
 }
 
-}  // namespace action_text
+}  // namespace experiment_text
 
 namespace {
 
-using namespace action_text;
+using namespace experiment_text;
 
 /// Joints, then drivers: their names all differ.
 std::vector<std::string> names_of_parts(const Lesson& lesson) {
@@ -71,7 +71,7 @@ std::vector<LabelledEquation> equations_of(const Joint& joint) {
     return all;
 }
 
-Action read_presence(Words& words, const Lesson& lesson, bool present) {
+Experiment read_presence(Words& words, const Lesson& lesson, bool present) {
     const std::size_t index = words.name(names_of_parts(lesson), "joint or driver");
     const Addition part = part_of(lesson, index);
     if (words.done()) { return SetPresent{part, present}; }
@@ -84,24 +84,22 @@ Action read_presence(Words& words, const Lesson& lesson, bool present) {
     return SetEquationPresent{part.index, all[words.last_word(labels, "equation")].equation, present};
 }
 
-Action read_form(Words& words, const Lesson& lesson) {
+Experiment read_form(Words& words, const Lesson& lesson) {
     const auto joint = static_cast<int>(words.name(names_of_joints(lesson), "joint"));
-    return SetParallelForm{
-        joint, static_cast<ParallelForm>(words.last_word(strings(kParallelForms), "form"))};
+    return SetParallelForm{joint, kParallelForms[words.last_word(words_of(kParallelForms), "form")].value};
 }
 
-Action read_screw(Words& words, const Lesson& lesson) {
+Experiment read_screw(Words& words, const Lesson& lesson) {
     const auto joint = static_cast<int>(words.name(names_of_joints(lesson), "joint"));
-    return SetScrewAngleForm{
-        joint, static_cast<ScrewAngleForm>(words.last_word(strings(kAngleRows), "angle row"))};
+    return SetScrewAngleForm{joint, kAngleRows[words.last_word(words_of(kAngleRows), "angle row")].value};
 }
 
-Action read_coordinates(Words& words) {
+Experiment read_coordinates(Words& words) {
     if (words.take("rp-true")) { return SetCoordinates{CoordinateChoice::true_euler_parameters}; }
-    return SetCoordinates{static_cast<CoordinateChoice>(words.last_word(strings(kChoices), "choice"))};
+    return SetCoordinates{kChoices[words.last_word(words_of(kChoices), "choice")].value};
 }
 
-Action read_drag(Words& words, const Session& session) {
+Experiment read_drag(Words& words, const Session& session) {
     const auto body = words.name(names_of_bodies(session.lesson()), "body");
     Drag drag{static_cast<int>(body), Vec3::Zero(), Vec3::Zero()};
     if (words.take("at")) { drag.point_local = words.vector("a coordinate of the point [m]"); }
@@ -127,7 +125,7 @@ int closed_step_of(const Session& session, const Addition& part) {
     throw Unreadable(part_name(session.lesson(), part) + " is not reached in this lesson");
 }
 
-Action read_place(Words& words, const Session& session) {
+Experiment read_place(Words& words, const Session& session) {
     if (words.take("step")) {
         const int step = words.integer("a step, counted from 0");
         const auto last = static_cast<int>(session.story().steps().size()) - 1;
@@ -146,11 +144,11 @@ Action read_place(Words& words, const Session& session) {
     return GoTo{closed_step_of(session, part_of(session.lesson(), part))};
 }
 
-Action read_freedom(Words& words) {
-    ShowFreedom action;
-    action.motion = words.integer("the number of a free motion, counted from 1") - 1;
-    action.part = words.done() ? 1.0 : words.number("how far, from -1 to 1");
-    return action;
+Experiment read_freedom(Words& words) {
+    ShowFreedom experiment;
+    experiment.motion = words.integer("the number of a free motion, counted from 1") - 1;
+    experiment.part = words.done() ? 1.0 : words.number("how far, from -1 to 1");
+    return experiment;
 }
 
 const std::vector<std::string>& beginnings() {
@@ -161,7 +159,7 @@ const std::vector<std::string>& beginnings() {
     return all;
 }
 
-Action read_any(Words& words, const Session& session) {
+Experiment read_any(Words& words, const Session& session) {
     const Lesson& lesson = session.lesson();
     if (words.take("form")) { return read_form(words, lesson); }
     if (words.take("screw")) { return read_screw(words, lesson); }
@@ -196,10 +194,10 @@ struct Teller {
 
     std::string operator()(const GoTo& a) const { return "go to step " + std::to_string(a.step); }
     std::string operator()(const SetParallelForm& a) const {
-        return "form " + joint(a.joint) + " " + std::string(kParallelForms[static_cast<std::size_t>(a.form)]);
+        return "form " + joint(a.joint) + " " + word_of(kParallelForms, a.form);
     }
     std::string operator()(const SetScrewAngleForm& a) const {
-        return "screw " + joint(a.joint) + " " + std::string(kAngleRows[static_cast<std::size_t>(a.form)]);
+        return "screw " + joint(a.joint) + " " + word_of(kAngleRows, a.form);
     }
     std::string operator()(const SetCoordinates& a) const {
         return std::string("coordinates ") + name_of_choice(a.choice);
@@ -214,8 +212,8 @@ struct Teller {
         return (a.present ? "put back " : "take out ") + part_name(lesson, {Addition::Kind::joint, a.joint}) +
                " " + (found != all.end() ? found->label : "?");
     }
-    std::string operator()(const SetGeometry& a) const { return action_text::text_of(a, lesson); }
-    std::string operator()(const SetDriver& a) const { return action_text::text_of(a, lesson); }
+    std::string operator()(const SetGeometry& a) const { return experiment_text::text_of(a, lesson); }
+    std::string operator()(const SetDriver& a) const { return experiment_text::text_of(a, lesson); }
     std::string operator()(const Drag& a) const {
         const std::vector<std::string> names = names_of_bodies(lesson);
         const std::string& name = names.at(static_cast<std::size_t>(a.body));
@@ -235,21 +233,22 @@ struct Teller {
 
 }  // namespace
 
-std::optional<Action> read_action(const std::string& text, const Session& session, std::string& error) {
+std::optional<Experiment> read_experiment(
+    const std::string& text, const Session& session, std::string& error) {
     try {
         Words words(text);
         if (words.done()) { throw Unreadable("nothing to try; expected one of " + comma_list(beginnings())); }
-        const Action action = read_any(words, session);
+        const Experiment experiment = read_any(words, session);
         words.finish();
-        return action;
+        return experiment;
     } catch (const Unreadable& problem) {
         error = problem.what();
         return std::nullopt;
     }
 }
 
-std::string text_of(const Action& action, const Session& session) {
-    return std::visit(Teller{session}, action);
+std::string text_of(const Experiment& experiment, const Session& session) {
+    return std::visit(Teller{session}, experiment);
 }
 
 }  // namespace jw

@@ -1,10 +1,11 @@
-#include "app/panels/log_plot.hpp"
+#include "app/panels/small_plots.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
 
+#include "app/panels/plot_axis.hpp"
 #include "app/panels/theme.hpp"
 #include "app/session/numbers.hpp"
 
@@ -14,30 +15,31 @@ namespace {
 
 constexpr int kLowestPower = -16;  // what is smaller is zero to double precision
 
-std::string superscript_of(int power) {
-    static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = power < 0 ? "⁻" : "";
-    for (const char c : std::to_string(std::abs(power))) { text += digits[c - '0']; }
-    return text;
+/// What is beyond the axis lies at its end.
+float height_of(const Axis& axis, double value) {
+    return axis.pixel(std::clamp(value, axis.range.from, axis.range.to));
 }
 
+int power_at(double value) { return static_cast<int>(std::lround(std::log10(value))); }
+
 /// Lines and names of every few powers; returns the box that is left for the curve.
-Box draw_scale(const Canvas& canvas, const Box& box, const LogScale& scale) {
+Box draw_powers(const Canvas& canvas, const Box& box, const Axis& axis) {
     const ImFont* const small = canvas.fonts().small;
     const float left = box.x + canvas.px(38.0F);
     const float line = canvas.line_height(small);
-    const float room = scale.bottom - scale.top;
-    const int powers = scale.high - scale.low;
+    const float room = axis.start - axis.end;
+    const int low = power_at(axis.range.from);
+    const int high = power_at(axis.range.to);
     int step = 1;
-    while (static_cast<float>(step) * room / static_cast<float>(powers) < 1.3F * line) { ++step; }
-    for (int power = scale.high; power >= scale.low; power -= step) {
-        const float y = std::round(scale.y(std::pow(10.0, power)));
+    while (static_cast<float>(step) * room / static_cast<float>(high - low) < 1.3F * line) { ++step; }
+    for (int power = high; power >= low; power -= step) {
+        const float y = std::round(height_of(axis, std::pow(10.0, power)));
         canvas.fill({left, y, box.right() - left, 1.0F}, theme::kLine);
         canvas.text(
-            {left - canvas.px(6.0F), y - 0.55F * line}, small, theme::kSoft, "10" + superscript_of(power),
+            {left - canvas.px(6.0F), y - 0.55F * line}, small, theme::kSoft, power_of_ten(power),
             Align::right);
     }
-    return {left, scale.top, box.right() - left, room};
+    return {left, axis.end, box.right() - left, room};
 }
 
 /// Text on a piece of paper, so that lines do not run through it.
@@ -50,9 +52,9 @@ void draw_note(const Canvas& canvas, Point at, std::string_view text, Align alig
     canvas.text({left, at.y}, small, theme::kRedundant, text);
 }
 
-void draw_threshold(const Canvas& canvas, const Box& plot, const LogScale& scale, const RankView& rank) {
+void draw_threshold(const Canvas& canvas, const Box& plot, const Axis& axis, const RankView& rank) {
     if (!(rank.threshold > 0.0)) { return; }
-    const float y = std::round(scale.y(rank.threshold));
+    const float y = std::round(height_of(axis, rank.threshold));
     canvas.dashed_line({plot.x, y}, {plot.right(), y}, theme::kRedundant, hairline(canvas));
     const Point at{plot.x + canvas.px(8.0F), y - canvas.line_height(canvas.fonts().small) - 1.0F};
     draw_note(canvas, at, "threshold " + small_text(rank.threshold), Align::left);
@@ -75,33 +77,13 @@ void draw_stem(const Canvas& canvas, Point tip, float bottom, float radius) {
 
 }  // namespace
 
-float LogScale::y(double value) const {
-    const double power = value > 0.0 ? std::log10(value) : static_cast<double>(low);
-    const double part =
-        (std::clamp(power, static_cast<double>(low), static_cast<double>(high)) - low) / (high - low);
-    return bottom - static_cast<float>(part) * (bottom - top);
-}
-
-LogScale log_scale_for(const std::vector<double>& values, int low, float bottom, float top) {
-    double largest = 0.0;
-    for (const double value : values) {
-        if (std::isfinite(value)) { largest = std::max(largest, value); }
-    }
-    LogScale scale{low, low + 2, bottom, top};
-    if (largest > 0.0) {
-        // a value just at a power of ten stays at it
-        scale.high = std::max(scale.high, static_cast<int>(std::ceil(std::log10(largest) - 1e-9)));
-    }
-    return scale;
-}
-
 void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& rank) {
     const float margin = 0.6F * canvas.line_height(canvas.fonts().small);
     // zeros stand clearly below the threshold, however small they came out
     const int low =
         rank.threshold > 0.0 ? static_cast<int>(std::floor(std::log10(rank.threshold))) - 3 : kLowestPower;
-    const LogScale scale = log_scale_for(rank.singular_values, low, box.bottom() - margin, box.y + margin);
-    const Box plot = draw_scale(canvas, box, scale);
+    const Axis axis = axis_of_powers(rank.singular_values, low, box.bottom() - margin, box.y + margin);
+    const Box plot = draw_powers(canvas, box, axis);
 
     const auto count = static_cast<float>(std::max<std::size_t>(1, rank.singular_values.size()));
     const float pitch = std::min(canvas.px(26.0F), (plot.width - canvas.px(12.0F)) / count);
@@ -109,7 +91,7 @@ void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& 
     const auto at = [&](std::size_t k) {
         return Point{
             plot.x + canvas.px(6.0F) + pitch * (static_cast<float>(k) + 0.5F),
-            scale.y(rank.singular_values[k])};
+            height_of(axis, rank.singular_values[k])};
     };
     std::size_t zeros = 0;
     for (std::size_t k = 0; k < rank.singular_values.size(); ++k) {
@@ -119,7 +101,7 @@ void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& 
             ++zeros;
         }
     }
-    draw_threshold(canvas, plot, scale, rank);
+    draw_threshold(canvas, plot, axis, rank);
     for (std::size_t k = rank.singular_values.size() - zeros; k < rank.singular_values.size(); ++k) {
         canvas.disc(at(k), radius, theme::kPaper);
         canvas.ring(at(k), radius, theme::kRedundant, canvas.px(1.5F));
@@ -135,11 +117,11 @@ void convergence_plot(const Canvas& canvas, const Box& box, const std::vector<Ne
     std::vector<double> norms;
     for (const NewtonRow& row : rows) { norms.push_back(row.phi_norm); }
     // the same for every iteration of every solve: quadratic convergence looks the same everywhere
-    const LogScale scale = log_scale_for(norms, kLowestPower, box.bottom() - margin, box.y + margin);
-    const Box plot = draw_scale(canvas, box, scale);
+    const Axis axis = axis_of_powers(norms, kLowestPower, box.bottom() - margin, box.y + margin);
+    const Box plot = draw_powers(canvas, box, axis);
     const auto steps = static_cast<float>(std::max<std::size_t>(6, rows.size()));
     const auto at = [&](std::size_t k) {
-        return Point{plot.x + plot.width * (static_cast<float>(k) + 0.5F) / steps, scale.y(norms[k])};
+        return Point{plot.x + plot.width * (static_cast<float>(k) + 0.5F) / steps, height_of(axis, norms[k])};
     };
     for (std::size_t k = 0; k + 1 < norms.size(); ++k) {
         canvas.line(at(k), at(k + 1), theme::kAccent, std::max(1.0F, canvas.px(1.6F)));

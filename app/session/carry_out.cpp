@@ -1,6 +1,6 @@
-#include "app/session/trial.hpp"
+#include "app/session/carry_out.hpp"
 
-#include "app/session/action_text.hpp"
+#include "app/session/experiment_text.hpp"
 #include "app/session/numbers.hpp"
 
 namespace jw {
@@ -35,12 +35,12 @@ std::string drag_to_the_end(Session& session, const Drag& drag) {
 }
 
 /// What the hand, or a free motion, has led to becomes the start.
-Trial move(Session& session, const Action& action) {
+ExperimentResult move(Session& session, const Experiment& experiment) {
     const int index = session.index();
     const int held = closed_step(session.story(), index);
     const State before = session.story().steps()[static_cast<std::size_t>(held)].state;
-    const auto* drag = std::get_if<Drag>(&action);
-    const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(action);
+    const auto* drag = std::get_if<Drag>(&experiment);
+    const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(experiment);
     if (!session.in_hand()) {
         // a driven motion was led along its way
         return {session.index() != index || said.empty(), said.empty() ? "the motion goes its way" : said};
@@ -60,16 +60,16 @@ Trial move(Session& session, const Action& action) {
 
 }  // namespace
 
-Trial try_out(Session& session, const std::string& text) {
+ExperimentResult carry_out(Session& session, const std::string& text) {
     std::string error;
-    const std::optional<Action> action = read_action(text, session, error);
-    if (!action) { return {false, error}; }
-    if (std::holds_alternative<Drag>(*action) || std::holds_alternative<ShowFreedom>(*action)) {
-        return move(session, *action);
+    const std::optional<Experiment> experiment = read_experiment(text, session, error);
+    if (!experiment) { return {false, error}; }
+    if (std::holds_alternative<Drag>(*experiment) || std::holds_alternative<ShowFreedom>(*experiment)) {
+        return move(session, *experiment);
     }
     const std::uint64_t told = session.told();
-    const std::string said = session.apply(*action);
-    if (std::holds_alternative<GoTo>(*action)) {
+    const std::string said = session.apply(*experiment);
+    if (std::holds_alternative<GoTo>(*experiment)) {
         return {true, "at step " + std::to_string(session.index())};
     }
     return {session.told() != told || said.empty(), said};

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
 #include "app/panels/direction_sphere.hpp"
 #include "app/panels/formula.hpp"
@@ -13,18 +13,11 @@
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/series.hpp"
+#include "lessons/enum_words.hpp"
 
 namespace jw::host {
 
 namespace {
-
-constexpr ParallelForm kForms[] = {ParallelForm::rule,   ParallelForm::drop_x,    ParallelForm::drop_y,
-                                   ParallelForm::drop_z, ParallelForm::all_three, ParallelForm::pair};
-constexpr const char* kFormTexts[] = {"the rule chooses", "without x", "without y",
-                                      "without z",        "all three", "pair of n1 (n2)"};
-constexpr ScrewAngleForm kScrewForms[] = {
-    ScrewAngleForm::rotation, ScrewAngleForm::cosine, ScrewAngleForm::sine};
-constexpr const char* kScrewTexts[] = {"sound row", "cos row", "sin row"};
 
 bool uses_axis(const JointType& type) {
     return std::ranges::any_of(type.roles, [](Role r) { return r != Role::same_point && r != Role::length; });
@@ -33,11 +26,13 @@ bool uses_axis(const JointType& type) {
 void forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::axes_parallel) && !joint.type->uses(Role::distance_parallel)) { return; }
     note(ui, "Which of the three equations of p1 and p2?");
-    for (int k = 0; k < 6; ++k) {
+    int k = 0;
+    for (const auto& [form, word, label] : kParallelForms) {
         if (k % 3 != 0) { ImGui::SameLine(ui.px(12.0F + 156.0F * static_cast<float>(k % 3))); }
-        if (ImGui::RadioButton(kFormTexts[k], joint.parallel_form == kForms[k])) {
-            ui.requests.add(SetParallelForm{index, kForms[k]});
+        if (ImGui::RadioButton(label, joint.parallel_form == form)) {
+            ui.requests.add(SetParallelForm{index, form});
         }
+        ++k;
     }
     // p1 and p2 mostly have one and the same reason
     std::string said;
@@ -83,11 +78,13 @@ void sphere(const LessonUi& ui, int index, const Joint& joint) {
 void screw_forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::screw_angle)) { return; }
     note(ui, "Which equation ties θ to the angle? Play the motion through θ = 180° with each.");
-    for (int k = 0; k < 3; ++k) {
+    int k = 0;
+    for (const auto& [form, word, label] : kAngleRows) {
         if (k > 0) { ImGui::SameLine(ui.px(12.0F + 130.0F * static_cast<float>(k))); }
-        if (ImGui::RadioButton(kScrewTexts[k], joint.geometry.screw_angle_form == kScrewForms[k])) {
-            ui.requests.add(SetScrewAngleForm{index, kScrewForms[k]});
+        if (ImGui::RadioButton(label, joint.geometry.screw_angle_form == form)) {
+            ui.requests.add(SetScrewAngleForm{index, form});
         }
+        ++k;
     }
 }
 
@@ -183,7 +180,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
 
 }  // namespace
 
-void try_joint(const LessonUi& ui, int index) {
+void experiment_joint(const LessonUi& ui, int index) {
     const Joint& joint = ui.session.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     ImGui::PushID("joint of try it");
     ImGui::PushID(index);
@@ -197,7 +194,7 @@ void try_joint(const LessonUi& ui, int index) {
     ImGui::PopID();
 }
 
-void try_drivers(const LessonUi& ui) {
+void experiment_drivers(const LessonUi& ui) {
     const Lesson& lesson = ui.session.lesson();
     if (!lesson.mechanism.drivers.empty()) { section(ui, "Drivers"); }
     for (std::size_t k = 0; k < lesson.mechanism.drivers.size(); ++k) {

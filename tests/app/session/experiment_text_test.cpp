@@ -1,4 +1,4 @@
-#include "app/session/action_text.hpp"
+#include "app/session/experiment_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,8 +11,8 @@ namespace jw::test {
 namespace {
 
 /// Every kind of edit of every joint, driver and body of a lesson.
-std::vector<Action> edits_of(const Lesson& lesson, Random& random) {
-    std::vector<Action> all;
+std::vector<Experiment> edits_of(const Lesson& lesson, Random& random) {
+    std::vector<Experiment> all;
     const Mechanism& m = lesson.mechanism;
     for (int j = 0; j < static_cast<int>(m.joints.size()); ++j) {
         const Joint& joint = m.joints[static_cast<std::size_t>(j)];
@@ -56,14 +56,14 @@ std::vector<Action> edits_of(const Lesson& lesson, Random& random) {
         all.push_back(Drag{b, Vec3::Zero(), random.vector(1.0)});
         all.push_back(Drag{b, random.vector(1.0), random.vector(1.0)});
     }
-    for (const Action& looking : std::vector<Action>{
+    for (const Experiment& looking : std::vector<Experiment>{
              GoTo{0}, Release{}, ShowFreedom{2, -0.25}, LetGo{}, Undo{}, Redo{}, StartOver{}}) {
         all.push_back(looking);
     }
     return all;
 }
 
-/// Whether two actions are the same, every number bit by bit.
+/// Whether two experiments are the same, every number bit by bit.
 struct Same {
     bool operator()(const GoTo& a, const GoTo& b) const { return a.step == b.step; }
     bool operator()(const SetParallelForm& a, const SetParallelForm& b) const {
@@ -97,38 +97,38 @@ struct Same {
     }
 };
 
-void check_there_and_back(const Action& action, const Session& session) {
-    const std::string text = text_of(action, session);
+void check_there_and_back(const Experiment& experiment, const Session& session) {
+    const std::string text = text_of(experiment, session);
     std::string error;
-    const std::optional<Action> read = read_action(text, session, error);
+    const std::optional<Experiment> read = read_experiment(text, session, error);
     INFO(text << ": " << error);
     REQUIRE(read.has_value());
-    CHECK(std::visit(Same{}, action, *read));
+    CHECK(std::visit(Same{}, experiment, *read));
 }
 
-Action read(const std::string& text, const Session& session) {
+Experiment read(const std::string& text, const Session& session) {
     std::string error;
-    const std::optional<Action> action = read_action(text, session, error);
+    const std::optional<Experiment> experiment = read_experiment(text, session, error);
     INFO(text << ": " << error);
-    REQUIRE(action.has_value());
-    return *action;
+    REQUIRE(experiment.has_value());
+    return *experiment;
 }
 
 std::string problem_of(const std::string& text, const Session& session) {
     std::string error;
-    CHECK_FALSE(read_action(text, session, error).has_value());
+    CHECK_FALSE(read_experiment(text, session, error).has_value());
     return error;
 }
 
 }  // namespace
 
-TEST_CASE("every action is told in words that are read as the same action", "[app][session]") {
+TEST_CASE("every experiment is told in words that are read as the same experiment", "[app][session]") {
     Random random(7);
     for (const auto& file : all_lesson_files()) {
         const Session session(without_motion(shipped(file)));
         INFO(file);
-        for (const Action& action : edits_of(session.lesson(), random)) {
-            check_there_and_back(action, session);
+        for (const Experiment& experiment : edits_of(session.lesson(), random)) {
+            check_there_and_back(experiment, session);
         }
     }
 }
@@ -140,7 +140,9 @@ TEST_CASE("names with blanks, and names that begin others, are read as they are 
     lesson.mechanism.bodies[1].name = "crank by";
     const Session session(lesson);
     Random random(3);
-    for (const Action& action : edits_of(session.lesson(), random)) { check_there_and_back(action, session); }
+    for (const Experiment& experiment : edits_of(session.lesson(), random)) {
+        check_there_and_back(experiment, session);
+    }
     CHECK(std::get<SetParallelForm>(read("form the long pin drop z", session)).joint == 1);
     CHECK(std::get<SetParallelForm>(read("form \"the long pin\" rule", session)).joint == 1);
 }

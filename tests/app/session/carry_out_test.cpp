@@ -1,8 +1,8 @@
-#include "app/session/trial.hpp"
+#include "app/session/carry_out.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/session/experiments.hpp"
+#include "app/session/possible_experiments.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
@@ -10,9 +10,9 @@ namespace jw::test {
 namespace {
 
 const RankReport& rank_after(Session& session, const std::string& text) {
-    const Trial trial = try_out(session, text);
-    INFO(text << ": " << trial.said);
-    REQUIRE(trial.done);
+    const ExperimentResult result = carry_out(session, text);
+    INFO(text << ": " << result.said);
+    REQUIRE(result.done);
     return session.rank();
 }
 
@@ -26,7 +26,7 @@ Vec3 point_of(const State& state, int body, const Vec3& local) {
 TEST_CASE("a body dragged before anything is assembled is moved to the place asked for", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
     const Body before = session.lesson().mechanism.bodies[1];
-    REQUIRE(try_out(session, "drag crank by 0 0 2").done);
+    REQUIRE(carry_out(session, "drag crank by 0 0 2").done);
     CHECK((session.lesson().mechanism.bodies[1].r - before.r - Vec3(0.0, 0.0, 2.0)).norm() < 1e-9);
     // nothing else is
     CHECK(session.lesson().mechanism.bodies[2].r == session.as_written().mechanism.bodies[2].r);
@@ -34,8 +34,8 @@ TEST_CASE("a body dragged before anything is assembled is moved to the place ask
 
 TEST_CASE("a body dragged after assembly goes where the equations allow", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
-    REQUIRE(try_out(session, "go to D").done);
-    REQUIRE(try_out(session, "drag rocker at 0.8 0 0 by 0.2 0 0").done);
+    REQUIRE(carry_out(session, "go to D").done);
+    REQUIRE(carry_out(session, "drag rocker at 0.8 0 0 by 0.2 0 0").done);
     // the pin C stays on its circle of 0.8 m about D
     const Vec3 pin = point_of(session.step().state, 3, Vec3(0.8, 0.0, 0.0));
     CHECK((pin - Vec3(0.5, 0.0, 0.4)).norm() == Approx(0.8).epsilon(1e-10));
@@ -45,14 +45,14 @@ TEST_CASE("a body dragged after assembly goes where the equations allow", "[app]
 
 TEST_CASE("what cannot be moved is said, and nothing is changed", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
-    REQUIRE(try_out(session, "go to motor").done);
+    REQUIRE(carry_out(session, "go to motor").done);
     const std::uint64_t times_told = session.told();
     for (const std::string text :
          {"drag crank by 0 0 0.1", "follow 1", "drag ground by 1 0 0", "put back A"}) {
-        const Trial trial = try_out(session, text);
-        INFO(text << ": " << trial.said);
-        CHECK_FALSE(trial.done);
-        CHECK_FALSE(trial.said.empty());
+        const ExperimentResult result = carry_out(session, text);
+        INFO(text << ": " << result.said);
+        CHECK_FALSE(result.done);
+        CHECK_FALSE(result.said.empty());
         CHECK_FALSE(session.in_hand());
     }
     CHECK(session.told() == times_told);
@@ -62,17 +62,17 @@ TEST_CASE("what an experiment is said to do it does, at the same pose", "[app][s
     for (const std::string& name : few_lessons()) {
         Session session(without_motion(lesson_named(name)));
         session.apply(GoTo{session.story().last_assembled()});
-        const Experiments all = experiments_of(session);
+        const PossibleExperiments all = possible_experiments_of(session);
         CHECK(all.present.rank == session.rank().rank);
         CHECK(all.groups.size() == session.lesson().order.size());
         for (const ExperimentGroup& group : all.groups) {
-            for (const Experiment& e : group.experiments) {
+            for (const PossibleExperiment& e : group.experiments) {
                 INFO(name << ": " << e.text);
                 std::string error;
                 Session another(without_motion(lesson_named(name)));
-                const Trial trial = try_out(another, e.text);
+                const ExperimentResult result = carry_out(another, e.text);
                 // what is so already is no change, but it is understood
-                CHECK(trial.said.find("expected") == std::string::npos);
+                CHECK(result.said.find("expected") == std::string::npos);
                 if (!e.effect || !e.text.starts_with("take out") || another.story().failure() != nullptr) {
                     continue;
                 }
@@ -89,7 +89,7 @@ TEST_CASE("what an experiment is said to do it does, at the same pose", "[app][s
 TEST_CASE("an equation that costs no rank is one of those that repeat each other", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
     session.apply(GoTo{session.story().last_assembled()});
-    const Experiments all = experiments_of(session);
+    const PossibleExperiments all = possible_experiments_of(session);
     CHECK(all.present.redundant() == 3);
     CHECK(all.combinations.size() == 3);
     CHECK(all.removable.size() == 12);
@@ -97,14 +97,14 @@ TEST_CASE("an equation that costs no rank is one of those that repeat each other
     CHECK(rank_after(session, "take out D s y").rank == 18);
     CHECK(rank_after(session, "take out D p1 z").rank == 18);
     CHECK(session.rank().redundant() == 0);
-    CHECK(experiments_of(session).removable.empty());
+    CHECK(possible_experiments_of(session).removable.empty());
     CHECK(rank_after(session, "take out A p1 x").rank == 17);
 }
 
 TEST_CASE("free motions are told finite from instantaneous", "[app][session]") {
     Session finite(without_motion(lesson_named("loops/rssr")));
     finite.apply(GoTo{finite.story().last_assembled()});
-    const Experiments rod = experiments_of(finite);
+    const PossibleExperiments rod = possible_experiments_of(finite);
     REQUIRE(rod.free_motions.size() == 1);
     CHECK(rod.free_motions[0].finite);
 }

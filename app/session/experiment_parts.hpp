@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "app/session/actions.hpp"
+#include "app/session/experiments.hpp"
 #include "app/session/words.hpp"
 
-/// Parts of action_text.hpp: geometry of joints, functions of drivers.
-namespace jw::action_text {
+/// Parts of experiment_text.hpp: geometry of joints, functions of drivers.
+namespace jw::experiment_text {
 
 std::vector<std::string> names_of_joints(const Lesson& lesson);
 std::vector<std::string> names_of_drivers(const Lesson& lesson);
@@ -21,10 +21,10 @@ SetGeometry read_point(Words& words, const Lesson& lesson);
 SetGeometry read_length(Words& words, const Lesson& lesson);
 SetGeometry read_geometry(Words& words, const Lesson& lesson);
 /// The shortest of the four that says the same.
-std::string text_of(const SetGeometry& action, const Lesson& lesson);
+std::string text_of(const SetGeometry& experiment, const Lesson& lesson);
 
 /// Behind "driver".
 SetDriver read_driver(Words& words, const Lesson& lesson);
-std::string text_of(const SetDriver& action, const Lesson& lesson);
+std::string text_of(const SetDriver& experiment, const Lesson& lesson);
 
-}  // namespace jw::action_text
+}  // namespace jw::experiment_text

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
 
-#include "app/session/action_parts.hpp"
+#include "app/session/experiment_parts.hpp"
+#include "lessons/enum_words.hpp"
 #include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
 
-namespace jw::action_text {
+namespace jw::experiment_text {
 
 namespace {
 
@@ -74,7 +74,7 @@ void read_member(Words& words, JointGeometry& g) {
         g.*k.member = words.take("none") ? std::nullopt : std::optional<double>(words.number(key));
     }
     if (key == kAngleRow) {
-        g.screw_angle_form = static_cast<ScrewAngleForm>(words.name(strings(kAngleRows), "angle row"));
+        g.screw_angle_form = kAngleRows[words.name(words_of(kAngleRows), "angle row")].value;
     }
 }
 
@@ -95,7 +95,7 @@ std::string differences(const JointGeometry& before, const JointGeometry& g) {
         if (before.*k.member != value) { add(k.name, value ? writing::number_text(*value) : "none"); }
     }
     if (before.screw_angle_form != g.screw_angle_form) {
-        add(kAngleRow, std::string(kAngleRows[static_cast<std::size_t>(g.screw_angle_form)]));
+        add(kAngleRow, word_of(kAngleRows, g.screw_angle_form));
     }
     return text;
 }
@@ -108,43 +108,43 @@ std::string numbers_text(const Vec3& v) {
 }
 
 SetGeometry read_axis(Words& words, const Lesson& lesson) {
-    SetGeometry action = joint_named(words, lesson);
+    SetGeometry experiment = joint_named(words, lesson);
     const bool in_body_j = side_of(words);
     const Vec3 direction = words.vector("a direction");
     if (direction.norm() < 1e-9) { throw Unreadable("the axis has length 0; expected a direction"); }
-    action.geometry = with_axis(action.geometry, in_body_j, direction);
-    return action;
+    experiment.geometry = with_axis(experiment.geometry, in_body_j, direction);
+    return experiment;
 }
 
 SetGeometry read_point(Words& words, const Lesson& lesson) {
-    SetGeometry action = joint_named(words, lesson);
+    SetGeometry experiment = joint_named(words, lesson);
     Vec3 JointGeometry::*const point = side_of(words) ? &JointGeometry::P_j_local : &JointGeometry::P_i_local;
-    action.geometry.*point = words.vector("a coordinate [m]");
-    return action;
+    experiment.geometry.*point = words.vector("a coordinate [m]");
+    return experiment;
 }
 
 SetGeometry read_length(Words& words, const Lesson& lesson) {
-    SetGeometry action = joint_named(words, lesson);
-    const Joint& joint = joint_of(lesson, action.joint);
+    SetGeometry experiment = joint_named(words, lesson);
+    const Joint& joint = joint_of(lesson, experiment.joint);
     if (!joint.type->uses(Role::length)) {
         throw Unreadable("a " + std::string(joint.type->name) + " joint has no length");
     }
-    action.geometry.length = words.number("a length [m]");
+    experiment.geometry.length = words.number("a length [m]");
     words.take("m");
-    if (action.geometry.length <= 0.0) { throw Unreadable("a length must be above 0"); }
-    return action;
+    if (experiment.geometry.length <= 0.0) { throw Unreadable("a length must be above 0"); }
+    return experiment;
 }
 
 SetGeometry read_geometry(Words& words, const Lesson& lesson) {
-    SetGeometry action = joint_named(words, lesson);
-    while (!words.done()) { read_member(words, action.geometry); }
-    return action;
+    SetGeometry experiment = joint_named(words, lesson);
+    while (!words.done()) { read_member(words, experiment.geometry); }
+    return experiment;
 }
 
-std::string text_of(const SetGeometry& action, const Lesson& lesson) {
-    const Joint& joint = joint_of(lesson, action.joint);
+std::string text_of(const SetGeometry& experiment, const Lesson& lesson) {
+    const Joint& joint = joint_of(lesson, experiment.joint);
     const std::string name = quoted_name(joint.name, names_of_joints(lesson));
-    const JointGeometry& g = action.geometry;
+    const JointGeometry& g = experiment.geometry;
     for (const bool in_body_j : {false, true}) {
         const std::string side = in_body_j ? " j " : " i ";
         const Vec3& s = in_body_j ? g.s_j_local : g.s_i_local;
@@ -161,4 +161,4 @@ std::string text_of(const SetGeometry& action, const Lesson& lesson) {
     return "geometry " + name + differences(joint.geometry, g);
 }
 
-}  // namespace jw::action_text
+}  // namespace jw::experiment_text

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "app/session/action_parts.hpp"
+#include "app/session/experiment_parts.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/typed.hpp"
 
-namespace jw::action_text {
+namespace jw::experiment_text {
 
 namespace {
 
@@ -122,16 +122,16 @@ std::string whole_text(const TimeFunction& f, Kind kind) {
 SetDriver read_driver(Words& words, const Lesson& lesson) {
     const auto index = static_cast<int>(words.name(names_of_drivers(lesson), "driver"));
     const Driver& driver = driver_of(lesson, index);
-    SetDriver action{index, driver.function};
-    do { read_clause(words, kind_of(driver), action.function); } while (!words.done());
-    return action;
+    SetDriver experiment{index, driver.function};
+    do { read_clause(words, kind_of(driver), experiment.function); } while (!words.done());
+    return experiment;
 }
 
-std::string text_of(const SetDriver& action, const Lesson& lesson) {
-    const Driver& driver = driver_of(lesson, action.driver);
+std::string text_of(const SetDriver& experiment, const Lesson& lesson) {
+    const Driver& driver = driver_of(lesson, experiment.driver);
     const Kind kind = kind_of(driver);
     const std::string head = "driver " + quoted_name(driver.name, names_of_drivers(lesson));
-    TimeFunction wanted = action.function;
+    TimeFunction wanted = experiment.function;
     TimeFunction shifted = driver.function;
     if (wanted.polynomial.size() >= 2) {
         const double start = wanted.polynomial[0];
@@ -145,4 +145,4 @@ std::string text_of(const SetDriver& action, const Lesson& lesson) {
     return head + whole_text(wanted, kind);
 }
 
-}  // namespace jw::action_text
+}  // namespace jw::experiment_text

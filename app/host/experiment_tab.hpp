@@ -5,16 +5,16 @@
 /// "Try it": everything of the lesson that can be changed, and what that does to rank and freedoms.
 namespace jw::host {
 
-void try_tab(const LessonUi& ui, const panels::Box& box);
+void experiment_tab(const LessonUi& ui, const panels::Box& box);
 
 /// The joint that "Try it" is about: the chosen one, else that of the step, else the first; -1 if there is
 /// none.
-int try_joint_of(const LessonUi& ui);
+int experiment_joint_of(const LessonUi& ui);
 
 /// Points, axes and equations of one joint.
-void try_joint(const LessonUi& ui, int joint);
+void experiment_joint(const LessonUi& ui, int joint);
 
 /// Values of drivers, and time.
-void try_drivers(const LessonUi& ui);
+void experiment_drivers(const LessonUi& ui);
 
 }  // namespace jw::host

@@ -1,4 +1,4 @@
-#include "app/host/try_tab.hpp"
+#include "app/host/experiment_tab.hpp"
 
 #include <algorithm>
 
@@ -83,9 +83,9 @@ void parts(const LessonUi& ui) {
         if (ImGui::IsItemHovered()) { ImGui::SetTooltip(present ? "take it out" : "put it back"); }
         ImGui::SameLine();
         const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : "driver";
-        const bool chosen = is_joint && try_joint_of(ui) == addition.index;
+        const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;
         if (ImGui::Selectable((name + "   " + type).c_str(), chosen)) {
-            (is_joint ? ui.state.try_joint : ui.state.try_driver) = addition.index;
+            (is_joint ? ui.state.experiment_joint : ui.state.experiment_driver) = addition.index;
         }
         ImGui::PopID();
         ImGui::PopID();
@@ -158,9 +158,11 @@ void freedoms(const LessonUi& ui) {
 
 }  // namespace
 
-int try_joint_of(const LessonUi& ui) {
+int experiment_joint_of(const LessonUi& ui) {
     const auto count = static_cast<int>(ui.session.lesson().mechanism.joints.size());
-    if (ui.state.try_joint >= 0 && ui.state.try_joint < count) { return ui.state.try_joint; }
+    if (ui.state.experiment_joint >= 0 && ui.state.experiment_joint < count) {
+        return ui.state.experiment_joint;
+    }
     if (const auto subject = subject_of(ui.session.lesson(), ui.session.step())) {
         if (subject->kind == Addition::Kind::joint) { return subject->index; }
         const int driven =
@@ -171,15 +173,15 @@ int try_joint_of(const LessonUi& ui) {
     return count > 0 ? 0 : -1;
 }
 
-void try_tab(const LessonUi& ui, const panels::Box& box) {
+void experiment_tab(const LessonUi& ui, const panels::Box& box) {
     Area area(ui, "try it", box, true);
     verdict(ui);
     history(ui);
-    if (const int joint = try_joint_of(ui); joint >= 0) { try_joint(ui, joint); }
+    if (const int joint = experiment_joint_of(ui); joint >= 0) { experiment_joint(ui, joint); }
     repeated_equations(ui);
     freedoms(ui);
     parts(ui);
-    try_drivers(ui);
+    experiment_drivers(ui);
     coordinates(ui);
 }
 

@@ -1,0 +1,52 @@
+#include "app/commands/experiment_option.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/session/carry_out.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw {
+
+void add_try_option(CLI::App& command, std::vector<std::string>& experiments) {
+    command
+        .add_option(
+            "--try", experiments,
+            "an experiment first, as 'jointwise try FILE' lists them; may be given several times")
+        ->type_name("TEXT")
+        ->type_size(1)
+        ->allow_extra_args(false);
+}
+
+std::vector<std::string> carry_out_all(Session& session, const std::vector<std::string>& experiments) {
+    std::vector<std::string> done;
+    for (const std::string& text : experiments) {
+        const ExperimentResult result = carry_out(session, text);
+        if (!result.done) {
+            throw CommandError(
+                Exit::bad_input, "jointwise: error: --try " + in_quotes(text) + ": " + result.said);
+        }
+        done.push_back(result.said);
+    }
+    return done;
+}
+
+ChangedLesson lesson_of(
+    const std::filesystem::path& path, const std::vector<std::string>& experiments, const Streams& streams) {
+    Lesson lesson = lesson_of(path, streams);
+    if (experiments.empty()) { return {std::move(lesson), {}}; }
+    Session session(std::move(lesson));
+    std::vector<std::string> done = carry_out_all(session, experiments);
+    return {session.lesson(), std::move(done)};
+}
+
+std::string done_text(const std::vector<std::string>& done) {
+    std::string text;
+    for (const std::string& one : done) { text += "tried: " + one + '\n'; }
+    return text;
+}
+
+void add_done(Json& json, const std::vector<std::string>& done) {
+    if (!done.empty()) { json["tried"] = done; }
+}
+
+}  // namespace jw
