@@ -4,7 +4,7 @@ find_package(Threads REQUIRED)
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # One thread, no instructions beyond the base set: numbers and frames are equal on every machine. (Wider registers
-# are used where the numbers stay the same: core/dynamics/triples.hpp.) Vectors of three are not taken in pairs: a
+# are used where the numbers stay the same: core/numerics/triples.hpp.) Vectors of three are not taken in pairs: a
 # pair that was written as single numbers is waited for.
 target_compile_definitions(Eigen3::Eigen INTERFACE EIGEN_DONT_PARALLELIZE EIGEN_UNALIGNED_VECTORIZE=0)
 

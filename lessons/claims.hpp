@@ -3,8 +3,8 @@
 #include <string>
 #include <variant>
 
-#include "core/drivers.hpp"
-#include "core/joint_types.hpp"
+#include "core/jets/drivers.hpp"
+#include "core/model/joint_types.hpp"
 #include "lessons/source_span.hpp"
 
 /// Claims of a lesson about its mechanism, proved by `jointwise check`. An [[expect]] block becomes one

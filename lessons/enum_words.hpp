@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/coordinates.hpp"
-#include "core/dynamics/loads.hpp"
-#include "core/joint_types.hpp"
+#include "core/jets/coordinates.hpp"
+#include "core/model/joint_types.hpp"
+#include "core/motion/loads.hpp"
 #include "lessons/claims.hpp"
 
 /// What enumerators are called: one table for each enum, looked up both ways.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mechanism.hpp"
+#include "core/model/mechanism.hpp"
 
 /// Short names of a joint's equations, the same in lessons and beside the rows of a matrix: "s x", "p1 y",
 /// "θ".

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/typed.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Numbers and texts as they stand in a lesson file, such that reading them gives the same again.
 namespace jw::writing {

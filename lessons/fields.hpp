@@ -8,7 +8,7 @@
 
 #include <toml++/toml.h>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/problems.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/joint_types.hpp"
+#include "core/model/joint_types.hpp"
 
 /// What of a joint's geometry a lesson says.
 namespace jw {

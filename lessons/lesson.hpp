@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/coordinates.hpp"
-#include "core/dynamics/loads.hpp"
-#include "core/dynamics/methods.hpp"
-#include "core/mechanism.hpp"
+#include "core/integrate/methods.hpp"
+#include "core/jets/coordinates.hpp"
+#include "core/model/mechanism.hpp"
+#include "core/motion/loads.hpp"
 #include "lessons/claims.hpp"
 
 /// A lesson as data: what the rest of the program consumes. docs/writing-a-lesson.md describes the file.

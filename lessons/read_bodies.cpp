@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/dynamics/tolerances.hpp"
+#include "core/motion/tolerances.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {

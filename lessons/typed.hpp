@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// From what is typed in a lesson to what the program computes with: words and conversions that the reader
 /// applies and the writer must undo exactly.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/commands/command.hpp"
-#include "core/dynamics/tolerances.hpp"
+#include "core/motion/tolerances.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 
 namespace CLI {
 class App;

@@ -10,7 +10,7 @@
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
-#include "core/dynamics/tolerances.hpp"
+#include "core/motion/tolerances.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

@@ -6,7 +6,7 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/shipped.hpp"
 #include "app/hard/variants.hpp"
-#include "core/motion_tracker.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 
 namespace jw::hard {
 

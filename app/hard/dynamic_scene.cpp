@@ -19,6 +19,13 @@ Centroidal centroidal_of(const Lesson& lesson) {
     return centroidal(lesson.mechanism, lesson.dynamics->loads);
 }
 
+Energy energy_at(const Centroidal& scene, const std::vector<double>& flat) {
+    State state = start_state(scene.mechanism);
+    Motion motion = start_motion(scene.mechanism);
+    unpack(flat.data(), moving_bodies_of(scene.mechanism), state, motion);
+    return energy_of(scene, state, motion);
+}
+
 Trajectory run_of(
     const DynamicScene& scene, const SimulationSettings& settings, double share, const See& see) {
     const auto& times = scene.reference.times;

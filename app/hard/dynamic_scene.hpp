@@ -6,7 +6,7 @@
 
 #include "app/hard/hard_case.hpp"
 #include "app/session/benchmark.hpp"
-#include "core/dynamics/runge_kutta.hpp"
+#include "core/integrate/runge_kutta.hpp"
 
 /// Lessons of dynamics as material of the cases, and what a trajectory of theirs is worth.
 namespace jw::hard {
@@ -21,6 +21,9 @@ DynamicScene shipped_scene(std::string_view name);
 
 /// As the equations of motion want it; its flat start is flat_start(scene.mechanism).
 Centroidal centroidal_of(const Lesson& lesson);
+
+/// Energies at a flat state.
+Energy energy_at(const Centroidal& scene, const std::vector<double>& flat);
 
 /// A run by the program's own methods.
 struct Trajectory {

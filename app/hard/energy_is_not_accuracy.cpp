@@ -15,7 +15,8 @@ void euler_with_corrected_energy(const DynamicScene& scene, double step, Traject
     std::vector<double> y_dot(y.size());
     equations->choose_rows(0.0, y.data());
     equations->project(0.0, y.data());
-    const double energy = equations->kinetic_energy(y.data()) + equations->potential_energy(y.data());
+    const Energy at_start = energy_at(centroidal, y);
+    const double energy = at_start.kinetic + at_start.potential;
     const auto per_sample = std::lround(scene.reference.times[1] / step);
     errors.look_at(0, y);
     for (std::size_t k = 1; k < scene.reference.times.size(); ++k) {
@@ -23,8 +24,8 @@ void euler_with_corrected_energy(const DynamicScene& scene, double step, Traject
             equations->evaluate(0.0, y.data(), y_dot.data());
             for (std::size_t m = 0; m < y.size(); ++m) { y[m] += step * y_dot[m]; }
             equations->project(0.0, y.data());
-            const double wanted = energy - equations->potential_energy(y.data());
-            const double factor = std::sqrt(std::max(wanted, 0.0) / equations->kinetic_energy(y.data()));
+            const Energy now = energy_at(centroidal, y);
+            const double factor = std::sqrt(std::max(energy - now.potential, 0.0) / now.kinetic);
             for (std::size_t m = 0; m < y.size(); ++m) {
                 if (m % kNumbersPerBody >= 7) { y[m] *= factor; }
             }

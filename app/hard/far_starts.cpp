@@ -5,8 +5,8 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/shipped.hpp"
 #include "app/hard/variants.hpp"
-#include "core/newton_methods.hpp"
-#include "core/position.hpp"
+#include "core/poses/newton_methods.hpp"
+#include "core/poses/position.hpp"
 
 /// Newton from starts that lie nearer to a solution that is not meant than to the one that is.
 namespace jw::hard {

@@ -5,7 +5,7 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/system.hpp"
+#include "core/equations/system.hpp"
 
 namespace jw::hard {
 

@@ -3,8 +3,8 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/motion_tracker.hpp"
-#include "core/rank.hpp"
+#include "core/kinematics/motion_tracker.hpp"
+#include "core/poses/rank.hpp"
 
 namespace jw::hard {
 

@@ -5,7 +5,7 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/dynamics/dense_equations.hpp"
+#include "core/motion/dense/dense_equations.hpp"
 
 namespace jw::hard {
 

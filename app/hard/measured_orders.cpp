@@ -2,10 +2,10 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
-#include "core/dynamics/explicit_integrator.hpp"
-#include "core/dynamics/independent_coordinates.hpp"
-#include "core/dynamics/radau.hpp"
-#include "core/dynamics/semi_implicit.hpp"
+#include "core/integrate/explicit_integrator.hpp"
+#include "core/integrate/independent_coordinates.hpp"
+#include "core/integrate/radau.hpp"
+#include "core/integrate/semi_implicit.hpp"
 
 namespace jw::hard {
 

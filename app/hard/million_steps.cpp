@@ -3,8 +3,8 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/dynamics/explicit_integrator.hpp"
-#include "core/dynamics/semi_implicit.hpp"
+#include "core/integrate/explicit_integrator.hpp"
+#include "core/integrate/semi_implicit.hpp"
 
 namespace jw::hard {
 
@@ -19,11 +19,10 @@ struct Kept {
     Vec3 momentum = Vec3::Zero();  ///< angular, global [kg m²/s]
 };
 
-Kept kept_at(const MotionEquations& equations, const Mat3& J, const std::vector<double>& y) {
+Kept kept_at(const Centroidal& scene, const Mat3& J, const std::vector<double>& y) {
     const Vec4 p = vec4(y.data() + 3);
     return {
-        p.norm(), equations.kinetic_energy(y.data()),
-        rotation_matrix(p.normalized()) * (J * vec3(y.data() + 10))};
+        p.norm(), energy_at(scene, y).kinetic, rotation_matrix(p.normalized()) * (J * vec3(y.data() + 10))};
 }
 
 struct Drift {
@@ -45,10 +44,10 @@ Drift drift_of(double step, bool normalise, const Table&... table) {
     options.fixed_step = step;
     options.project = normalise;
     Stepper stepper(*equations, table..., options, 0.0, flat_start(scene.mechanism));
-    const Kept start = kept_at(*equations, J, stepper.y());
+    const Kept start = kept_at(scene, J, stepper.y());
     const double far = 2.0 * step * double(kSteps);
     for (long k = 0; k < kSteps && stepper.step(far); ++k) {}
-    const Kept end = kept_at(*equations, J, stepper.y());
+    const Kept end = kept_at(scene, J, stepper.y());
     return {
         or_infinite(std::abs(end.p - start.p)), or_infinite(std::abs(end.energy / start.energy - 1.0)),
         or_infinite((end.momentum - start.momentum).norm() / start.momentum.norm())};

@@ -4,7 +4,7 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/variants.hpp"
-#include "core/kinematics.hpp"
+#include "core/kinematics/kinematics.hpp"
 
 namespace jw::hard {
 

@@ -3,9 +3,9 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/known_loops.hpp"
-#include "core/assembler.hpp"
-#include "core/position.hpp"
-#include "core/transformed.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/model/transformed.hpp"
+#include "core/poses/position.hpp"
 
 /// Rank and redundancy of loops that move although counting says no: turned, and with vectors of any length.
 namespace jw::hard {

@@ -5,7 +5,7 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/variants.hpp"
-#include "core/position.hpp"
+#include "core/poses/position.hpp"
 
 /// Equations that repeat others: do they still when the geometry is not quite what it was?
 namespace jw::hard {

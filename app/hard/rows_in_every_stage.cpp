@@ -4,8 +4,8 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
-#include "core/dynamics/dense_equations.hpp"
-#include "core/dynamics/explicit_integrator.hpp"
+#include "core/integrate/explicit_integrator.hpp"
+#include "core/motion/dense/dense_equations.hpp"
 
 namespace jw::hard {
 

@@ -7,7 +7,7 @@
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
 #include "app/hard/variants.hpp"
-#include "core/transformed.hpp"
+#include "core/model/transformed.hpp"
 
 namespace jw::hard {
 

@@ -3,8 +3,8 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/known_loops.hpp"
-#include "core/position.hpp"
-#include "core/transformed.hpp"
+#include "core/model/transformed.hpp"
+#include "core/poses/position.hpp"
 
 /// Rank, and closing, of very large and very small machines.
 namespace jw::hard {

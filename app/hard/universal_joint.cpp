@@ -5,9 +5,9 @@
 
 #include "app/hard/cases.hpp"
 #include "app/hard/variants.hpp"
-#include "core/kinematics.hpp"
-#include "core/newton_methods.hpp"
-#include "core/position.hpp"
+#include "core/kinematics/kinematics.hpp"
+#include "core/poses/newton_methods.hpp"
+#include "core/poses/position.hpp"
 
 namespace jw::hard {
 

@@ -6,7 +6,7 @@
 
 #include "app/hard/shipped.hpp"
 #include "app/session/story.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw::hard {
 

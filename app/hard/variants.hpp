@@ -5,7 +5,7 @@
 #include <random>
 #include <string_view>
 
-#include "core/rank.hpp"
+#include "core/poses/rank.hpp"
 #include "lessons/lesson.hpp"
 
 /// The mechanisms of lessons altered, so that one can see whether verdicts stay.

@@ -5,8 +5,8 @@
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
-#include "core/dynamics/dense_equations.hpp"
-#include "core/dynamics/reactions.hpp"
+#include "core/motion/dense/dense_equations.hpp"
+#include "core/motion/reactions.hpp"
 
 namespace jw::hard {
 

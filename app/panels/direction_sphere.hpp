@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "app/panels/canvas.hpp"
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 #include "render/camera.hpp"
 
 /// Which pair of p1 / p2 rows is good for which direction of the axis s_i: a sphere of all directions, shaded
 /// by the smallest singular value of the two rows in use.
 ///
 /// With s_i unit and everything assembled the rows that are left when component k is dropped have singular
-/// values 1 and |s_k| (core/independent_rows.hpp).
+/// values 1 and |s_k| (core/equations/independent_rows.hpp).
 namespace jw::panels {
 
 enum class PairInUse { rule, drop_x, drop_y, drop_z };

@@ -12,7 +12,7 @@
 #include "app/session/quantities.hpp"
 #include "app/session/sentences.hpp"
 #include "app/session/story.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw {
 

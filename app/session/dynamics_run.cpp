@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/numbers.hpp"
-#include "core/dynamics/reactions.hpp"
+#include "core/motion/reactions.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "lessons/lesson.hpp"
 
 /// A lesson of dynamics, run from its start.

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/position.hpp"
-#include "core/rank.hpp"
+#include "core/poses/position.hpp"
+#include "core/poses/rank.hpp"
 
 /// Outcomes of the numerics in words: failures, wrong branches, redundant rows, free motions.
 namespace jw {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/dynamics/motion_equations.hpp"
+#include "core/motion/motion_equations.hpp"
 
 /// Gragg's modified midpoint rule, extrapolated to a step of length 0: an integrator that no method of the
 /// program shares a table, a step control or a sample with. It computes references.

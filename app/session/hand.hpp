@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/session/story.hpp"
-#include "core/freedoms.hpp"
-#include "core/manifold.hpp"
+#include "core/kinematics/freedoms.hpp"
+#include "core/kinematics/manifold.hpp"
 
 /// A pose that is not in the story: a hand has pulled the bodies, or a free motion is followed.
 namespace jw {

@@ -4,9 +4,9 @@
 #include "app/session/explanations.hpp"
 #include "app/session/numbers.hpp"
 #include "app/session/sentences.hpp"
-#include "core/assembler.hpp"
-#include "core/large_rank.hpp"
+#include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
+#include "core/poses/large_rank.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/session/story.hpp"
-#include "core/kinematic_residuals.hpp"
+#include "core/kinematics/kinematic_residuals.hpp"
 
 /// Every number of a system at one moment, in the coordinates that were asked for.
 namespace jw {

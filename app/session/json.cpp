@@ -4,7 +4,7 @@
 
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw {
 

@@ -9,13 +9,14 @@ namespace jw {
 
 namespace {
 
-Json json_of(double value) { return number(value); }
-Json json_of(ScrewAngleForm form) { return word_of(kAngleRows, form); }
+Json field(const Vec3& value) { return json_of(value); }
+Json field(double value) { return number(value); }
+Json field(ScrewAngleForm form) { return word_of(kAngleRows, form); }
 
 /// The data of a primitive, with the names of primitives.hpp.
 Json data_of(const Primitive& primitive) {
     Json data = Json::object();
-    const auto add = [&](const char* name, const auto& value) { data[name] = json_of(value); };
+    const auto add = [&](const char* name, const auto& value) { data[name] = field(value); };
     std::visit([&](const auto& p) { p.for_each_field(add); }, primitive);
     return data;
 }

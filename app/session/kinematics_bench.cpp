@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/session/story.hpp"
-#include "core/motion_tracker.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {

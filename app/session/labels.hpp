@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/system.hpp"
+#include "core/equations/system.hpp"
 
 /// Names of rows, columns and equations as people read them; the only place where provenance becomes text.
 namespace jw {

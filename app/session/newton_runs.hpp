@@ -5,7 +5,7 @@
 
 #include "app/session/json.hpp"
 #include "app/session/newton_comparison.hpp"
-#include "core/newton_methods.hpp"
+#include "core/poses/newton_methods.hpp"
 #include "lessons/enum_words.hpp"
 
 /// Newton's method from one start of a story, in several ways: the comparison of newton_comparison.hpp with

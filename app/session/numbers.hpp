@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Numbers as people read them.
 namespace jw {

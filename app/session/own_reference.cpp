@@ -5,7 +5,7 @@
 #include "app/session/benchmark.hpp"
 #include "app/session/extrapolation.hpp"
 #include "app/session/numbers.hpp"
-#include "core/dynamics/time_events.hpp"
+#include "core/motion/time_events.hpp"
 
 namespace jw {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/system.hpp"
+#include "core/equations/system.hpp"
 
 /// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
 /// matrix, its vector and its bodies in 3D. Pointing at one lights up the others.

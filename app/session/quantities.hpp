@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/session/view.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 /// What a person would measure on a mechanism in motion: angles and displacements of joints, drivers.
 namespace jw {

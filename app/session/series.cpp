@@ -8,7 +8,7 @@
 #include "app/session/labels.hpp"
 #include "app/session/quantities.hpp"
 #include "app/session/series_parts.hpp"
-#include "core/dynamics/forces.hpp"
+#include "core/motion/forces.hpp"
 
 namespace jw {
 

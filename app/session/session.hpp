@@ -57,8 +57,8 @@ public:
     std::string undo_text() const;
     std::string redo_text() const;
 
-    /// Whether the free motion that is shown goes on or was there for an instant only; see core/freedoms.hpp.
-    /// Nothing if none is shown.
+    /// Whether the free motion that is shown goes on or was there for an instant only; see
+    /// core/kinematics/freedoms.hpp. Nothing if none is shown.
     std::optional<bool> shown_freedom_is_finite() const;
 
     /// Index of the step of the story that is nearest to time `t` of the motion; the last step without one.

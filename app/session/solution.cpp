@@ -6,7 +6,7 @@
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw {
 

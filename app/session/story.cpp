@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/session/dynamics_run.hpp"
-#include "core/branches.hpp"
-#include "core/large_rank.hpp"
+#include "core/poses/branches.hpp"
+#include "core/poses/large_rank.hpp"
 
 namespace jw {
 

@@ -3,9 +3,9 @@
 #include <functional>
 #include <memory>
 
-#include "core/dynamics/reactions.hpp"
-#include "core/motion_tracker.hpp"
-#include "core/rank.hpp"
+#include "core/kinematics/motion_tracker.hpp"
+#include "core/motion/reactions.hpp"
+#include "core/poses/rank.hpp"
 #include "lessons/lesson.hpp"
 
 /// A lesson as a sequence of steps: the free bodies; for each joint its equations, the Newton iterations that

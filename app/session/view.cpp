@@ -6,7 +6,7 @@
 #include "app/session/quantities.hpp"
 #include "app/session/sentences.hpp"
 #include "app/session/view_equations.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw {
 

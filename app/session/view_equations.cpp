@@ -7,7 +7,7 @@
 
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 
 namespace jw {
 

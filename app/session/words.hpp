@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Sentences that people type, read from left to right.
 namespace jw {

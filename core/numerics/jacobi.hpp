@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// One-sided Jacobi method: rotations that make the columns of a matrix orthogonal to each other.
 namespace jw {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Sparse storage of Φq: every row involves the columns of at most two bodies and one artificial coordinate,
 /// so that m rows are m small records, whatever the number of columns.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Singular value decomposition of dense matrices, with a bound on the error of the values.
 namespace jw {

@@ -67,10 +67,12 @@ TEST_CASE("simulate says what to do about a loop that does not fit", "[app][dyna
         off.replace(where, axis.size(), other);
         const Ran ran = run({"simulate", folder.file("loop.toml", off), "--duration", "1"});
         CHECK(ran.status == 3);
-        CHECK(ran.err.find("repeat those of other joints, but miss them by") != std::string::npos);
+        CHECK(
+            ran.err.find("are redundant with those of other joints, but contradict them by") !=
+            std::string::npos);
         return ran.err;
     };
-    CHECK(said_with("axis_j = [0.0001, 0, 1]").find("want all their digits") != std::string::npos);
+    CHECK(said_with("axis_j = [0.0001, 0, 1]").find("with all their digits") != std::string::npos);
     CHECK(said_with("axis_j = [0.2, 0, 1]").find("do not fit") != std::string::npos);
 }
 
@@ -253,19 +255,20 @@ TEST_CASE(
     CHECK(ran.status == 3);
     const auto steps = nlohmann::json::parse(ran.out)["steps"];
     CHECK(steps.back()["title"] == "The motion ends");
-    CHECK(steps.back()["failure"].get<std::string>().find("cannot be met there") != std::string::npos);
+    CHECK(steps.back()["failure"].get<std::string>().find("cannot be satisfied there") != std::string::npos);
     CHECK(steps[steps.size() - 2]["failure"].is_null());
     const Ran plotted = run({"plot", file, "--out", folder.path("plot.csv")});
     CHECK(plotted.status == 3);
-    CHECK(plotted.err.find("cannot be met there") != std::string::npos);
+    CHECK(plotted.err.find("cannot be satisfied there") != std::string::npos);
     // along the rod, where it begins, no acceleration of the ball at rest meets the motor's
     text.replace(text.find("coordinate = \"y\""), 16, "coordinate = \"x\"");
     text.replace(text.find("[0, 0.5, 1]"), 11, "[-1, 0, 1]");
     const Ran refused = run({"simulate", folder.file("along.toml", text)});
     CHECK(refused.status == 3);
     CHECK(
-        refused.err.find("equations of 'pull' repeat those of other joints or drivers, but ask for other "
-                         "accelerations") != std::string::npos);
+        refused.err.find(
+            "equations of 'pull' are redundant with those of other joints or drivers, but contradict their "
+            "accelerations") != std::string::npos);
 }
 
 TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {

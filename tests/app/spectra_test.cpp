@@ -4,9 +4,9 @@
 
 #include "app/session/explanations.hpp"
 #include "app/session/labels.hpp"
-#include "core/assembler.hpp"
-#include "core/least_squares.hpp"
+#include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
+#include "core/poses/least_squares.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/support/long_double_svd.hpp"
 

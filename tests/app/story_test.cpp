@@ -2,7 +2,7 @@
 
 #include "app/session/story.hpp"
 #include "app/session/view.hpp"
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

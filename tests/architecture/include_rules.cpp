@@ -54,6 +54,22 @@ constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"le
                               FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost},
                               FolderRule{"app/hard/", kHard}};
 
+/// Rooms of core from the bottom up: each knows itself and those before it.
+constexpr std::array<std::string_view, 12> kRooms{
+    "core/numerics/",     "core/jets/",       "core/model/",        "core/equations/",
+    "core/poses/",        "core/motion/",     "core/motion/block/", "core/motion/tree/",
+    "core/motion/dense/", "core/kinematics/", "core/integrate/",    "core/quantity/"};
+
+/// Place of the innermost room that a path lies in, or nothing.
+std::optional<std::size_t> room_of(std::string_view path) {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < kRooms.size(); ++k) {
+        if (!path.starts_with(kRooms[k])) { continue; }
+        if (!found || kRooms[k].size() > kRooms[*found].size()) { found = k; }
+    }
+    return found;
+}
+
 /// A library that only a few files may know, so that it can be replaced there.
 struct LibraryRule {
     std::string_view library;
@@ -100,6 +116,13 @@ std::optional<std::string> objection(std::string_view path, std::string_view nam
             return std::string(name) + " is known only to " + std::string(rule.known_to);
         }
     }
+
+    const auto room = room_of(path);
+    const auto other = room_of(name);
+    if (room && other && *other > *room) {
+        return std::string(kRooms[*room]) + " does not know " + std::string(kRooms[*other]);
+    }
+    if (path.starts_with("core/") && !room) { return "of core only rooms are known"; }
 
     // a folder knows only those below it
     const auto folder =

@@ -6,7 +6,7 @@
 namespace jw::architecture {
 
 struct SourceFile {
-    std::string path;  ///< from the project's root, "core/rank.cpp"
+    std::string path;  ///< from the project's root, "core/poses/rank.cpp"
     std::vector<std::string> lines;
 };
 

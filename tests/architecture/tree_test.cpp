@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <map>
 #include <regex>
 
 #include <catch2/catch.hpp>
 
-#include "core/joint_types.hpp"
+#include "core/model/joint_types.hpp"
 #include "tests/architecture/project_tree.hpp"
 
 namespace jw::architecture {
@@ -44,7 +45,7 @@ std::string joint_names(bool of_joints_only) {
 }
 
 bool is_shipped(const SourceFile& file) {
-    return is_cpp(file) && !file.path.starts_with("tests/") && file.path != "core/joint_types.hpp";
+    return is_cpp(file) && !file.path.starts_with("tests/") && file.path != "core/model/joint_types.hpp";
 }
 
 }  // namespace
@@ -64,6 +65,20 @@ TEST_CASE("Nothing but its entry knows a joint type by name", "[architecture]") 
     }
     CHECK(std::regex_search(std::string("if (type.name == \"revolute\") {"), alone));
     CHECK(std::regex_search(std::string("if (type.name == \"p1\") {"), compared));
+}
+
+TEST_CASE("No room of core has more than 25 files", "[architecture]") {
+    std::map<std::string, int> entries;
+    for (const SourceFile& file : project_files()) {
+        if (is_cpp(file) && file.path.starts_with("core/")) {
+            ++entries[file.path.substr(0, file.path.rfind('/'))];
+        }
+    }
+    CHECK(entries.size() > 9);
+    for (const auto& [room, count] : entries) {
+        CAPTURE(room);
+        CHECK(count <= 25);
+    }
 }
 
 TEST_CASE("No source file is longer than 400 lines", "[architecture]") {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/dynamics/simulation.hpp"
-#include "core/dynamics/triples.hpp"
+#include "core/integrate/simulation.hpp"
+#include "core/numerics/triples.hpp"
 #include "lessons/reader.hpp"
 #include "tests/bench/clock.hpp"
 

@@ -1,6 +1,6 @@
 # Floating-point operations of a run: awk -f flops.awk OBJDUMP-OUTPUT CALLGRIND-OUTPUT, the second of a run under
 # callgrind with --dump-instr=yes. Of the program itself; what libm does is not counted, the lane that is always zero
-# (core/dynamics/triples.hpp) is.
+# (core/numerics/triples.hpp) is.
 
 # how many one instruction does: a lane each, and two for multiply and add at once
 function operations(name, operands,    lanes) {

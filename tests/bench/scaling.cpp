@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/bench/clock.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 

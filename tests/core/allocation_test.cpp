@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "core/newton.hpp"
+#include "core/poses/newton.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/driven.hpp"
 

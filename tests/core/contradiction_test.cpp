@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/motion_tracker.hpp"
-#include "core/position.hpp"
+#include "core/kinematics/motion_tracker.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/random_mechanisms.hpp"
 #include "tests/support/scenes.hpp"
 

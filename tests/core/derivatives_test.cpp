@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/assembler.hpp"
-#include "core/body_kinematics.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/jets/body_kinematics.hpp"
 #include "tests/support/random_mechanisms.hpp"
 #include "tests/support/reference_phi.hpp"
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/driven_frames.hpp"
+#include "core/kinematics/driven_frames.hpp"
 #include "tests/support/driven.hpp"
 
 /// The quick way from moment to moment against the one that decides ranks.

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 using namespace jw;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/branches.hpp"
-#include "core/freedoms.hpp"
-#include "core/newton.hpp"
+#include "core/kinematics/freedoms.hpp"
+#include "core/poses/branches.hpp"
+#include "core/poses/newton.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/singular_scenes.hpp"
 

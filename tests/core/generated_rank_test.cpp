@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/least_squares.hpp"
-#include "core/position.hpp"
+#include "core/poses/least_squares.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/long_double_svd.hpp"
 #include "tests/support/random_nets.hpp"
 #include "tests/support/scenes.hpp"

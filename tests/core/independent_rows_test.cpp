@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/independent_rows.hpp"
+#include "core/equations/independent_rows.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace jw;

@@ -1,9 +1,9 @@
-#include "core/kinematic_residuals.hpp"
+#include "core/kinematics/kinematic_residuals.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "core/kinematics.hpp"
-#include "core/motion_tracker.hpp"
+#include "core/kinematics/kinematics.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_nets.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/position.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/driven.hpp"
 
 using namespace jw;

@@ -5,8 +5,8 @@
 
 #include <Eigen/SVD>
 
-#include "core/branches.hpp"
-#include "core/manifold.hpp"
+#include "core/kinematics/manifold.hpp"
+#include "core/poses/branches.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/singular_scenes.hpp"
 

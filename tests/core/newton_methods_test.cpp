@@ -5,7 +5,7 @@
 
 #include <Eigen/SVD>
 
-#include "core/newton_methods.hpp"
+#include "core/poses/newton_methods.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/singular_scenes.hpp"
 

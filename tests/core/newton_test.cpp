@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/newton.hpp"
+#include "core/poses/newton.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace jw;

@@ -4,7 +4,7 @@
 
 #include <Eigen/QR>
 
-#include "core/newton.hpp"
+#include "core/poses/newton.hpp"
 #include "tests/support/scenes.hpp"
 
 /// What the rows pᵀp = 1 do for Newton.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/position.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/scenes.hpp"
 
 /// Positions that cannot be found: the state stays, and the failure says what it was.

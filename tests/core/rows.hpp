@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 namespace jw::test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/motion_tracker.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 #include "tests/support/scenes.hpp"
 
 using namespace jw;

@@ -3,9 +3,9 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "core/large_rank.hpp"
-#include "core/least_squares.hpp"
 #include "core/numerics/sparse_rank.hpp"
+#include "core/poses/large_rank.hpp"
+#include "core/poses/least_squares.hpp"
 #include "tests/support/grown_mechanisms.hpp"
 
 /// Sparse factors against dense ones that share no code with them, over generated mechanisms of 11 to 18

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 /// The tables of slides 20-22 in the right forms of docs/notation.md, typed out by hand and evaluated with

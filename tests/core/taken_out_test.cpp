@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/position.hpp"
+#include "core/poses/position.hpp"
 #include "tests/core/rows.hpp"
 #include "tests/support/scenes.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/time_function.hpp"
+#include "core/jets/time_function.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 using namespace jw;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/position.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/driven.hpp"
 
 /// Lessons are typed with so many digits: loops that only just close must still move.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "lessons/lesson.hpp"
 
 /// Trajectories of lessons by every way of integrating them.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "tests/lessons/support.hpp"
 
 using namespace jw;

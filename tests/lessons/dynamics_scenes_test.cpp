@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/explicit_integrator.hpp"
+#include "core/integrate/explicit_integrator.hpp"
 #include "lessons/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/support.hpp"

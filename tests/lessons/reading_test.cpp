@@ -4,7 +4,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "tests/lessons/support.hpp"
 
 using namespace jw;

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/dynamics/explicit_integrator.hpp"
-#include "core/dynamics/radau.hpp"
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/explicit_integrator.hpp"
+#include "core/integrate/radau.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
 namespace jw {

@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/drivers.hpp"
+#include "core/jets/drivers.hpp"
 
 /// `mutated_tests` is the tests of derivatives, forces and linked trees as they are, compiled with sources
 /// that can be wrong in one place at a time (marks.hpp); JW_MUTANT says in which.

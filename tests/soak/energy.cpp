@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
 
-#include "core/dynamics/reactions.hpp"
+#include "core/motion/reactions.hpp"
 #include "tests/soak/forms.hpp"
 #include "tests/soak/motions.hpp"
 #include "tests/soak/property.hpp"

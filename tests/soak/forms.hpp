@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/tree_equations.hpp"
+#include "core/motion/tree/tree_equations.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 /// Accelerations r̈ and ω̇' of the centroidal frames, in every form of the equations of motion.

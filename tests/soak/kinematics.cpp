@@ -1,8 +1,8 @@
 #include <cstdio>
 
-#include "core/kinematics.hpp"
-#include "core/position.hpp"
-#include "core/rank.hpp"
+#include "core/kinematics/kinematics.hpp"
+#include "core/poses/position.hpp"
+#include "core/poses/rank.hpp"
 #include "tests/soak/motions.hpp"
 #include "tests/soak/property.hpp"
 #include "tests/support/driven.hpp"

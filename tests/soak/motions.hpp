@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/dynamics/flat_state.hpp"
+#include "core/motion/flat_state.hpp"
 #include "tests/reference/general/mechanics.hpp"
 #include "tests/support/random_dynamics.hpp"
 

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "core/dynamics/reactions.hpp"
+#include "core/motion/reactions.hpp"
 #include "tests/soak/motions.hpp"
 #include "tests/soak/property.hpp"
 #include "tests/support/generators/to_model.hpp"

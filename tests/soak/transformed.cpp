@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "core/rank.hpp"
+#include "core/poses/rank.hpp"
 #include "tests/soak/changed.hpp"
 #include "tests/soak/forms.hpp"
 #include "tests/soak/motions.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/soak/property.hpp"
 
 /// Ways to move a generated mechanism.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/motion_tracker.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 #include "tests/support/scenes.hpp"
 
 /// Scenes with a driver, and their velocities and accelerations in one line.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/loads.hpp"
+#include "core/motion/loads.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 /// Trees of joints that are all driven: where every body is follows from the drivers alone, as a product of

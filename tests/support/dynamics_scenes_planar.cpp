@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "tests/support/dynamic_scene.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 

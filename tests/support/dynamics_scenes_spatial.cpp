@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "tests/support/dynamic_scene.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 

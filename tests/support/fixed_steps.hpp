@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/dynamics/motion_equations.hpp"
-#include "core/dynamics/runge_kutta.hpp"
+#include "core/integrate/runge_kutta.hpp"
+#include "core/motion/motion_equations.hpp"
 
 /// Fixed steps by a Runge-Kutta table and nothing else: trajectories that owe nothing to the integrators.
 namespace jw::test {

@@ -6,7 +6,7 @@
 
 #include <lapacke.h>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Singular values by LAPACK: the same mathematics as core/numerics/svd, written by others in Fortran.
 namespace jw::test {

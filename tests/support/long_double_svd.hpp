@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// Singular values to 19 digits, by the plainest of all ways.
 namespace jw::test {

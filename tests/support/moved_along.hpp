@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mechanism.hpp"
+#include "core/model/mechanism.hpp"
 
 /// Mechanisms on a path of which velocity and acceleration are known, and differences along it.
 namespace jw::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/dynamics/loads.hpp"
+#include "core/motion/loads.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 /// Equal cranks on one bar: parallelograms side by side, whose branches cross twice a turn, and whose motion

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/dynamics/dense_equations.hpp"
+#include "core/motion/dense/dense_equations.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/scenes.hpp"
 

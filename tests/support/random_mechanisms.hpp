@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "core/mechanism.hpp"
+#include "core/model/mechanism.hpp"
 
 /// Seeded random scenes for property tests.
 namespace jw::test {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/system.hpp"
+#include "core/equations/system.hpp"
 
 /// Φ of a system in long double, written from the definitions of the slides alone: no jets, no shared code.
 /// Tests differentiate it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/dynamics/runge_kutta.hpp"
+#include "core/integrate/runge_kutta.hpp"
 
 /// Rooted trees, one order condition of Runge-Kutta methods each.
 /// @source Butcher; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, section II.2

@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/assembler.hpp"
-#include "core/mechanism.hpp"
-#include "core/rank.hpp"
-#include "core/transformed.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/model/mechanism.hpp"
+#include "core/model/transformed.hpp"
+#include "core/poses/rank.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 /// Mechanisms put together in code from global points and axes at their assembled pose.

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "app/panels/sphere_parts.hpp"
-#include "core/assembler.hpp"
-#include "core/rank.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/poses/rank.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/dynamics/simulation.hpp"
-#include "core/dynamics/time_stepper.hpp"
+#include "core/integrate/simulation.hpp"
+#include "core/integrate/time_stepper.hpp"
 #include "lessons/lesson.hpp"
 
 namespace jw::peers {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 
 namespace jw::peers {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/linear.hpp"
+#include "core/numerics/linear.hpp"
 
 /// A lesson of dynamics as other engines want it: a tree of joints, the joints that close loops, everything
 /// global at the start pose. Body frames stand at the centres of mass, parallel to the global one.

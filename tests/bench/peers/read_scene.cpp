@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/dynamics/motion_equations.hpp"
-#include "core/euler_parameters.hpp"
+#include "core/jets/euler_parameters.hpp"
+#include "core/motion/motion_equations.hpp"
 #include "tests/reference/stored.hpp"
 
 namespace jw::peers {

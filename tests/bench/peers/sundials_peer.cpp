@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/dynamics/sampler.hpp"
+#include "core/integrate/sampler.hpp"
 #include "tests/bench/peers/sundials_solver.hpp"
 #include "tests/bench/peers/sweep.hpp"
 

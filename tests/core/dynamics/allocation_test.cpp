@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/tree_equations.hpp"
+#include "core/motion/tree/tree_equations.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"

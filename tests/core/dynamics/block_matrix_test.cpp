@@ -2,8 +2,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "core/dynamics/block_matrix.hpp"
-#include "core/linear.hpp"
+#include "core/numerics/block_matrix.hpp"
+#include "core/numerics/linear.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 using namespace jw;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/assembler.hpp"
+#include "core/equations/assembler.hpp"
 #include "tests/support/moved_along.hpp"
 #include "tests/support/random_dynamics.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "core/body_kinematics.hpp"
+#include "core/jets/body_kinematics.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/hermite.hpp"
+#include "core/numerics/hermite.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 using namespace jw;

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "core/dynamics/tree_equations.hpp"
+#include "core/motion/tree/tree_equations.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
@@ -10,7 +10,7 @@ using namespace jw;
 
 namespace {
 
-std::vector<double> flat_of(const MotionEquations& equations, const std::vector<double>& y) {
+std::vector<double> flat_of(const StateLayout& equations, const std::vector<double>& y) {
     std::vector<double> flat(static_cast<std::size_t>(kNumbersPerBody * equations.bodies()));
     equations.to_flat(y.data(), flat.data());
     return flat;

@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/assembler.hpp"
-#include "core/body_kinematics.hpp"
-#include "core/dynamics/link_equations.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/equations/link_equations.hpp"
+#include "core/jets/body_kinematics.hpp"
 #include "tests/support/moved_along.hpp"
 #include "tests/support/random_mechanisms.hpp"
 

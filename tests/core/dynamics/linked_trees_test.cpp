@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/certificate.hpp"
-#include "core/dynamics/tree_equations.hpp"
+#include "core/motion/certificate.hpp"
+#include "core/motion/tree/tree_equations.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/support/driven_trees.hpp"
 #include "tests/support/parallel_cranks.hpp"
 

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "core/dynamics/reactions.hpp"
+#include "core/motion/reactions.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 /// Units are a matter of taste: a scene in other units of length, time and mass moves as before.

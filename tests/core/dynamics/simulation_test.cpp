@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/dynamics/simulation.hpp"
+#include "core/integrate/simulation.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/dynamics/sine_cosine.hpp"
-#include "core/dynamics/triples.hpp"
+#include "core/numerics/sine_cosine.hpp"
+#include "core/numerics/triples.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 using namespace jw;

@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "core/assembler.hpp"
-#include "core/dynamics/tree_equations.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/motion/tree/tree_equations.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/joint_types.hpp"
+#include "core/model/joint_types.hpp"
 #include "tests/reference/general/mechanics.hpp"
 #include "tests/support/generators/placing.hpp"
 #include "tests/support/generators/to_model.hpp"

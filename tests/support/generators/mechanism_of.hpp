@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/dynamics/loads.hpp"
+#include "core/motion/loads.hpp"
 #include "tests/support/generators/recipe.hpp"
 
 /// From recipes to mechanisms that are assembled and move along their constraints.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mechanism.hpp"
+#include "core/model/mechanism.hpp"
 #include "tests/support/generators/recipe.hpp"
 #include "tests/support/random_mechanisms.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/loads.hpp"
+#include "core/motion/loads.hpp"
 #include "tests/reference/general/model.hpp"
 
 /// A mechanism of core as a model of the general reference solver: the data only. Every joint type is written

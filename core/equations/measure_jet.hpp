@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/jets/drivers.hpp"
+
+/// A measure in (r, ω') with everything that velocities and accelerations need of it.
+namespace jw {
+
+struct MeasureJet {
+    using Row = Eigen::Matrix<double, 1, 6>;
+
+    double value = 0.0;
+    double rate = 0.0;
+    double bias = 0.0;       ///< the part of the second derivative that is quadratic in the velocities
+    Row by_i = Row::Zero();  ///< gradient by r and the turn of body i; zero where it does not depend on it
+    Row by_j = Row::Zero();
+    double by_theta = 0.0;
+};
+
+/// @param i, j with their motion set
+inline MeasureJet jet_of(
+    const Measure& measure, const BodyKinematics<OmegaLocal>& i, const BodyKinematics<OmegaLocal>& j,
+    Theta theta) {
+    return std::visit(
+        [&](const auto& m) {
+            const auto motion = measured<Content::motion>(m, i, j, theta);
+            const auto gradient = measured<Content::jacobian>(m, i, j, theta);
+            using J = std::decay_t<decltype(gradient)>;
+            MeasureJet out;
+            out.value = motion.value(0);
+            out.rate = motion.rate(0);
+            out.bias = motion.bias(0);
+            if constexpr ((J::kSides & kBodyI) != 0) { out.by_i = gradient.block_i; }
+            if constexpr ((J::kSides & kBodyJ) != 0) { out.by_j = gradient.block_j; }
+            if constexpr ((J::kSides & kTheta) != 0) { out.by_theta = gradient.block_theta(0); }
+            return out;
+        },
+        measure);
+}
+
+}  // namespace jw

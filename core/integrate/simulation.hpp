@@ -1,0 +1,162 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/integrate/methods.hpp"
+#include "core/integrate/sampler.hpp"
+#include "core/motion/forces.hpp"
+#include "core/motion/tolerances.hpp"
+
+/// Simulation of a mechanism under its loads from t = 0 on, by any of the methods.
+namespace jw {
+
+class Certificate;
+class TreeEquations;
+
+/// Settings of a simulation.
+struct SimulationSettings {
+    Method method = Method::explicit_8;
+    Treatment treatment = Treatment::projection;
+    double tolerance = 1e-6;  ///< tolerance of adaptive methods
+    double step = 1e-3;       ///< step of the others [s]
+    long most_steps = kMostStepsTaken;
+    double baumgarte = 20.0;  ///< α = β of Baumgarte's stabilisation [1/s]
+    /// Coordinates that are integrated; the semi-implicit method supports bodies only.
+    Formulation formulation = Formulation::automatic;
+    /// If set, the dense equations of the slides in these coordinates are integrated instead.
+    std::optional<CoordinateChoice> dense;
+};
+
+/// State of the mechanism at one moment, in the frames as given.
+struct Snapshot {
+    double t = 0.0;
+    State state;
+    Motion velocity;
+    double kinetic = 0.0;             ///< kinetic energy [J]
+    double potential = 0.0;           ///< potential energy of gravity and springs [J]
+    double position_violation = 0.0;  ///< largest |Φ|, divided by the size of its equation
+    double velocity_violation = 0.0;  ///< largest |Φq q̇ - ν| likewise [1/s]
+    double p_drift = 0.0;             ///< largest ||p| - 1|
+};
+
+/// Reason why a simulation ended early.
+struct SimulationFailure {
+    enum class Cause {
+        contradiction,  ///< redundant equations contradict the others
+        out_of_reach,   ///< no state satisfies the equations
+        not_proven,     ///< accelerations do not satisfy the equations of motion
+        step_too_small,
+        not_finite,
+        too_many_steps
+    };
+    Cause cause = Cause::step_too_small;
+    double t = 0.0;
+    /// For the first three causes: the joint or driver with the largest residual; empty if it is that of the
+    /// forces.
+    std::string equation_of;
+    double violation = 0.0;  ///< for the first three causes: the residual divided by the size of the equation
+    bool of_accelerations = false;  ///< `violation` is that of the accelerations
+    /// For too_many_steps: stability bounded the steps, not accuracy; an implicit method takes longer ones.
+    bool bound_by_stability = false;
+    std::string fastest = {};   ///< for too_many_steps: the body that turned fastest
+    double fastest_rate = 0.0;  ///< its |ω| [rad/s]
+};
+
+/// Progress of a run.
+struct RunState {
+    double t = 0.0;    ///< [s]
+    double end = 0.0;  ///< [s]
+    long steps = 0;
+    double bound_by_stability = 0.0;  ///< see TimeStepper
+};
+/// Callback for the progress of a run. @return false to give up: the run ends with too_many_steps
+using RunWatch = std::function<bool(const RunState&)>;
+/// Number of steps between two calls of a RunWatch.
+inline constexpr long kStepsBetweenLooks = 200;
+
+/// Result of a run: its cost, its failure if it ended early, and the proof of its accelerations.
+struct SimulationOutcome {
+    IntegrationCounts counts;
+    std::optional<SimulationFailure> failure;
+    /// Largest residuals of the accelerations in the equations of motion over all steps.
+    AccelerationResidual residual;
+};
+
+/// Simulation of one mechanism from its start pose on.
+class Simulation {
+public:
+    /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
+    Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
+    /// Not copyable: the equations refer to the simulation's own scene.
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Integrates from the start to the last of `times` (ascending, from 0 on) and passes the state at every
+    /// time to `receive`, in order. Passes none if the equations contradict each other at the start.
+    /// @param watch called every kStepsBetweenLooks steps
+    [[nodiscard]] SimulationOutcome run(
+        const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch = {});
+
+    /// State, energies and violations at time t [s].
+    /// @param y flat state, as passed to `receive`
+    Snapshot snapshot(double t, const std::vector<double>& y) const;
+    /// Kinetic and potential energy (gravity and springs) at y [J].
+    Energy energy(const std::vector<double>& y) const;
+    /// Position of a point of a body, global; `point_local` in the frame as given [m].
+    Vec3 point(const std::vector<double>& y, int body, const Vec3& point_local) const;
+    /// Velocity of that point, global [m/s].
+    Vec3 point_velocity(const std::vector<double>& y, int body, const Vec3& point_local) const;
+    /// Accelerations r̈, ω̇' of the centroidal frames.
+    Motion acceleration(double t, const std::vector<double>& y);
+    /// Accelerations r̈, ω̇' of the frames as given.
+    Motion acceleration_as_given(double t, const std::vector<double>& y);
+    const Centroidal& scene() const { return scene_; }
+    /// Block-sparse equations, in flat states, whatever the simulation integrates.
+    MotionEquations& equations() const { return *block_; }
+    /// Equations that are integrated, and their start.
+    MotionEquations& integrated() const { return other_ ? *other_ : *block_; }
+    std::vector<double> integrated_start() const;
+
+private:
+    std::unique_ptr<TimeStepper> stepper(double end) const;
+    void take_joints();
+    bool keeps_digits(TreeEquations& tree);  ///< compared with the block equations
+    void take_up_rows(double t, const std::vector<double>& y);
+    bool counts_turns() const;
+    /// Counts the turns of rotational springs at a flat state that the motion has reached.
+    void count_turns_at(const std::vector<double>& y);
+    void look_for_contradiction(const std::vector<double>& as_given);
+    void look_for_contradicting_rates();
+    /// Flat state of the numbers that are integrated.
+    std::vector<double> flat_of(const std::vector<double>& y) const;
+    /// Substitutes the accelerations at the end of a step into the equations of motion.
+    std::optional<SimulationFailure> failure_of_proof(
+        Certificate& certificate, const TimeStepper& stepper, AccelerationResidual& worst) const;
+    double tolerance_of_samples() const;
+    /// Takes one step towards `event`. @return why the run cannot continue, if it cannot
+    std::optional<SimulationFailure> failure_of_step(TimeStepper& stepper, double event, double end);
+    SimulationFailure too_many_steps(const TimeStepper& stepper) const;
+    /// Reason why the stepper can take no further step.
+    SimulationFailure failure_of(const TimeStepper& stepper) const;
+    /// Failure of a cause that names the equation with the largest Φ, or Φ̇, at a flat state.
+    enum class Off { value, rate };
+    SimulationFailure worst_equation(
+        SimulationFailure::Cause cause, Off off, double t, const std::vector<double>& y) const;
+    /// State and motion of the centroidal frames.
+    std::pair<State, Motion> unpacked(const std::vector<double>& y) const;
+
+    Centroidal scene_;
+    SimulationSettings settings_;
+    std::vector<int> moving_;
+    std::vector<int> order_of_body_;
+    std::unique_ptr<DrivableEquations> block_;
+    std::unique_ptr<MotionEquations> other_;  ///< equations that are integrated, if not `block_`
+    std::vector<double> start_;               ///< flat state at the start
+    std::optional<SimulationFailure> contradiction_;
+};
+
+}  // namespace jw

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "core/jets/primitives.hpp"
+#include "core/jets/time_function.hpp"
+
+/// Measures of a mechanism (an angle, a displacement, ...) and drivers that prescribe them.
+namespace jw {
+
+/// Right-handed angle from u_i to u_j about s_i, in (-π, π] [rad].
+struct AngleMeasure {
+    Vec3 s_i_local;  ///< unit
+    Vec3 u_i_local;  ///< unit, perpendicular to s_i
+    Vec3 u_j_local;  ///< unit
+};
+
+/// Signed displacement s_iᵀ d along a unit axis [m]; smooth through d = 0.
+struct DisplacementMeasure {
+    Vec3 s_i_local;  ///< unit
+    Vec3 B_i_local;  ///< [m]
+    Vec3 B_j_local;  ///< [m]
+};
+
+/// Squared distance dᵀd between two points [m²]; squared, because |d| has no derivative at d = 0.
+struct SquaredDistanceMeasure {
+    Vec3 P_i_local;  ///< [m]
+    Vec3 P_j_local;  ///< [m]
+};
+
+/// One coordinate of body j: 0..2 = x, y, z [m], 3..6 = e0..e3.
+struct CoordinateMeasure {
+    int coordinate = 0;
+};
+
+/// The artificial coordinate θ of a screw, turns included [rad].
+struct ThetaMeasure {};
+
+using Measure =
+    std::variant<AngleMeasure, DisplacementMeasure, SquaredDistanceMeasure, CoordinateMeasure, ThetaMeasure>;
+
+template <Content K, class C>
+auto measured(
+    const AngleMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+    const auto u_i = arm<K, kBodyI>(i, m.u_i_local);
+    const auto u_j = arm<K, kBodyJ>(j, m.u_j_local);
+    return atan2(dot(cross(u_i, u_j), arm<K, kBodyI>(i, m.s_i_local)), dot(u_i, u_j));
+}
+
+template <Content K, class C>
+auto measured(
+    const DisplacementMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+    return dot(arm<K, kBodyI>(i, m.s_i_local), vector_between<K>(i, m.B_i_local, j, m.B_j_local));
+}
+
+template <Content K, class C>
+auto measured(
+    const SquaredDistanceMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    Theta /*theta*/) {
+    return squared_distance<K>(i, m.P_i_local, j, m.P_j_local);
+}
+
+template <Content K, class C>
+auto measured(
+    const CoordinateMeasure& m, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& j, Theta /*theta*/) {
+    if (m.coordinate >= 3) { return euler_parameter<K, kBodyJ>(j, m.coordinate - 3); }
+    const auto r = point<K, kBodyJ>(j, Vec3::Zero());
+    Jet<C, K, 1, kBodyJ> out;
+    out.value(0) = r.value(m.coordinate);
+    if constexpr (K == Content::motion) {
+        out.rate(0) = r.rate(m.coordinate);
+        out.bias(0) = r.bias(m.coordinate);
+    } else {
+        out.block_j = r.block_j.row(m.coordinate);
+    }
+    return out;
+}
+
+template <Content K, class C>
+auto measured(
+    const ThetaMeasure& /*m*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/, Theta theta) {
+    return artificial<C, K>(theta.value, theta.rate);
+}
+
+/// What a driver asks of its measure at a time: the time function itself, or its square for a squared
+/// distance.
+inline TimeFunction::Value target_of(const Measure& measure, const TimeFunction& function, double t) {
+    const TimeFunction::Value f = function.at(t);
+    if (!std::holds_alternative<SquaredDistanceMeasure>(measure)) { return f; }
+    return {f.f * f.f, 2.0 * f.f * f.f_dot, 2.0 * (f.f_dot * f.f_dot + f.f * f.f_ddot)};
+}
+
+/// Φ of a driver: measure minus target; an angle is compared modulo a turn, so that the same pose
+/// answers for every count of turns and no false solution half a turn away exists.
+inline double driver_residual(const Measure& measure, double measured_value, double target) {
+    const double difference = measured_value - target;
+    if (!std::holds_alternative<AngleMeasure>(measure)) { return difference; }
+    return std::remainder(difference, 2.0 * std::numbers::pi);
+}
+
+}  // namespace jw

@@ -1,0 +1,123 @@
+#include "core/kinematics/driven_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/flat_state.hpp"
+#include "core/poses/branches.hpp"
+
+namespace jw {
+
+namespace {
+
+/// What must be left of every row beside the others, squared: measured on Bennett's mechanism near its folded
+/// position, accelerations are then good to 1e-13, and lose a digit for every digit below.
+constexpr double kLeastPivot = kSurelyIndependent;
+/// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
+constexpr double kHolds = 1e-13;
+
+Loads unit_masses(const Mechanism& mechanism) {
+    const double length = extent(mechanism);
+    Loads loads;
+    loads.masses.assign(
+        mechanism.bodies.size(), MassProperties{1.0, Vec3::Zero(), length * length * Mat3::Identity()});
+    return loads;
+}
+
+/// Largest movement of a body between two rows of numbers, in `length` and rad.
+double movement(const std::vector<double>& from, const std::vector<double>& to, double length) {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < from.size(); k += kNumbersPerBody) {
+        // |Δp| is half the turn
+        largest = std::max(
+            {largest, (vec3(&to[k]) - vec3(&from[k])).norm() / length,
+             2.0 * (vec4(&to[k + 3]) - vec4(&from[k + 3])).norm()});
+    }
+    return largest;
+}
+
+}  // namespace
+
+bool DrivenFrames::can_follow(const System& system) {
+    const Mechanism& mechanism = system.mechanism();
+    return !mechanism.drivers.empty() && system.active_thetas().empty() &&
+           system.selection().joints.size() == mechanism.joints.size() &&
+           system.selection().drivers.size() == mechanism.drivers.size();
+}
+
+DrivenFrames::DrivenFrames(const System& system)
+    : system_(&system),
+      scene_(centroidal(system.mechanism(), unit_masses(system.mechanism()))),
+      equations_(block_equations(scene_)),
+      length_(extent(system.mechanism())) {
+    const auto size = static_cast<std::size_t>(equations_->size());
+    for (std::vector<double>* numbers : {&y_, &y_dot_, &predicted_, &y_new_, &y_dot_new_}) {
+        numbers->assign(size, 0.0);
+    }
+}
+
+bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
+    return verdict.smallest_pivot >= kLeastPivot && verdict.violation <= kHolds && verdict.left_out <= kHolds;
+}
+
+bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {
+    t_ = t;
+    pack(state, velocity, system_->moving_bodies(), y_.data());
+    // others would be declined in the end; rows of many loops take their time to be chosen
+    if (!equations_->rows_are_sound(t, y_.data())) { return false; }
+    equations_->choose_rows(t, y_.data());
+    if (equations_->rows() - equations_->rows_left_out() != system_->columns(3)) { return false; }
+    const RowsVerdict verdict = equations_->evaluate(t, y_.data(), y_dot_.data());
+    // what was found by others stays: it may be better than what the rows kept here say
+    std::size_t n = 0;
+    for (const int body : system_->moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        double* rates = body_numbers(y_dot_.data(), n++);
+        vec3(rates + 7) = acceleration.r_dot[b];
+        vec3(rates + 10) = acceleration.omega_local[b];
+    }
+    return is_sound(verdict);
+}
+
+bool DrivenFrames::led_on() const {
+    return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
+}
+
+bool DrivenFrames::advance(double t) {
+    const double h = t - t_;
+    predicted_ = y_;
+    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
+        double* y = &predicted_[k];
+        const double* y_dot = &y_dot_[k];
+        double six[6];
+        for (int c = 0; c < 3; ++c) {
+            six[c] = h * y[7 + c] + 0.5 * h * h * y_dot[7 + c];
+            six[3 + c] = h * y[10 + c] + 0.5 * h * h * y_dot[10 + c];
+            y[7 + c] += h * y_dot[7 + c];
+            y[10 + c] += h * y_dot[10 + c];
+        }
+        displace(y, six, 1);
+    }
+    y_new_ = predicted_;
+    equations_->project(t, y_new_.data());
+    const RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    if (!is_sound(verdict) || !led_on()) { return false; }
+    equations_->refine(y_dot_new_.data());
+    std::swap(y_, y_new_);
+    std::swap(y_dot_, y_dot_new_);
+    t_ = t;
+    return true;
+}
+
+void DrivenFrames::write(State& state, Motion& velocity, Motion& acceleration) const {
+    unpack(y_.data(), system_->moving_bodies(), state, velocity);
+    std::size_t n = 0;
+    for (const int body : system_->moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        const double* rates = body_numbers(y_dot_.data(), n++);
+        acceleration.r_dot[b] = vec3(rates + 7);
+        acceleration.omega_local[b] = vec3(rates + 10);
+    }
+}
+
+}  // namespace jw

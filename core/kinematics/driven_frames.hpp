@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/equations/system.hpp"
+#include "core/motion/loads.hpp"
+#include "core/motion/motion_equations.hpp"
+
+/// Position, velocity and acceleration of a mechanism whose drivers leave nothing open: the quick way from
+/// moment to moment, over the graph of joints, where no rank has to be decided. The normal equations
+/// Φq W Φqᵀ that it solves square the condition number, so it declines wherever that would cost digits.
+namespace jw {
+
+class DrivenFrames {
+public:
+    /// False for a part of a mechanism, for artificial coordinates, and where no driver drives: equations of
+    /// motion have no place for these.
+    static bool can_follow(const System& system);
+    explicit DrivenFrames(const System& system);
+
+    /// From here on; the rows that repeat others are found here.
+    /// @return false where the rows leave something open, or too little is left of one of them
+    bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
+    /// To time `t`, by Newton from where velocity and acceleration lead.
+    /// @return false where a rank has to be decided or Newton led elsewhere; nothing has changed then
+    bool advance(double t);
+    /// Numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.
+    void write(State& state, Motion& velocity, Motion& acceleration) const;
+
+private:
+    bool is_sound(const RowsVerdict& verdict) const;
+    bool led_on() const;
+
+    const System* system_;
+    Centroidal scene_;  ///< with unit masses: they cancel
+    std::unique_ptr<DrivableEquations> equations_;
+    double length_ = 1.0;  ///< extent of the mechanism [m]
+    double t_ = 0.0;
+    std::vector<double> y_;
+    std::vector<double> y_dot_;
+    std::vector<double> predicted_;
+    std::vector<double> y_new_;
+    std::vector<double> y_dot_new_;
+};
+
+}  // namespace jw

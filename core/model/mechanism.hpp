@@ -1,0 +1,108 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/jets/drivers.hpp"
+#include "core/model/joint_types.hpp"
+
+/// A mechanism as data: bodies, joints and drivers, each a plain value.
+namespace jw {
+
+/// A rigid body and its start estimate. A fixed body has no unknowns.
+struct Body {
+    std::string name;
+    bool fixed = false;
+    Vec3 r = Vec3::Zero();            ///< [m]
+    Vec4 p = Vec4::Unit(0);           ///< used as it is; unit up to what the author typed
+    Vec3 r_dot = Vec3::Zero();        ///< [m/s]
+    Vec3 omega_local = Vec3::Zero();  ///< [rad/s]
+};
+
+/// One equation of a joint: a component of the primitive with this role.
+struct EquationOut {
+    Role role = Role::same_point;
+    int component = 0;  ///< 0, 1, 2 = x, y, z; of a pair form 0, 1
+
+    bool operator==(const EquationOut&) const = default;
+};
+
+struct Joint {
+    std::string name;
+    const JointType* type = nullptr;  ///< entry of kJointTypes
+    int body_i = 0;
+    int body_j = 0;
+    JointGeometry geometry;
+    ParallelForm parallel_form = ParallelForm::rule;
+    /// Equations taken out by hand, whatever the form keeps; one that the joint does not have changes
+    /// nothing.
+    std::vector<EquationOut> without;
+};
+
+/// Prescribes a measure between two bodies as a function of time.
+struct Driver {
+    std::string name;
+    int joint = -1;  ///< joint it acts along, -1 for a distance or a coordinate
+    int body_i = 0;
+    int body_j = 0;
+    Measure measure;
+    TimeFunction function;
+};
+
+struct Mechanism {
+    std::vector<Body> bodies;
+    std::vector<Joint> joints;
+    std::vector<Driver> drivers;
+
+    int moving_bodies_count() const;
+    /// Joint index -> index of its artificial coordinate, -1 where it has none.
+    std::vector<int> theta_indices() const;
+    int thetas_count() const;
+};
+
+/// Positions: one r [m] and p per body, one θ [rad] per screw joint, in the order of the mechanism.
+struct State {
+    std::vector<Vec3> r;
+    std::vector<Vec4> p;
+    std::vector<double> theta;
+};
+
+/// Velocities (or, where said, accelerations) in the order of State: ṙ [m/s], ω' [rad/s], θ̇.
+struct Motion {
+    std::vector<Vec3> r_dot;
+    std::vector<Vec3> omega_local;
+    std::vector<double> theta_dot;
+};
+
+/// The state as the mechanism's author gave it; θ of a screw is measured from its u vectors unless given.
+State start_state(const Mechanism& mechanism);
+/// Velocities as given; θ̇ of a screw is s_i·(ω_j - ω_i) unless given.
+Motion start_motion(const Mechanism& mechanism);
+/// All zero, of the mechanism's size.
+Motion zero_motion(const Mechanism& mechanism);
+
+/// Right-handed angle from u_i to u_j about s_i of a joint at `state`, in (-π, π].
+double relative_angle(const Joint& joint, const State& state);
+
+/// θ of a screw: that angle with the turns that its advance tells [rad].
+double screw_angle(const Joint& joint, const State& state);
+
+/// Rate of either, s_iᵀ (ω_j - ω_i) [rad/s].
+double angle_rate(const Joint& joint, const State& state, const Motion& motion);
+
+/// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration ω̇' in the place of ω'
+double angle_acceleration(
+    const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration);
+
+/// The joint's measures for drivers and quantities.
+AngleMeasure angle_of(const Joint& joint);
+DisplacementMeasure displacement_of(const Joint& joint);
+
+/// A length typical of the mechanism's arms and distances [m], never 0; see unit_of_length.
+double extent(const Mechanism& mechanism);
+
+/// 1, or the power of 1000 nearest to the extent (mm, m, km ...): equations and unknowns are measured in
+/// this unit wherever sizes are compared, so that verdicts do not depend on the size of the machine [m].
+double unit_of_length(const Mechanism& mechanism);
+
+}  // namespace jw

@@ -1,0 +1,153 @@
+#include "core/motion/forces.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/jets/body_kinematics.hpp"
+#include "core/jets/drivers.hpp"
+
+namespace jw {
+
+namespace {
+
+using Bodies = std::span<const BodyKinematics<OmegaLocal>>;
+using Forces = std::span<BodyForce>;
+
+/// Adds a force `f` (global) at a point of a body.
+void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const Vec3& f) {
+    forces[at(body)].f += f;
+    forces[at(body)].n_local += point_local.cross(bodies[at(body)].A.transpose() * f);
+}
+
+/// Distance between a spring's ends, and its rate.
+struct Stretch {
+    double length = 0.0;        ///< [m]
+    Vec3 along = Vec3::Zero();  ///< unit vector from i to j; zero where the ends coincide
+    double rate = 0.0;          ///< [m/s]
+};
+Stretch stretch_of(const Spring& spring, Bodies bodies) {
+    const auto& i = bodies[at(spring.body_i)];
+    const auto& j = bodies[at(spring.body_j)];
+    const Vec3 d = j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local;
+    const Vec3 d_dot = j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local;
+    Stretch out;
+    out.length = d.norm();
+    if (out.length > 0.0) { out.along = d / out.length; }
+    out.rate = out.along.dot(d_dot);
+    return out;
+}
+
+/// θ - θ0 with the turns nearest to the last value [rad], and θ̇ [rad/s].
+struct Twist {
+    double angle = 0.0;
+    double rate = 0.0;
+};
+Twist twist_of(const RotationalSpring& spring, Bodies bodies) {
+    const auto angle = measured<Content::motion>(
+        spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{});
+    const double change = angle.value(0) - spring.free_angle - spring.twist_before;
+    return {spring.twist_before + std::remainder(change, 2.0 * std::numbers::pi), angle.rate(0)};
+}
+
+void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
+    for (const AppliedForce& force : loads.forces) {
+        const Vec3 f = force.magnitude.at(t).f * force.direction;
+        const bool turns = force.frame == Frame::local;
+        push(
+            bodies, forces, force.body, force.point_local, turns ? (bodies[at(force.body)].A * f).eval() : f);
+    }
+    for (const AppliedTorque& torque : loads.torques) {
+        const Vec3 n = torque.magnitude.at(t).f * torque.direction;
+        const bool turns = torque.frame == Frame::local;
+        forces[at(torque.body)].n_local += turns ? n : (bodies[at(torque.body)].A.transpose() * n).eval();
+    }
+}
+
+void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
+    for (const Spring& spring : loads.springs) {
+        const Stretch s = stretch_of(spring, bodies);
+        const Vec3 f =
+            (spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate) * s.along;
+        push(bodies, forces, spring.body_i, spring.P_i_local, f);
+        push(bodies, forces, spring.body_j, spring.P_j_local, -f);
+    }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        const Twist twist = twist_of(spring, bodies);
+        const double torque = -spring.stiffness * twist.angle - spring.damping * twist.rate;
+        const Vec3 n_local = torque * spring.angle.s_i_local;
+        const auto& i = bodies[at(spring.body_i)];
+        const auto& j = bodies[at(spring.body_j)];
+        forces[at(spring.body_i)].n_local -= n_local;
+        forces[at(spring.body_j)].n_local += j.A.transpose() * (i.A * n_local);
+    }
+}
+
+}  // namespace
+
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state) {
+    std::vector<BodyKinematics<OmegaLocal>> bodies;
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
+    }
+    return bodies;
+}
+
+void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (loads.masses[b]) { forces[b].f += loads.masses[b]->mass * loads.gravity; }
+    }
+    add_applied(loads, bodies, t, forces);
+    add_springs(loads, bodies, forces);
+}
+
+void begin_turns(Loads& loads, Bodies bodies) {
+    constexpr double half_turn = std::numbers::pi;
+    // of π typed in degrees, and of a joint that starts half a turn away
+    constexpr double rounding = 1e-9;
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        spring.twist_before = 0.0;
+        if (std::abs(spring.free_angle) <= half_turn + rounding) { continue; }
+        const double angle = measured<Content::motion>(
+                                 spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{})
+                                 .value(0);
+        const double start = angle <= -half_turn + rounding ? angle + 2.0 * half_turn : angle;
+        spring.twist_before = start - spring.free_angle;
+    }
+}
+
+void count_turns(Loads& loads, Bodies bodies) {
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        spring.twist_before = twist_of(spring, bodies).angle;
+    }
+}
+
+double potential_energy(const Loads& loads, Bodies bodies) {
+    double energy = 0.0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (loads.masses[b]) { energy -= loads.masses[b]->mass * loads.gravity.dot(bodies[b].r); }
+    }
+    for (const Spring& spring : loads.springs) {
+        const double stretch = stretch_of(spring, bodies).length - spring.free_length;
+        energy += 0.5 * spring.stiffness * stretch * stretch;
+    }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        const double angle = twist_of(spring, bodies).angle;
+        energy += 0.5 * spring.stiffness * angle * angle;
+    }
+    return energy;
+}
+
+Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion) {
+    Energy energy;
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        const auto& mass = scene.loads.masses[b];
+        if (!mass) { continue; }
+        energy.kinetic += kinetic_energy(*mass, motion.r_dot[b], motion.omega_local[b]);
+    }
+    State unit = state;
+    for (Vec4& p : unit.p) { p.normalize(); }
+    energy.potential = potential_energy(scene.loads, kinematics_of(unit));
+    return energy;
+}
+
+}  // namespace jw

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/jets/coordinates.hpp"
+#include "core/motion/loads.hpp"
+
+/// Forces and torques of the loads on every body, shared by all forms of the equations of motion.
+namespace jw {
+
+/// Force and torque on a body.
+struct BodyForce {
+    Vec3 f = Vec3::Zero();        ///< [N], global, through the centre of mass
+    Vec3 n_local = Vec3::Zero();  ///< about the centre of mass [N m], body frame
+};
+
+/// Kinematics of every body at a state, without motion.
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state);
+
+/// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
+/// @param loads centroidal, see Centroidal
+/// @param bodies one per body of the mechanism, fixed ones included, with their motion set
+/// @param forces one per body; what acts on a fixed one is added too
+void add_forces(
+    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t,
+    std::span<BodyForce> forces);
+
+/// Starts the count of turns of rotational springs. A free angle within half a turn is an angle of the joint:
+/// the spring is twisted by half a turn at most, whichever way is shorter. A free angle beyond half a turn
+/// includes turns: the spring is twisted by the whole difference between it and the angle of the joint in
+/// (-π, π].
+void begin_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
+/// Continues the count of turns of rotational springs at these poses. Consecutive states must lie less than
+/// half a turn of any spring apart.
+void count_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
+/// Gyroscopic torque -ω̃'J'ω' of Q [N m], body frame.
+/// @source slide 24
+inline Vec3 gyroscopic_torque(const Mat3& J_local, const Vec3& omega_local) {
+    return -omega_local.cross(J_local * omega_local);
+}
+
+/// Kinetic energy of one body whose frame lies at its centre of mass [J].
+inline double kinetic_energy(const MassProperties& own, const Vec3& r_dot, const Vec3& omega_local) {
+    return 0.5 * (own.mass * r_dot.squaredNorm() + omega_local.dot(own.J_local * omega_local));
+}
+
+/// Kinetic and potential energy of a scene.
+struct Energy {
+    double kinetic = 0.0;    ///< [J]
+    double potential = 0.0;  ///< potential energy of gravity and of all springs [J]
+};
+/// Energies at a state and a motion of the centroidal frames.
+Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion);
+
+/// Potential energy of gravity and of all springs [J]; applied forces and torques have none.
+double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
+}  // namespace jw

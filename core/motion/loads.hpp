@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/model/mechanism.hpp"
+
+/// Masses and loads of a mechanism: gravity, forces, torques, springs. Only lessons with dynamics have them.
+namespace jw {
+
+/// Mass and inertia of a body.
+struct MassProperties {
+    double mass = 1.0;                 ///< [kg], > 0
+    Vec3 centre_local = Vec3::Zero();  ///< centre of mass in the body frame [m]
+    Mat3 J_local = Mat3::Identity();   ///< inertia tensor J' about the centre of mass, axes of the body frame
+                                       ///< [kg m²], symmetric positive definite
+};
+
+/// Frame of a direction: the global one, or that of the body.
+enum class Frame { global, local };
+
+/// A force on a body: direction times magnitude(t), at a point fixed in the body.
+struct AppliedForce {
+    int body = 0;
+    Vec3 point_local = Vec3::Zero();  ///< [m]
+    Vec3 direction = Vec3::UnitX();   ///< any length, which multiplies the magnitude
+    Frame frame = Frame::global;      ///< frame of the direction; local: it turns with the body
+    TimeFunction magnitude;           ///< [N]
+};
+
+/// A torque on a body: direction times magnitude(t).
+struct AppliedTorque {
+    int body = 0;
+    Vec3 direction = Vec3::UnitZ();
+    Frame frame = Frame::global;
+    TimeFunction magnitude;  ///< [N m]
+};
+
+/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇, pulling when positive.
+struct Spring {
+    int body_i = 0;
+    int body_j = 0;
+    Vec3 P_i_local = Vec3::Zero();  ///< [m]
+    Vec3 P_j_local = Vec3::Zero();  ///< [m]
+    double stiffness = 0.0;         ///< k [N/m]
+    double free_length = 0.0;       ///< ℓ0 [m]
+    double damping = 0.0;           ///< c [N s/m]
+};
+
+/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ from body i on body j.
+struct RotationalSpring {
+    int body_i = 0;
+    int body_j = 0;
+    AngleMeasure angle;
+    double stiffness = 0.0;   ///< k [N m/rad]
+    double free_angle = 0.0;  ///< θ0 [rad]; beyond half a turn it includes turns, see begin_turns
+    double damping = 0.0;     ///< c [N m s/rad]
+    /// θ - θ0 at the last state of the motion [rad]. Poses determine it up to whole turns only; the turns are
+    /// counted from here. `centroidal` starts the count at the start pose.
+    double twist_before = 0.0;
+};
+
+/// Whether the spring acts about the axis of the joint, between its bodies, with the same zero angle.
+bool acts_about(const RotationalSpring& spring, const Joint& joint);
+
+/// Masses of the bodies, and the loads on them.
+struct Loads {
+    std::vector<std::optional<MassProperties>> masses;  ///< one per body of the mechanism
+    Vec3 gravity = Vec3::Zero();                        ///< [m/s²]
+    std::vector<AppliedForce> forces;
+    std::vector<AppliedTorque> torques;
+    std::vector<Spring> springs;
+    std::vector<RotationalSpring> rotational_springs;
+};
+
+/// Mechanism and loads with every body frame moved to the body's centre of mass, where M is block diagonal,
+/// diag(m I, J'). Orientations are unchanged.
+struct Centroidal {
+    Mechanism mechanism;
+    Loads loads;  ///< centre_local of all masses is zero
+
+    /// Convert state and motion of the frames as given to those of the centroidal frames, and back.
+    State to_centroidal(const State& state) const;
+    Motion to_centroidal(const State& state, const Motion& motion) const;
+    State as_given(const State& centroidal) const;
+    Motion as_given(const State& centroidal, const Motion& motion) const;
+    /// Accelerations r̈, ω̇' of the frames as given.
+    Motion acceleration_as_given(
+        const State& centroidal, const Motion& velocity, const Motion& acceleration) const;
+
+    std::vector<Vec3> centres;  ///< centre of mass of every body in its frame as given [m]
+};
+
+/// @throws std::invalid_argument if a moving body has no mass, or a mass or J' is not positive
+Centroidal centroidal(const Mechanism& mechanism, const Loads& loads);
+
+}  // namespace jw

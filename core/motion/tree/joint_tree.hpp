@@ -1,0 +1,100 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/motion/flat_state.hpp"
+#include "core/motion/loads.hpp"
+
+/// A mechanism as a tree of bodies that hang from each other, its loops cut: what joint coordinates are made
+/// of.
+namespace jw {
+
+/// How a node of the tree hangs from another one.
+enum class Hanging {
+    welded,
+    axis,  ///< one coordinate q: a turn about an axis, a way along it, or (screw) both
+    ball,  ///< p and ω' of its own, one point held
+    free   ///< r, p, ṙ, ω' of its own, from nothing
+};
+
+/// A body in the tree, or a massless one between two axes of the same joint (cylindrical, universal, planar).
+///
+/// At q = 0 a node lies beside its parent as at the start. turn' and shift' are what a unit q̇ does: the
+/// node's ω and its velocity at the point where it hangs; both are fixed in the node, and as they are in its
+/// parent, too.
+struct TreeNode {
+    int body = -1;    ///< in the mechanism; -1: massless
+    int parent = -1;  ///< a node before this one; -1: what does not move, its frame is the global one
+    Hanging hanging = Hanging::free;
+    Vec3 point_parent = Vec3::Zero();  ///< where it hangs at q = 0, in the parent's frame [m]
+    Vec3 point_local = Vec3::Zero();   ///< the same point of the node, in its own frame [m]
+    Vec4 p_parent = Vec4::Unit(0);     ///< its orientation at q = 0, in the parent's frame; axis and welded
+    Vec3 turn_local = Vec3::Zero();    ///< axis: [rad] per q
+    Vec3 shift_local = Vec3::Zero();   ///< axis: [m] per q
+    // what follows from these
+    bool turns = false;
+    bool shifts = false;
+    Vec4 p_turned = Vec4::Zero();  ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
+    int position = 0;              ///< where its q; p; or r and p begin in y
+    int velocity = 0;              ///< where its q̇; ω'; or ṙ and ω' begin in y
+    /// How far the bodies that hang on it can reach from where it hangs [m].
+    double reach = 0.0;
+
+    int positions() const;
+    int velocities() const;
+};
+
+/// y = all positions, then all velocities, node by node.
+class JointTree {
+public:
+    /// Of the joints that bodies can hang from, those with the fewest freedoms, then those nearest to the
+    /// ground; equations chosen or taken out by hand stay equations. Of bodies that no such joint holds the
+    /// heaviest moves freely and carries the others.
+    /// @param start poses of all bodies; the joints hold there
+    JointTree(const Centroidal& scene, const State& start);
+
+    std::span<const TreeNode> nodes() const { return nodes_; }
+    int positions() const { return positions_; }
+    int velocities() const { return velocities_; }
+    /// Whether a joint of the mechanism is part of the tree; all others, and the drivers, are left as
+    /// equations.
+    bool has_joint(int joint) const { return in_tree_[static_cast<std::size_t>(joint)]; }
+    /// Where the parts of y begin, each with its rates: `number(position, velocity)` for every q, `way(...)`
+    /// for every r, `turn(...)` for every p and its ω'.
+    template <class Number, class Way, class Turn>
+    void for_each_part(Number&& number, Way&& way, Turn&& turn) const {
+        for (const TreeNode& node : nodes_) {
+            switch (node.hanging) {
+                case Hanging::welded: break;
+                case Hanging::axis: number(node.position, node.velocity); break;
+                case Hanging::ball: turn(node.position, node.velocity); break;
+                case Hanging::free:
+                    way(node.position, node.velocity);
+                    turn(node.position + 3, node.velocity + 3);
+                    break;
+            }
+        }
+    }
+    /// Node of a body, -1 for one that does not move.
+    int node_of(int body) const { return node_of_body_[static_cast<std::size_t>(body)]; }
+
+private:
+    struct Edge {
+        int joint = -1;
+        int parent_body = -1;
+        int child_body = -1;
+    };
+    Edge next_edge(const Mechanism& mechanism, const std::vector<int>& depth) const;
+    void hang(const Mechanism& mechanism, const State& start, const Edge& edge);
+    void add(TreeNode node);
+    void find_reaches();
+
+    std::vector<TreeNode> nodes_;
+    std::vector<bool> in_tree_;
+    std::vector<int> node_of_body_;
+    int positions_ = 0;
+    int velocities_ = 0;
+};
+
+}  // namespace jw

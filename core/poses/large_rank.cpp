@@ -1,0 +1,96 @@
+#include "core/poses/large_rank.hpp"
+
+#include <algorithm>
+
+#include "core/numerics/sparse_rank.hpp"
+#include "core/poses/least_squares.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr double kRounding = 1e-15;  // as in rank.cpp
+
+/// Groups for dependence: the rows of one joint, or of one driver, stay together.
+std::vector<int> groups_in_order(const System& system) {
+    std::vector<int> group_of_row;
+    int group = -1;
+    int last_joint = -1;
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const bool constraint = origin.kind == RowOrigin::Kind::constraint;
+        const int joint = constraint ? system.constraints()[at(origin.index)].joint : -1;
+        if (!constraint || joint != last_joint) { ++group; }
+        group_of_row.push_back(group);
+        last_joint = joint;
+    }
+    return group_of_row;
+}
+
+int equations_promised(const System& system) {
+    int promised = static_cast<int>(system.drivers().size());
+    for (const Constraint& c : system.constraints()) {
+        promised += std::min(traits_of(c.role).independent, c.rows());
+    }
+    return promised;
+}
+
+RankReport by_singular_values(const System& system, const SparseRows& jacobian, const VectorX& phi) {
+    MatrixX dense(phi.size(), jacobian.columns);
+    jacobian.write(dense);
+    return analyse_rank(system, dense, phi);
+}
+
+}  // namespace
+
+double RankReport::first_value() const {
+    if (rank == 0) { return 0.0; }
+    return has_spectrum ? singular_values(0) : estimated_first;
+}
+
+double RankReport::last_value() const {
+    if (rank == 0) { return 0.0; }
+    return has_spectrum ? singular_values(rank - 1) : estimated_last;
+}
+
+RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, const VectorX& phi) {
+    RankReport report;
+    report.has_spectrum = false;
+    report.rows = static_cast<int>(phi.size());
+    report.columns = report.dof = jacobian.columns;
+    report.mobility_by_counting = report.columns - equations_promised(system);
+    if (report.rows == 0) { return report; }
+    const Scaling scaling = scaling_of<OmegaLocal>(system);
+    report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
+    report.assembled = report.residual <= kAssembledResidual;
+    const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
+    const SparseRank found = sparse_rank_of(
+        jacobian, scaling.row, scaling.column, groups_in_order(system), std::max(kRankThreshold, error));
+    if (!found.is_proved()) { return by_singular_values(system, jacobian, phi); }
+
+    report.rank = found.rank;
+    report.dof = report.columns - report.rank;
+    report.threshold = found.threshold;
+    report.estimated_first = found.largest;
+    report.estimated_last = found.last;
+    report.largest_gap = found.last / std::max(found.next_at_most, kRounding * found.largest);
+    report.near_singular = report.rank > 1 && found.last < kNearSingularRatio * found.last_but_one;
+    for (const SparseCombination& combination : found.combinations) {
+        RedundantRow entry{combination.row, {}, combination.misfit};
+        for (std::size_t k = 0; k < combination.rows.size(); ++k) {
+            const int row = combination.rows[k];
+            entry.terms.push_back(
+                {row, combination.coefficients[k] * scaling.row(combination.row) / scaling.row(row)});
+        }
+        report.redundant_rows.push_back(std::move(entry));
+    }
+    return report;
+}
+
+RankReport analyse_rank_of_any_size(
+    const System& system, const SparseRows& jacobian, const VectorX& phi, bool spectrum) {
+    const bool large = jacobian.columns > kMostColumnsWithSpectrum && !spectrum;
+    return large ? analyse_large_rank(system, jacobian, phi) : by_singular_values(system, jacobian, phi);
+}
+
+}  // namespace jw
