@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
+#include "app/commands/quantity_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
@@ -24,6 +25,8 @@ struct SimulateOptions {
     std::optional<double> most_steps;
     DynamicsOptions dynamics;
     bool reactions = false;
+    std::vector<std::string> quantities;
+    bool old_names = false;
     std::string output = "csv";
 };
 
@@ -101,6 +104,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
                 "hint: docs/writing-a-lesson.md, or 'jointwise solve' for its kinematics");
     }
     DynamicsRequest request = request_for(options, lesson);
+    request.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     DynamicsTable table;
     // what is known while it runs is said while it runs
     request.tell = [&](const std::string& note) {
@@ -114,6 +118,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
     }
+    if (options.old_names) { rename_columns(table.columns, table.column_of("p_drift")); }
     if (options.output == "json") {
         Json json = json_of(table, lesson);
         add_tried(json, tried.done);
@@ -153,6 +158,8 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
             "steps after which an adaptive method gives up; default one million")
         ->type_name("N");
     command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
+    add_quantities_option(*command, options->quantities);
+    add_old_names_flag(*command, options->old_names);
     command->add_option("--output", options->output, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
         ->type_name("FORMAT");

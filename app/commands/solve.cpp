@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/quantity_option.hpp"
 #include "app/commands/tries.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
@@ -22,6 +23,8 @@ struct SolveOptions {
     std::optional<double> to;
     std::optional<double> step;
     std::string format = "csv";
+    std::vector<std::string> quantities;
+    bool old_names = false;
 };
 
 // a table of more rows than this is a slip of a decimal point
@@ -128,12 +131,14 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
     const LessonTried tried = lesson_of(options.file, options.tries, streams);
     const Lesson& lesson = tried.lesson;
     streams.err << tried_text(tried.done);
-    const SweepPlan plan = plan_of(options, lesson);
+    SweepPlan plan = plan_of(options, lesson);
+    plan.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     Sweep sweep;
     {
         ProgressBar bar(streams, "solving");
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
+    if (options.old_names) { rename_columns(sweep.columns, sweep.columns.size() - plan.quantities.size()); }
     if (options.format == "json") {
         write_json(sweep, tried, options, streams.out);
     } else {
@@ -162,6 +167,8 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--format", options->format, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
         ->type_name("FORMAT");
+    add_quantities_option(*command, options->quantities);
+    add_old_names_flag(*command, options->old_names);
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "

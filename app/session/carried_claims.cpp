@@ -7,12 +7,16 @@ namespace jw {
 
 namespace {
 
-/// The joint that a claim is about, -1 for none.
-int joint_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
-    const auto* quantity = std::get_if<QuantityClaim>(&fact);
-    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
-    return measure != nullptr ? measure->joint : -1;
+/// The joint or driver that a claim is about, index -1 for none.
+Addition addition_of(const Fact& fact) {
+    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) {
+        return {Addition::Kind::joint, dropped->joint};
+    }
+    const auto* claim = std::get_if<QuantityClaim>(&fact);
+    if (claim == nullptr) { return {Addition::Kind::joint, -1}; }
+    const int joint = joint_of(claim->quantity);
+    if (joint >= 0) { return {Addition::Kind::joint, joint}; }
+    return {Addition::Kind::driver, driver_of(claim->quantity)};
 }
 
 /// Nothing if what it comes after is gone.
@@ -30,9 +34,10 @@ std::optional<Moment> carried(const Moment& when, const Lesson& written, const L
 std::vector<Claim> carried_claims(const Lesson& written, const Lesson& changed) {
     std::vector<Claim> claims;
     for (const Claim& claim : written.claims) {
-        const int joint = joint_of(claim.fact);
-        const Addition subject{Addition::Kind::joint, joint};
-        if (joint >= 0 && std::ranges::find(changed.order, subject) == changed.order.end()) { continue; }
+        const Addition subject = addition_of(claim.fact);
+        if (subject.index >= 0 && std::ranges::find(changed.order, subject) == changed.order.end()) {
+            continue;
+        }
         if (const std::optional<Moment> when = carried(claim.when, written, changed)) {
             claims.push_back(claim);
             claims.back().when = *when;

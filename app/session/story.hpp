@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/dynamics/forces.hpp"
 #include "core/dynamics/reactions.hpp"
 #include "core/motion_tracker.hpp"
 #include "core/rank.hpp"
@@ -62,6 +63,7 @@ struct Step {
     /// Motion by masses and forces: what reactions are found from when somebody looks at them.
     std::shared_ptr<const Centroidal> centroidal;
     Motion centroidal_acceleration;
+    std::optional<Energy> energy;  ///< as the run knows it
 
     /// The story ends here before its time.
     bool failed() const { return failure.has_value() || !ended.empty(); }
