@@ -3,8 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "core/jets/drivers.hpp"
-#include "core/model/joint_types.hpp"
+#include "core/quantity/quantity.hpp"
 #include "lessons/source_span.hpp"
 
 /// Claims of a lesson about its mechanism, proved by `jointwise check`. An [[expect]] block becomes one
@@ -20,32 +19,9 @@ struct AfterAddition {
 /// During the motion [s].
 struct AtTime {
     double t = 0.0;
+    bool by_forces = false;  ///< of the motion by masses and forces, not of [motion]
 };
 using Moment = std::variant<AsGiven, AfterAddition, AtTime>;
-
-/// A measure of drivers.hpp. A SquaredDistanceMeasure stands for the distance itself (its root).
-struct MeasureQuantity {
-    Measure measure;
-    int body_i = 0;
-    int body_j = 0;
-    int joint = -1;  ///< whose θ a ThetaMeasure is
-};
-/// One component of the angular velocity of a body [rad/s].
-struct AngularVelocityQuantity {
-    int body = 0;
-    bool local = false;  ///< ω' instead of ω
-    int component = 0;
-};
-/// One component of r + A s' [m].
-struct PointQuantity {
-    int body = 0;
-    Vec3 s_local = Vec3::Zero();
-    int component = 0;
-};
-using Quantity = std::variant<MeasureQuantity, AngularVelocityQuantity, PointQuantity>;
-
-/// What a quantity is measured in before any time derivative.
-enum class Unit { none, metre, radian, radian_per_second };
 
 enum class Count { rank, rows, columns, dof, redundant, mobility_by_counting };
 
@@ -74,12 +50,12 @@ struct VerdictClaim {
 };
 struct QuantityClaim {
     Quantity quantity;
-    std::string text;    ///< as the author wrote it, "hinge.angle"
-    int derivative = 0;  ///< 0, 1, 2 with respect to time
-    Unit unit = Unit::none;
-    bool in_degrees = false;  ///< the author wrote degrees: messages should too
-    double value = 0.0;       ///< SI, radians
-    double tolerance = 0.0;   ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
+    std::string text;          ///< as the author wrote it, "hinge.angle"
+    int derivative = 0;        ///< 0, 1, 2 with respect to time
+    int named_derivative = 0;  ///< as much of it is in the name: 1 for "hinge.angle_dot"
+    bool in_degrees = false;   ///< the author wrote degrees: messages should too
+    double value = 0.0;        ///< SI, radians
+    double tolerance = 0.0;    ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
 };
 using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim>;
 

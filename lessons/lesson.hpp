@@ -100,6 +100,18 @@ struct Addition {
     bool operator==(const Addition&) const = default;
 };
 
+/// The joint or driver that a claim is about, index -1 for none.
+inline Addition subject_of(const Fact& fact) {
+    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) {
+        return {Addition::Kind::joint, dropped->joint};
+    }
+    const auto* claim = std::get_if<QuantityClaim>(&fact);
+    if (claim == nullptr) { return {Addition::Kind::joint, -1}; }
+    const int joint = joint_of(claim->quantity);
+    if (joint >= 0) { return {Addition::Kind::joint, joint}; }
+    return {Addition::Kind::driver, driver_of(claim->quantity)};
+}
+
 /// Author's words, empty where there are none.
 struct StepTexts {
     struct AtTime {

@@ -1,113 +1,106 @@
-#include <algorithm>
-#include <array>
-
 #include "lessons/quantities.hpp"
+
+#include <algorithm>
 
 namespace jw::reading {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-constexpr std::array<std::string_view, 4> kParameters{"e0", "e1", "e2", "e3"};
-
-template <std::size_t N>
-int index_in(const std::array<std::string_view, N>& words, std::string_view word) {
-    const auto found = std::ranges::find(words, word);
-    return found == words.end() ? -1 : static_cast<int>(found - words.begin());
-}
-
-std::vector<std::string> split_at_dots(std::string_view text) {
-    std::vector<std::string> parts;
-    while (true) {
-        const std::size_t dot = text.find('.');
-        parts.emplace_back(text.substr(0, dot));
-        if (dot == std::string_view::npos) { return parts; }
-        text.remove_prefix(dot + 1);
+/// "x, e0, omega.x, |r|": what can follow a name, of three components the first.
+std::string words_behind(
+    const std::string& owner, const std::vector<NamedQuantity>& list, const Mechanism& m) {
+    std::vector<std::string> words;
+    for (const NamedQuantity& named : list) {
+        if (named.derivative > 0) { continue; }
+        std::string word = name_of(named.quantity, 0, m);
+        const bool is_further = word.ends_with(".y") || word.ends_with(".z") || word.ends_with(".b") ||
+                                word.ends_with(".e1") || word.ends_with(".e2") || word.ends_with(".e3");
+        if (is_further) { continue; }
+        words.push_back(word.erase(word.find(owner), owner.size() + 1));
     }
+    return comma_list(words);
 }
 
-void refuse(
-    Fields& fields, const Located<std::string>& text, const std::string& owner, const std::string& of) {
-    fields.problems().add(
-        text.span, in_quotes(text.value) + " is no quantity of " + owner + "; expected one of " + of);
-}
-
-std::optional<MeasuredQuantity> of_joint(
-    Fields& fields, const Located<std::string>& text, const std::string& word, int index,
-    const Joint& joint) {
-    MeasureQuantity quantity{ThetaMeasure{}, joint.body_i, joint.body_j, index};
+void refuse(Fields& fields, const Located<std::string>& text, const Named& named, const Mechanism& m) {
+    const std::string owner(owner_in(text.value));
+    std::string of = word_for(named.kind) + (" " + in_quotes(owner));
     std::string possible;
-    const auto offers = [&](const char* name, bool is_there) {
-        if (is_there) { possible += (possible.empty() ? "" : ", ") + std::string(name); }
-        return is_there && word == name;
-    };
-    if (offers("angle", joint.type->has_angle())) {
-        if (joint.type->artificial == 0) { quantity.measure = angle_of(joint); }
-        return MeasuredQuantity{quantity, Unit::radian};
+    switch (named.kind) {
+        case Named::Kind::body:
+            possible = words_behind(owner, quantities_of_body(named.index), m) +
+                       ", point.x (with the key 'point'), point.speed";
+            break;
+        case Named::Kind::joint: {
+            const Joint& joint = m.joints[static_cast<std::size_t>(named.index)];
+            of += " of type " + std::string(joint.type->name);
+            possible = words_behind(owner, quantities_of_joint(m, named.index), m);
+            break;
+        }
+        case Named::Kind::driver: possible = words_behind(owner, quantities_of_driver(m, named.index), m);
     }
-    if (offers("displacement", joint.type->has_displacement())) {
-        quantity.measure = displacement_of(joint);
-        return MeasuredQuantity{quantity, Unit::metre};
-    }
-    if (offers("distance", joint.type->uses(Role::length))) {
-        quantity.measure = SquaredDistanceMeasure{joint.geometry.P_i_local, joint.geometry.P_j_local};
-        return MeasuredQuantity{quantity, Unit::metre};
-    }
-    const std::string owner = "joint " + in_quotes(joint.name) + " of type " + std::string(joint.type->name);
-    refuse(fields, text, owner, possible.empty() ? "those of bodies, like crank.x" : possible);
-    return std::nullopt;
+    fields.problems().add(
+        text.span, in_quotes(text.value) + " is no quantity of " + of + "; expected one of " + possible);
 }
 
-std::optional<MeasuredQuantity> of_body(
-    Fields& fields, const Located<std::string>& text, const std::vector<std::string>& parts, int body) {
-    const int last = index_in(kAxes, parts.back());
-    const bool is_point = parts.size() == 3 && parts[1] == "point" && last >= 0;
-    const auto point = is_point ? fields.vector("point") : std::nullopt;
-    if (is_point) {
-        fields.require("point", "the point in the body's frame, three numbers in m");
-        return MeasuredQuantity{PointQuantity{body, point ? point->value : Vec3::Zero(), last}, Unit::metre};
-    }
-    if (parts.size() == 2 && last >= 0) {
-        return MeasuredQuantity{MeasureQuantity{CoordinateMeasure{last}, 0, body, -1}, Unit::metre};
-    }
-    const int parameter = index_in(kParameters, parts[1]);
-    if (parts.size() == 2 && parameter >= 0) {
-        return MeasuredQuantity{MeasureQuantity{CoordinateMeasure{3 + parameter}, 0, body, -1}, Unit::none};
-    }
-    if (parts.size() == 3 && last >= 0 && (parts[1] == "omega" || parts[1] == "omega_local")) {
-        return MeasuredQuantity{
-            AngularVelocityQuantity{body, parts[1] == "omega_local", last}, Unit::radian_per_second};
-    }
-    refuse(
-        fields, text, "body " + in_quotes(parts[0]),
-        "x, y, z, e0, e1, e2, e3, point.x (with the key 'point'), omega.x, omega_local.x");
-    return std::nullopt;
+/// Whether the name is of something that is there; reports it if not.
+const Named* owner_of(Fields& fields, const Located<std::string>& text, const Reading& reading) {
+    const std::string owner(owner_in(text.value));
+    const auto found = reading.names.find(owner);
+    const bool has_word = text.value.find('.') != std::string::npos;
+    if (has_word && found != reading.names.end()) { return &found->second; }
+    std::vector<std::string> names;
+    for (const auto& [name, named] : reading.names) { names.push_back(name); }
+    names.emplace_back("energy");
+    fields.problems().add(
+        text.span,
+        in_quotes(text.value) + " is no quantity; expected NAME.WHAT with NAME one of " + comma_list(names),
+        has_word ? did_you_mean(owner, names) : "for example " + owner + ".x");
+    return nullptr;
 }
 
 }  // namespace
 
-std::optional<MeasuredQuantity> read_quantity(
+std::optional<NamedQuantity> read_quantity(
     Fields& fields, const Located<std::string>& text, const Reading& reading) {
-    const std::vector<std::string> parts = split_at_dots(text.value);
-    const auto found = reading.names.find(parts[0]);
-    if (parts.size() < 2 || found == reading.names.end() || found->second.kind == Named::Kind::driver) {
-        std::vector<std::string> names;
-        for (const auto& [name, named] : reading.names) {
-            if (named.kind != Named::Kind::driver) { names.push_back(name); }
-        }
-        fields.problems().add(
-            text.span,
-            in_quotes(text.value) + " is no quantity; expected NAME.WHAT with NAME one of " +
-                comma_list(names),
-            found == reading.names.end() ? did_you_mean(parts[0], names) : "for example " + parts[0] + ".x");
+    const Mechanism& mechanism = reading.lesson.mechanism;
+    const bool of_everything = text.value.starts_with("energy.") || text.value.starts_with("jacobian.");
+    const bool is_named = reading.names.contains(owner_in(text.value));
+    const Named* named = of_everything && !is_named ? nullptr : owner_of(fields, text, reading);
+    if (named == nullptr && !of_everything) { return std::nullopt; }
+    if (named != nullptr && !named->sound) { return std::nullopt; }
+    const std::optional<ReadName> read = read_name(text.value, mechanism);
+    if (!read && named != nullptr) {
+        refuse(fields, text, *named, mechanism);
         return std::nullopt;
     }
-    const Named& named = found->second;
-    if (!named.sound) { return std::nullopt; }
-    if (named.kind == Named::Kind::body) { return of_body(fields, text, parts, named.index); }
-    const auto index = static_cast<std::size_t>(named.index);
-    const std::string word = text.value.substr(parts[0].size() + 1);
-    return of_joint(fields, text, word, named.index, reading.lesson.mechanism.joints[index]);
+    if (!read) {
+        fields.problems().add(
+            text.span, in_quotes(text.value) +
+                           " is no quantity; expected energy.kinetic, energy.potential, "
+                           "energy.sum or jacobian.smallest_singular_value");
+        return std::nullopt;
+    }
+    if (!read->name_of_today.empty()) {
+        fields.problems().warn(
+            text.span, in_quotes(text.value) + " is now called " + in_quotes(read->name_of_today),
+            "the old name goes with the next version");
+    }
+    NamedQuantity out = read->named;
+    if (read->wants_point) {
+        const auto point = fields.vector("point");
+        fields.require("point", "the point in the body's frame, three numbers in m");
+        if (auto* p = std::get_if<PointQuantity>(&out.quantity); p != nullptr && point) {
+            p->s_local = point->value;
+        }
+        if (auto* p = std::get_if<PointSpeedQuantity>(&out.quantity); p != nullptr && point) {
+            p->s_local = point->value;
+        }
+    }
+    if (needs_masses(out.quantity) && !reading.lesson.dynamics) {
+        fields.problems().add(
+            text.span, in_quotes(text.value) + " needs masses and forces; expected a table [dynamics]");
+    }
+    return out;
 }
 
 }  // namespace jw::reading

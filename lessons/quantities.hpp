@@ -1,17 +1,13 @@
 #pragma once
 
+#include "core/quantity/names.hpp"
 #include "lessons/reading.hpp"
 
-/// Quantities by their names in a lesson: "hinge.angle", "crank.x", "crank.omega.z".
+/// Quantities that claims of a lesson name: "hinge.angle", "crank.x", "energy.sum".
 namespace jw::reading {
 
-struct MeasuredQuantity {
-    Quantity quantity;
-    Unit unit = Unit::none;
-};
-
-/// The quantity that `text` names; of a point also the key `point`.
-std::optional<MeasuredQuantity> read_quantity(
+/// The quantity that `text` names; where the name leaves a point open, also the key `point`.
+std::optional<NamedQuantity> read_quantity(
     Fields& fields, const Located<std::string>& text, const Reading& reading);
 
 }  // namespace jw::reading

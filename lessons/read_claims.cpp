@@ -12,16 +12,22 @@ constexpr int kLargestCount = 100000;
 
 using Facts = std::vector<std::pair<Fact, SourceSpan>>;
 
+/// Of [motion], or of the motion by masses and forces: the one that there is, or the one that `of` says.
 std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     const auto t = fields.number("at_s");
+    const auto of = fields.word("of", {"motion", "dynamics"});
     if (!t) { return std::nullopt; }
+    const bool by_forces = of ? *of == 1 : !lesson.motion && lesson.dynamics.has_value();
     const auto& motion = lesson.motion;
-    if (!motion || t->value < motion->from || t->value > motion->to) {
-        fields.problems().add(
-            t->span, "there is no motion at " + short_number(t->value) +
-                         " s; expected a time between 'from_s' and 'to_s' of [motion]");
+    const std::string none = "there is no motion at " + short_number(t->value) + " s; expected a time ";
+    if (by_forces) {
+        if (!lesson.dynamics || t->value < 0.0 || t->value > lesson.dynamics->duration) {
+            fields.problems().add(t->span, none + "from 0 to 'duration' of [dynamics]");
+        }
+    } else if (!motion || t->value < motion->from || t->value > motion->to) {
+        fields.problems().add(t->span, none + "between 'from_s' and 'to_s' of [motion]");
     }
-    return AtTime{t->value};
+    return AtTime{t->value, by_forces};
 }
 
 std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
@@ -102,16 +108,16 @@ void read_dropped(Fields& fields, const Reading& reading, const std::optional<Mo
 }
 
 /// What follows "value" and "tolerance" in their keys, for each way to write the unit.
-std::vector<std::string> endings_of(Unit unit, int derivative) {
-    const bool is_rate = unit == Unit::radian_per_second;
-    if (unit != Unit::radian && !is_rate) { return {""}; }
-    const int order = derivative + (is_rate ? 1 : 0);
+std::vector<std::string> endings_of(const QuantityClaim& claim) {
+    const UnitRate dimension = dimension_of(claim.quantity);
+    if (dimension.unit != Unit::radian) { return {""}; }
+    const int order = claim.derivative + dimension.per_s;
     const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
     return {"_deg" + per, "_rad" + per};
 }
 
 void read_value(Fields& fields, QuantityClaim& claim) {
-    const std::vector<std::string> endings = endings_of(claim.unit, claim.derivative);
+    const std::vector<std::string> endings = endings_of(claim);
     std::vector<std::string> keys;
     for (const std::string& ending : endings) { keys.push_back("value" + ending); }
     if (!fields.at_most_one(keys)) {
@@ -131,16 +137,27 @@ void read_value(Fields& fields, QuantityClaim& claim) {
     }
 }
 
+/// Of the key; `of` says how many derivatives the quantity has, and how many of them its name is.
 int read_derivative(
-    Fields& fields, const std::optional<Moment>& when, const std::optional<MeasuredQuantity>& of) {
-    const bool is_rate = of && of->unit == Unit::radian_per_second;
-    const auto derivative = fields.integer("derivative", 0, is_rate ? 1 : 2);
-    if (!derivative) { return 0; }
-    if (derivative->value > 0 && when && !std::holds_alternative<AtTime>(*when)) {
+    Fields& fields, const std::optional<Moment>& when, const std::optional<NamedQuantity>& of,
+    SourceSpan name) {
+    const int named = of ? of->derivative : 0;
+    const int most = of ? derivatives_of(of->quantity) - named : 2;
+    const auto derivative = fields.integer("derivative", 0, most);
+    const bool moves = !when || std::holds_alternative<AtTime>(*when);
+    const bool is_rate = named > 0 || (derivative && derivative->value > 0);
+    if (is_rate && !moves) {
         fields.problems().add(
-            derivative->span, "nothing moves before the motion; expected 'at_s' beside 'derivative'");
+            derivative ? derivative->span : name,
+            std::string("nothing moves before the motion; expected 'at_s' beside ") +
+                (derivative ? "'derivative'" : "a rate"));
     }
-    return derivative->value;
+    const bool of_forces =
+        of && needs_masses(of->quantity) && !std::holds_alternative<EnergyQuantity>(of->quantity);
+    if (of_forces && !moves) {
+        fields.problems().add(name, "reactions hold a motion; expected 'at_s' beside them");
+    }
+    return derivative ? derivative->value : 0;
 }
 
 void read_measured(Fields& fields, const Reading& reading, const std::optional<Moment>& when, Facts& facts) {
@@ -149,7 +166,7 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
     QuantityClaim claim;
     claim.text = text->value;
     const auto quantity = read_quantity(fields, *text, reading);
-    claim.derivative = read_derivative(fields, when, quantity);
+    claim.derivative = read_derivative(fields, when, quantity, text->span);
     if (!quantity) {
         // which keys belong to it is not known: only those that never do are unknown
         for (const char* ending :
@@ -161,7 +178,8 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
         return;
     }
     claim.quantity = quantity->quantity;
-    claim.unit = quantity->unit;
+    claim.named_derivative = quantity->derivative;
+    claim.derivative += claim.named_derivative;
     read_value(fields, claim);
     facts.emplace_back(claim, text->span);
 }

@@ -27,7 +27,9 @@ bool same_moment(const Moment& a, const Moment& b) {
         return after->count == std::get<AfterAddition>(b).count;
     }
     const auto* at = std::get_if<AtTime>(&a);
-    return at == nullptr || at->t == std::get<AtTime>(b).t;
+    if (at == nullptr) { return true; }
+    const AtTime& other = std::get<AtTime>(b);
+    return at->t == other.t && at->by_forces == other.by_forces;
 }
 
 /// Whether what the claim is about is in the file.
@@ -35,13 +37,17 @@ bool has_meaning(const Claim& claim, const Written& written) {
     const auto* after = std::get_if<AfterAddition>(&claim.when);
     if (after != nullptr && after->count > static_cast<int>(written.order.size())) { return false; }
     if (after != nullptr && after->count == 0 && !written.order.empty()) { return false; }
-    const int joint = joint_of(claim.fact);
-    return joint < 0 || written.has({Addition::Kind::joint, joint});
+    const Addition subject = subject_of(claim.fact);
+    return subject.index < 0 || written.has(subject);
 }
 
 void write_moment(const Moment& when, const Written& written, Lines& lines) {
     if (std::holds_alternative<AsGiven>(when)) { lines.key("as_given", "true"); }
-    if (const auto* at = std::get_if<AtTime>(&when)) { lines.key("at_s", at->t); }
+    if (const auto* at = std::get_if<AtTime>(&when)) {
+        lines.key("at_s", at->t);
+        // where there is no [motion] nothing else can be meant
+        if (at->by_forces && written.lesson->motion) { lines.key("of", string_text("dynamics")); }
+    }
     const auto* after = std::get_if<AfterAddition>(&when);
     if (after != nullptr && after->count > 0) {
         const auto last = static_cast<std::size_t>(after->count - 1);
@@ -51,13 +57,13 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
 
 /// Value and tolerance, both in degrees or both not.
 void write_value(const QuantityClaim& claim, Lines& lines) {
-    const bool is_rate = claim.unit == Unit::radian_per_second;
-    if (claim.unit != Unit::radian && !is_rate) {
+    const UnitRate dimension = dimension_of(claim.quantity);
+    if (dimension.unit != Unit::radian) {
         lines.key("value", claim.value);
         lines.key("tolerance", claim.tolerance);
         return;
     }
-    const int order = claim.derivative + (is_rate ? 1 : 0);
+    const int order = claim.derivative + dimension.per_s;
     const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
     const std::vector<double> both{claim.value, claim.tolerance};
     const AngleTexts typed = claim.in_degrees ? typed_angles(both) : AngleTexts{"rad", both};
@@ -86,9 +92,14 @@ struct FactWriter {
     }
     void operator()(const QuantityClaim& c) const {
         lines.key("quantity", string_text(c.text));
-        if (c.derivative != 0) { lines.key("derivative", std::to_string(c.derivative)); }
+        const int derivative = c.derivative - c.named_derivative;
+        if (derivative != 0) { lines.key("derivative", std::to_string(derivative)); }
+        // a name with the point in it needs no key
+        const bool is_open = c.text.find('[') == std::string::npos;
         const auto* point = std::get_if<PointQuantity>(&c.quantity);
-        if (point != nullptr) { lines.key("point", point->s_local, "m"); }
+        if (point != nullptr && is_open) { lines.key("point", point->s_local, "m"); }
+        const auto* speed = std::get_if<PointSpeedQuantity>(&c.quantity);
+        if (speed != nullptr && is_open) { lines.key("point", speed->s_local, "m"); }
         write_value(c, lines);
     }
 };

@@ -6,6 +6,7 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
+#include "app/commands/quantity_option.hpp"
 #include "app/commands/size_option.hpp"
 #include "app/session/inspection.hpp"
 #include "app/session/series.hpp"
@@ -73,6 +74,22 @@ std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& cu
     return shown;
 }
 
+/// The curves by their names of today; of quantities also such as are not plotted unless asked for.
+std::vector<std::string> found_curves(
+    const PlotOptions& options, const Story& story, SeriesSet& set, const Streams& streams) {
+    if (options.of != "quantities") { return options.curves; }
+    std::vector<std::string> names;
+    for (const std::string& curve : options.curves) {
+        names.push_back(curve);
+        if (std::ranges::find(set.series, curve, &Series::name) != set.series.end()) { continue; }
+        const Mechanism& mechanism = story.lesson().mechanism;
+        const std::vector<NamedQuantity> found = quantities_named("--curves", {curve}, mechanism, streams);
+        add_series(set, story, found);
+        names.back() = name_of(found[0].quantity, found[0].derivative, mechanism);
+    }
+    return names;
+}
+
 /// The set with the chosen curves only: what a table is made of.
 SeriesSet only(SeriesSet set, const std::vector<int>& shown) {
     if (shown.empty()) { return set; }
@@ -101,11 +118,11 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     StoryOptions how;
     how.with_ranks = false;
     const Story story(changed.lesson, how);
-    const SeriesSet set = set_of(options, story);
+    SeriesSet set = set_of(options, story);
     if (set.at.empty() && story.failure() != nullptr) { throw not_reached(changed.lesson, *story.failure()); }
     if (set.at.empty()) { throw bad("nothing to plot: " + set.why_empty); }
     panels::PlotState state;
-    state.shown = chosen(set, options.curves);
+    state.shown = chosen(set, found_curves(options, story, set, streams));
     if (is_csv) {
         render::write_file_atomically(options.out, csv_of(only(set, state.shown)));
     } else {

@@ -7,6 +7,7 @@
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/commands/quantity_option.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/dynamics_run.hpp"
 #include "app/session/json.hpp"
@@ -26,6 +27,8 @@ struct SimulateOptions {
     DynamicsOptions dynamics;
     bool reactions = false;
     std::string format;
+    std::vector<std::string> quantities;
+    bool old_names = false;
 };
 
 DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson) {
@@ -102,6 +105,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
                 "hint: docs/writing-a-lesson.md, or 'jointwise solve' for its kinematics");
     }
     DynamicsRequest request = request_for(options, lesson);
+    request.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     DynamicsTable table;
     // what is known while it runs is said while it runs
     request.tell = [&](const std::string& note) {
@@ -115,6 +119,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     } catch (const std::invalid_argument& error) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
     }
+    if (options.old_names) { rename_columns(table.columns, table.column_of("p_drift")); }
     if (options.format == "json") {
         Json json = json_of(table, lesson);
         add_done(json, changed.done);
@@ -155,6 +160,8 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("N");
     command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
     add_format_option(*command, options->format, {"csv", "json"});
+    add_quantities_option(*command, options->quantities);
+    add_old_names_flag(*command, options->old_names);
     command->footer(
         "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
         "1e-9");

@@ -6,6 +6,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/commands/quantity_option.hpp"
 #include "app/session/csv.hpp"
 #include "app/session/json.hpp"
 #include "app/session/numbers.hpp"
@@ -24,6 +25,8 @@ struct SolveOptions {
     std::optional<double> to;
     std::optional<double> step;
     std::string format;
+    std::vector<std::string> quantities;
+    bool old_names = false;
 };
 
 constexpr std::array kAnalyses{
@@ -132,12 +135,14 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     const Lesson& lesson = changed.lesson;
     streams.err << done_text(changed.done);
-    const SweepPlan plan = plan_of(options, lesson);
+    SweepPlan plan = plan_of(options, lesson);
+    plan.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     Sweep sweep;
     {
         ProgressBar bar(streams, "solving");
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
+    if (options.old_names) { rename_columns(sweep.columns, sweep.columns.size() - plan.quantities.size()); }
     if (options.format == "json") {
         write_json(sweep, changed, options, streams.out);
     } else {
@@ -164,6 +169,8 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");
     command->add_option("--step", options->step, "interval [s]; default: the lesson's")->type_name("T");
     add_format_option(*command, options->format, {"csv", "json"});
+    add_quantities_option(*command, options->quantities);
+    add_old_names_flag(*command, options->old_names);
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "

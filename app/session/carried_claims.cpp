@@ -22,9 +22,10 @@ std::optional<Moment> carried(const Moment& when, const Lesson& written, const L
 std::vector<Claim> carried_claims(const Lesson& written, const Lesson& changed) {
     std::vector<Claim> claims;
     for (const Claim& claim : written.claims) {
-        const int joint = joint_of(claim.fact);
-        const Addition subject{Addition::Kind::joint, joint};
-        if (joint >= 0 && std::ranges::find(changed.order, subject) == changed.order.end()) { continue; }
+        const Addition subject = subject_of(claim.fact);
+        if (subject.index >= 0 && std::ranges::find(changed.order, subject) == changed.order.end()) {
+            continue;
+        }
         if (const std::optional<Moment> when = carried(claim.when, written, changed)) {
             claims.push_back(claim);
             claims.back().when = *when;

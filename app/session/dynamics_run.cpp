@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/session/dynamics_rows.hpp"
 #include "app/session/numbers.hpp"
 #include "core/motion/reactions.hpp"
 #include "lessons/diagnostics.hpp"
@@ -19,38 +20,6 @@ void add_columns(std::vector<std::string>& columns, const std::string& prefix) {
 std::string name_of(const Reaction& reaction, const Mechanism& mechanism) {
     return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
                                : mechanism.drivers[at(reaction.driver)].name;
-}
-
-std::vector<std::string> columns_of(const Lesson& lesson) {
-    std::vector<std::string> columns{"time_s"};
-    for (const Body& body : lesson.mechanism.bodies) {
-        if (body.fixed) { continue; }
-        add_columns(columns, body.name + ".");
-        for (const char* e : {"e0", "e1", "e2", "e3"}) { columns.push_back(body.name + "." + e); }
-        add_columns(columns, body.name + ".r_dot.");
-        add_columns(columns, body.name + ".omega_local.");
-    }
-    for (const char* name :
-         {"kinetic_J", "potential_J", "position_violation", "velocity_violation", "p_drift"}) {
-        columns.push_back(name);
-    }
-    return columns;
-}
-
-std::vector<double> row_of(const Snapshot& snapshot, const Mechanism& mechanism) {
-    std::vector<double> row{snapshot.t};
-    const auto add = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
-    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-        if (mechanism.bodies[b].fixed) { continue; }
-        add(snapshot.state.r[b]);
-        add(snapshot.state.p[b]);
-        add(snapshot.velocity.r_dot[b]);
-        add(snapshot.velocity.omega_local[b]);
-    }
-    row.insert(
-        row.end(), {snapshot.kinetic, snapshot.potential, snapshot.position_violation,
-                    snapshot.velocity_violation, snapshot.p_drift});
-    return row;
 }
 
 void add_reactions(
@@ -90,7 +59,10 @@ void add_residual(const Reactions& found, double t, DynamicsTable& table) {
         " of the forces on the bodies unexplained, where rounding explains " + small_text(found.bound);
 }
 
-std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
+std::string summary_of(const DynamicsTable& table) {
+    const std::size_t kinetic = table.column_of("energy.kinetic");
+    const std::size_t potential = table.column_of("energy.potential");
+    const std::size_t violation = table.column_of("position_violation");
     const IntegrationCounts& c = table.outcome.counts;
     std::string text = std::to_string(c.steps) + " steps, " + std::to_string(c.rejected) + " rejected, " +
                        std::to_string(c.evaluations) + " evaluations, " + std::to_string(c.projections) +
@@ -102,9 +74,9 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
     double position = 0.0;
     double energy = 0.0;
     for (const std::vector<double>& row : table.rows) {
-        const auto sum = [&](const std::vector<double>& r) { return r[kinetic] + r[kinetic + 1]; };
+        const auto sum = [&](const std::vector<double>& r) { return r[kinetic] + r[potential]; };
         energy = std::max(energy, std::abs(sum(row) - sum(table.rows.front())));
-        position = std::max(position, row[kinetic + 2]);
+        position = std::max(position, row[violation]);
     }
     return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
            number_text(position, 2) + ", accelerations proved to " +
@@ -112,10 +84,10 @@ std::string summary_of(const DynamicsTable& table, std::size_t kinetic) {
 }
 
 /// Where branches of a loop cross, they do so only as far as its numbers fit.
-std::string fit_note(const DynamicsTable& table, std::size_t kinetic) {
+std::string fit_note(const DynamicsTable& table) {
     constexpr double twelve_digits = 3e-12;
     if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
-    const double left_open = table.rows.front()[kinetic + 2];
+    const double left_open = table.rows.front()[table.column_of("position_violation")];
     if (left_open < twelve_digits) { return {}; }
     return "equations that repeat others are off by " + small_text(left_open) +
            " at the start, so that branches that should cross near a singular position part there: it may go "
@@ -264,6 +236,12 @@ std::string start_note(const Mechanism& given, const Snapshot& start) {
     return pose.empty() ? speed_note(given, start) : pose;
 }
 
+std::size_t DynamicsTable::column_of(std::string_view name) const {
+    const auto found = std::ranges::find(columns, name);
+    if (found == columns.end()) { throw std::invalid_argument("no column " + std::string(name)); }
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
 Mechanism placed_at(const Mechanism& mechanism, const State& state) {
     Mechanism placed = mechanism;
     for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
@@ -278,7 +256,8 @@ namespace {
 /// One run by the method of `request`. @return whether the method gave way to an implicit one
 bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, request.settings);
-    table.columns = columns_of(lesson);
+    DynamicsRows rows(lesson, request.quantities, simulation);
+    table.columns = rows.columns();
     table.rows.clear();
     table.not_unique.clear();
     table.reaction_residual.reset();
@@ -291,7 +270,7 @@ bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTabl
             table.start_note = start_note(lesson.mechanism, now);
             if (!noted && !table.start_note.empty() && request.tell) { request.tell(table.start_note); }
         }
-        std::vector<double> row = row_of(now, lesson.mechanism);
+        std::vector<double> row = rows.row(now, y);
         if (request.reactions) {
             const Reactions found = reactions_from_body_frames(
                 simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
@@ -310,7 +289,6 @@ bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTabl
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
     DynamicsTable table;
-    const std::size_t kinetic = columns_of(lesson).size() - 5;
     DynamicsRequest used = request;
     if (run_once(lesson, used, table)) {
         const std::string method(entry_of(used.settings.method).name);
@@ -325,8 +303,8 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
         if (request.tell) { request.tell(table.pace_note); }
         run_once(lesson, used, table);
     }
-    table.summary = summary_of(table, kinetic);
-    table.fit_note = fit_note(table, kinetic);
+    table.summary = summary_of(table);
+    table.fit_note = fit_note(table);
     if (table.outcome.failure) {
         table.failure = failure_text(*table.outcome.failure, used.settings, lesson.mechanism);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/integrate/simulation.hpp"
+#include "core/quantity/names.hpp"
 #include "lessons/lesson.hpp"
 
 /// A lesson of dynamics, run from its start.
@@ -17,6 +18,7 @@ struct DynamicsRequest {
     double duration = 1.0;  ///< [s]
     int samples = 100;      ///< equal intervals
     bool reactions = false;
+    std::vector<NamedQuantity> quantities = {};  ///< columns besides
     /// Somebody chose the method. If nobody did, one that stability would make crawl gives way to implicit-5.
     bool method_chosen = false;
     /// Called as soon as it is known: a note on the start, or that the run will take long and what helps.
@@ -29,7 +31,7 @@ inline constexpr long kMostStepsUnasked = 1'000'000;
 /// @throws std::invalid_argument if the lesson has no [dynamics]
 DynamicsRequest request_of(const Lesson& lesson);
 
-/// One line per time, as `columns` say.
+/// One line per time, as `columns` say. A column is found by its name, see column_of.
 struct DynamicsTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows;
@@ -46,6 +48,9 @@ struct DynamicsTable {
     std::optional<double> reaction_residual;
     double reaction_bound = 0.0;
     std::string reaction_note;  ///< that it is larger than that, and where first; mostly empty
+
+    /// Place of a column in every row. @throws std::invalid_argument if there is none of that name
+    std::size_t column_of(std::string_view name) const;
 };
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);

@@ -1,5 +1,7 @@
 #include "app/session/inspection.hpp"
 
+#include <algorithm>
+
 #include "app/session/dynamics_run.hpp"
 #include "app/session/explanations.hpp"
 #include "app/session/numbers.hpp"
@@ -111,15 +113,24 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
     if (inspection.t < 0.0) {
         throw PoseNotReached(lesson.file_name + ": there is no motion before the start at 0 s");
     }
-    const SimulationSettings settings = request_of(lesson).settings;
+    const DynamicsRequest request = request_of(lesson);
+    const SimulationSettings settings = request.settings;
     Simulation simulation(placed_at(lesson.mechanism, start), lesson.dynamics->loads, settings);
-    const SimulationOutcome outcome =
-        simulation.run({inspection.t}, [&](double t, const std::vector<double>& y) {
-            const Snapshot snapshot = simulation.snapshot(t, y);
-            inspection.state = snapshot.state;
-            inspection.velocity = snapshot.velocity;
-        });
-    if (outcome.failure) {
+    // the run of `simulate` and of the story, whose steps end where it ends: the same numbers to the last
+    // digit
+    std::vector<double> times = equal_times(request.duration, request.samples);
+    times.push_back(inspection.t);
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    bool reached = false;
+    const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+        if (t != inspection.t) { return; }
+        const Snapshot snapshot = simulation.snapshot(t, y);
+        inspection.state = snapshot.state;
+        inspection.velocity = snapshot.velocity;
+        reached = true;
+    });
+    if (outcome.failure && !reached) {
         throw PoseNotReached(
             lesson.file_name + ": " + failure_text(*outcome.failure, settings, lesson.mechanism));
     }

@@ -1,91 +1,56 @@
 #include "app/session/quantities.hpp"
-#include "app/session/numbers.hpp"
 
+#include <array>
 #include <cmath>
+
+#include "app/session/numbers.hpp"
 
 namespace jw {
 
 namespace {
 
-struct Source {
-    std::string name;
-    Measure measure;
-    int body_i = 0;
-    int body_j = 0;
-    int theta = -1;
-    bool driven = false;
-};
-
-bool is_angle(const Measure& measure) {
-    return std::holds_alternative<AngleMeasure>(measure) || std::holds_alternative<ThetaMeasure>(measure);
+bool is_shown_in_degrees(const Quantity& quantity) {
+    return dimension_of(quantity) == UnitRate{Unit::radian, 0};
 }
 
-QuantityMotion measured_of(const Source& source, const Step& step) {
-    const Measured m = evaluate_measure(
-        source.measure, source.body_i, source.body_j, source.theta, step.state, step.velocity,
-        step.acceleration);
-    QuantityMotion quantity{source.name, "m", source.driven, m.value, m.rate, m.acceleration};
-    if (is_angle(source.measure)) {
-        quantity.unit = "deg";
-        quantity.value *= kDegreesPerRadian;
-        quantity.rate *= kDegreesPerRadian;
-        quantity.acceleration *= kDegreesPerRadian;
-    } else if (std::holds_alternative<SquaredDistanceMeasure>(source.measure)) {
-        const Measured distance = distance_of(m);
-        quantity.value = distance.value;
-        quantity.rate = distance.rate;
-        quantity.acceleration = distance.acceleration;
-    } else if (const auto* c = std::get_if<CoordinateMeasure>(&source.measure);
-               c != nullptr && c->coordinate > 2) {
-        quantity.unit = "-";
-    }
-    return quantity;
-}
-
-std::vector<Source> sources_of_joint(const Joint& joint, int theta) {
-    const auto source = [&](const char* name, const Measure& measure) {
-        return Source{joint.name + name, measure, joint.body_i, joint.body_j, theta, false};
-    };
-    const JointType& type = *joint.type;
-    std::vector<Source> sources;
-    if (type.artificial > 0) {
-        sources.push_back(source(".angle", ThetaMeasure{}));
-    } else if (type.has_angle()) {
-        sources.push_back(source(".angle", angle_of(joint)));
-    }
-    if (type.has_displacement()) { sources.push_back(source(".displacement", displacement_of(joint))); }
-    return sources;
+QuantityMotion motion_of(const MeasureQuantity& quantity, const Instant& instant, bool driven) {
+    const Mechanism& mechanism = instant.system->mechanism();
+    const QuantityValue v = evaluate(quantity, instant);
+    const double factor = factor_of_unit(quantity);
+    return {
+        name_of(quantity, 0, mechanism),
+        unit_text(quantity, 0),
+        driven,
+        factor * v.value(),
+        factor * v.rate(),
+        factor * v.acceleration(),
+        name_of(quantity, 1, mechanism),
+        name_of(quantity, 2, mechanism)};
 }
 
 }  // namespace
 
-Measured distance_of(const Measured& squared) {
-    const double d = std::sqrt(squared.value);
-    const double rate = squared.rate / (2.0 * d);
-    return {d, rate, (0.5 * squared.acceleration - rate * rate) / d};
-}
-
-std::string driver_quantity_name(const Mechanism& mechanism, const Driver& driver) {
-    constexpr const char* coordinates[] = {".x", ".y", ".z", ".e0", ".e1", ".e2", ".e3"};
-    if (const auto* c = std::get_if<CoordinateMeasure>(&driver.measure)) {
-        return mechanism.bodies[static_cast<std::size_t>(driver.body_j)].name + coordinates[c->coordinate];
-    }
-    if (driver.joint < 0) { return driver.name + ".distance"; }
-    return mechanism.joints[static_cast<std::size_t>(driver.joint)].name +
-           (is_angle(driver.measure) ? ".angle" : ".displacement");
+Instant instant_of(const Step& step) {
+    Instant instant;
+    instant.t = step.t;
+    instant.system = step.system;
+    instant.state = step.state;
+    instant.velocity = step.velocity;
+    if (step.kind == Step::Kind::motion) { instant.acceleration = step.acceleration; }
+    instant.scene = step.centroidal;
+    if (step.centroidal) { instant.centroidal_acceleration = step.centroidal_acceleration; }
+    instant.energy = step.energy;
+    return instant;
 }
 
 std::vector<QuantityMotion> quantities_of(const Step& step) {
     const System& system = *step.system;
     const Mechanism& mechanism = system.mechanism();
-    const std::vector<int> thetas = mechanism.theta_indices();
+    const Instant instant = instant_of(step);
     std::vector<QuantityMotion> quantities;
     for (const DriverConstraint& d : system.drivers()) {
         const Driver& driver = mechanism.drivers[static_cast<std::size_t>(d.driver)];
-        QuantityMotion quantity = measured_of(
-            {driver_quantity_name(mechanism, driver), driver.measure, driver.body_i, driver.body_j, d.theta,
-             true},
-            step);
+        QuantityMotion quantity = motion_of(measure_of_driver(mechanism, d.driver), instant, true);
         if (std::holds_alternative<AngleMeasure>(driver.measure)) {
             // a driven angle goes on beyond half a turn as its function does
             const double target = kDegreesPerRadian * driver.function.at(step.t).f;
@@ -94,14 +59,56 @@ std::vector<QuantityMotion> quantities_of(const Step& step) {
         quantities.push_back(std::move(quantity));
     }
     for (const int j : system.selection().joints) {
-        const auto k = static_cast<std::size_t>(j);
-        for (const Source& source : sources_of_joint(mechanism.joints[k], thetas[k])) {
+        for (const MeasureQuantity& measure : measures_of(mechanism, j)) {
             bool known = false;
-            for (const QuantityMotion& q : quantities) { known = known || q.name == source.name; }
-            if (!known) { quantities.push_back(measured_of(source, step)); }
+            const std::string name = name_of(measure, 0, mechanism);
+            for (const QuantityMotion& q : quantities) { known = known || q.name == name; }
+            if (!known) { quantities.push_back(motion_of(measure, instant, false)); }
         }
     }
     return quantities;
+}
+
+std::string unit_text(UnitRate dimension, int derivative, bool in_degrees) {
+    constexpr std::array per_time{"", "/s", "/s²", "/s³"};
+    const std::string per = per_time[static_cast<std::size_t>(dimension.per_s + derivative)];
+    const bool is_angle = dimension.unit == Unit::radian;
+    const std::string symbol(in_degrees && is_angle ? "deg" : symbol_of(dimension.unit));
+    return symbol.empty() && !per.empty() ? "1" + per : symbol + per;
+}
+
+std::string unit_text(const Quantity& quantity, int derivative) {
+    const std::string text = unit_text(dimension_of(quantity), derivative, is_shown_in_degrees(quantity));
+    return text.empty() ? "-" : text;
+}
+
+double factor_of_unit(const Quantity& quantity) {
+    return is_shown_in_degrees(quantity) ? kDegreesPerRadian : 1.0;
+}
+
+std::string absence_text(Absence absence) {
+    switch (absence) {
+        case Absence::none: return "";
+        case Absence::no_masses: return "there are no masses and forces here";
+        case Absence::no_acceleration: return "no accelerations are known here";
+        case Absence::no_derivative: return "it has no such derivative";
+        case Absence::not_unique: return "it is not unique: equations repeat each other and leave it open";
+        case Absence::not_there: return "its joint or driver takes no part here";
+        case Absence::no_motion_of_it: return "the pose is no moment of the motion by masses and forces";
+        case Absence::rank_lost: return "the rows have lost rank, so there is no condition";
+        case Absence::singular: break;
+    }
+    return "it has a corner here, and no rate";
+}
+
+std::string column_of_before(const std::string& today) {
+    if (today == "energy.kinetic") { return "kinetic_J"; }
+    if (today == "energy.potential") { return "potential_J"; }
+    for (const std::string dot : {"", "_dot", "_ddot"}) {
+        const std::string end = ".angle" + dot;
+        if (today.ends_with(end)) { return today.substr(0, today.size() - end.size()) + ".theta" + dot; }
+    }
+    return today;
 }
 
 }  // namespace jw

@@ -1,6 +1,7 @@
 #include "app/session/series.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,26 +21,6 @@ constexpr double kSmallestRounding = 1e-12;  // where everything of a unit is at
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Values are added moment after moment, in the same order at each.
-class Columns {
-public:
-    explicit Columns(std::vector<Series>& series) : series_(&series) {}
-
-    void begin_moment() { next_ = 0; }
-    void add(const std::string& name, const char* unit, double value) {
-        if (next_ == series_->size()) { series_->push_back({name, unit, {}, 0.0, false}); }
-        (*series_)[next_++].values.push_back(value);
-    }
-    void add_vector(const std::string& name, const char* unit, const Vec3& v) {
-        for (int k = 0; k < 3; ++k) { add(name + "." + axis_name(k), unit, v(k)); }
-        add("|" + name + "|", unit, v.norm());
-    }
-
-private:
-    std::vector<Series>* series_;
-    std::size_t next_ = 0;
-};
-
 /// Angles come modulo a turn: takes the turn that is nearest to where the rates lead.
 void unwrap(const std::vector<double>& t, Series& angle, const std::vector<double>& rate) {
     for (std::size_t k = 1; k < angle.values.size(); ++k) {
@@ -56,50 +37,58 @@ void set_rounding(std::vector<Series>& series) {
     for (Series& s : series) { s.rounding = std::max(kSmallestRounding, kRoundingPart * largest[s.unit]); }
 }
 
-void add_quantities(const Step& step, Columns& columns) {
+/// Of the step's own measures, each followed by its rate and acceleration.
+void add_measures(const Step& step, std::vector<Series>& series) {
+    const bool first = series.empty();
+    std::size_t next = 0;
+    const auto add = [&](const std::string& name, const std::string& unit, double value) {
+        if (first) { series.push_back({name, unit, {}, 0.0, false}); }
+        series[next++].values.push_back(value);
+    };
     for (const QuantityMotion& q : quantities_of(step)) {
         const std::string unit = q.unit == "-" ? "1" : q.unit;
-        columns.add(q.name, q.unit.c_str(), q.value);
-        columns.add(q.name + " rate", (unit + "/s").c_str(), q.rate);
-        columns.add(q.name + " acceleration", (unit + "/s²").c_str(), q.acceleration);
+        add(q.name, q.unit, q.value);
+        add(q.rate_name, unit + "/s", q.rate);
+        add(q.acceleration_name, unit + "/s²", q.acceleration);
     }
 }
 
-void add_bodies(const Step& step, Columns& columns) {
-    for (const int body : step.system->moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
-        const std::string& name = step.system->mechanism().bodies[b].name;
-        const Mat3 A = rotation_matrix(step.state.p[b]);
-        columns.add_vector(name + ".r", "m", step.state.r[b]);
-        columns.add_vector(name + ".r_dot", "m/s", step.velocity.r_dot[b]);
-        columns.add_vector(name + ".r_ddot", "m/s²", step.acceleration.r_dot[b]);
-        columns.add_vector(name + ".omega", "rad/s", A * step.velocity.omega_local[b]);
-        columns.add_vector(name + ".omega_dot", "rad/s²", A * step.acceleration.omega_local[b]);
+/// Of a body r, ṙ, r̈, ω, ω̇, each with its size.
+void list_vectors(int body, std::vector<NamedQuantity>& list) {
+    const auto add_size = [&](BodyVector vector) { list.push_back({BodySizeQuantity{body, vector}, 0}); };
+    constexpr std::array places{BodyVector::r, BodyVector::r_dot, BodyVector::r_ddot};
+    for (int derivative = 0; derivative < 3; ++derivative) {
+        for (int k = 0; k < 3; ++k) {
+            list.push_back({MeasureQuantity{CoordinateMeasure{k}, 0, body, -1, -1}, derivative});
+        }
+        add_size(places[static_cast<std::size_t>(derivative)]);
+    }
+    for (int derivative = 0; derivative < 2; ++derivative) {
+        for (int k = 0; k < 3; ++k) { list.push_back({AngularVelocityQuantity{body, false, k}, derivative}); }
+        add_size(derivative == 0 ? BodyVector::omega : BodyVector::omega_dot);
     }
 }
 
-void add_point(const Step& step, const BodyPoint& point, Columns& columns) {
-    if (point.body < 0) { return; }
-    const auto b = static_cast<std::size_t>(point.body);
-    const std::string name = step.system->mechanism().bodies[b].name + ".point";
-    const Mat3 A = rotation_matrix(step.state.p[b]);
-    const Vec3 place = step.state.r[b] + A * point.point_local;
-    const Vec3 speed = step.velocity.r_dot[b] + A * step.velocity.omega_local[b].cross(point.point_local);
-    for (int k = 0; k < 3; ++k) { columns.add(name + "." + axis_name(k), "m", place(k)); }
-    columns.add(name + " speed", "m/s", speed.norm());
+/// What is plotted beside the measures of drivers and joints. Of a motion by masses and forces its energies,
+/// too: their sum is level where nothing but gravity and springs acts.
+std::vector<NamedQuantity> further_quantities(const Step& step, const BodyPoint& traced) {
+    std::vector<NamedQuantity> list;
+    if (traced.body >= 0) {
+        for (int k = 0; k < 3; ++k) {
+            list.push_back({PointQuantity{traced.body, traced.point_local, k}, 0});
+        }
+        list.push_back({PointSpeedQuantity{traced.body, traced.point_local}, 0});
+    }
+    for (const int body : step.system->moving_bodies()) { list_vectors(body, list); }
+    if (!step.centroidal) { return list; }
+    for (int k = 0; k < kEnergyParts; ++k) {
+        list.push_back({EnergyQuantity{static_cast<EnergyPart>(k)}, 0});
+    }
+    return list;
 }
 
-/// Of a motion by masses and forces: their sum is level where nothing but gravity and springs acts.
-/// @param scene  of the moments before: its rotational springs count their turns from one to the next
-void add_energies(const Step& step, std::optional<Centroidal>& scene, Columns& columns) {
-    if (!step.centroidal) { return; }
-    if (!scene) { scene = *step.centroidal; }
-    const State state = scene->to_centroidal(step.state);
-    count_turns(scene->loads, kinematics_of(state));
-    const Energy energy = energy_of(*scene, state, scene->to_centroidal(step.state, step.velocity));
-    columns.add("energy.kinetic", "J", energy.kinetic);
-    columns.add("energy.potential", "J", energy.potential);
-    columns.add("energy.sum", "J", energy.kinetic + energy.potential);
+const Step& step_at(const Story& story, const SeriesSet& set, std::size_t point) {
+    return story.steps()[static_cast<std::size_t>(set.steps[point])];
 }
 
 /// How much a curve changes, in parts of its size: next to nothing for a motor that runs evenly.
@@ -170,22 +159,38 @@ std::vector<Solve> solves_of(const Story& story) {
 
 }  // namespace
 
+int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuantity>& list) {
+    const Mechanism& mechanism = story.lesson().mechanism;
+    std::vector<NamedQuantity> wanted;
+    const std::size_t first = set.series.size();
+    for (const NamedQuantity& named : list) {
+        const std::string name = name_of(named.quantity, named.derivative, mechanism);
+        if (std::ranges::find(set.series, name, &Series::name) != set.series.end()) { continue; }
+        wanted.push_back(named);
+        set.series.push_back({name, unit_text(named.quantity, named.derivative), {}, 0.0, false});
+    }
+    for (std::size_t point = 0; point < set.at.size() && !wanted.empty(); ++point) {
+        const Instant instant = instant_of(step_at(story, set, point));
+        for (std::size_t k = 0; k < wanted.size(); ++k) {
+            const QuantityValue v = evaluate(wanted[k].quantity, instant, wanted[k].derivative);
+            const double number = v.derivatives[static_cast<std::size_t>(wanted[k].derivative)];
+            set.series[first + k].values.push_back(factor_of_unit(wanted[k].quantity) * number);
+        }
+    }
+    set_rounding(set.series);
+    return static_cast<int>(wanted.size());
+}
+
 SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
     SeriesSet set = series::over_time(story);
-    Columns columns(set.series);
-    std::optional<Centroidal> scene;
-    for (const int index : set.steps) {
-        const Step& step = story.steps()[static_cast<std::size_t>(index)];
-        columns.begin_moment();
-        add_quantities(step, columns);
-        add_point(step, traced, columns);
-        add_bodies(step, columns);
-        add_energies(step, scene, columns);
+    if (set.at.empty()) { return set; }
+    for (std::size_t point = 0; point < set.at.size(); ++point) {
+        add_measures(step_at(story, set, point), set.series);
     }
     for (std::size_t k = 0; k + 1 < set.series.size(); ++k) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }
     }
-    set_rounding(set.series);
+    add_series(set, story, further_quantities(step_at(story, set, 0), traced));
     set.telling = telling_measure(story, set);
     return set;
 }

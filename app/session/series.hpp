@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "app/session/story.hpp"
+#include "core/quantity/names.hpp"
 
 /// What can be plotted of a story, as plain values: quantities and singular values over time, residuals over
 /// iterations. Nothing here is kept up to date by itself: whoever shows a set makes it once per story.
 namespace jw {
 
 struct Series {
-    std::string name;            ///< "crank.angle", "coupler.r_dot.x", "|coupler.omega|", "crank.angle rate"
+    std::string name;            ///< "crank.angle", "coupler.r_dot.x", "|coupler.omega|", "crank.angle_dot"
     std::string unit;            ///< "deg", "m/s", ...; "-" if it has none
     std::vector<double> values;  ///< one per point of the set; NaN where there is none
     double rounding = 0.0;       ///< differences up to this size say nothing
@@ -39,6 +40,10 @@ struct SeriesSet {
 /// components and sizes); place and speed of the point that is `traced` (body -1: none); of a motion by
 /// masses and forces its energies. Angles are continuous over turns.
 SeriesSet motion_series(const Story& story, const BodyPoint& traced = {.body = -1});
+
+/// Adds curves of more quantities to a set over time; those that it has already stay as they are.
+/// @return how many were added
+int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuantity>& list);
 
 /// ‖Φ‖ over the Newton iterations of the whole story, one after the other; one series per joint or driver.
 SeriesSet newton_series(const Story& story);

@@ -7,6 +7,7 @@
 #include "app/session/labels.hpp"
 #include "app/session/numbers.hpp"
 #include "core/equations/assembler.hpp"
+#include "core/quantity/evaluate.hpp"
 
 namespace jw {
 
@@ -15,68 +16,73 @@ namespace {
 constexpr double kRoundingOfSum =
     1e-9;  // of a step: a last interval shorter than this is the rounding of the sum
 
-void add_vector(std::vector<std::string>& columns, const std::string& prefix) {
-    for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
+/// What an analysis gives of every moving body, then of every screw.
+std::vector<NamedQuantity> quantities_of(const System& system, Analysis analysis) {
+    std::vector<NamedQuantity> list;
+    const int highest = static_cast<int>(analysis);
+    for (const int b : system.moving_bodies()) {
+        const auto add_place = [&](int derivative, int count) {
+            for (int k = 0; k < count; ++k) {
+                list.push_back({MeasureQuantity{CoordinateMeasure{k}, 0, b, -1, -1}, derivative});
+            }
+        };
+        add_place(0, 7);
+        for (int derivative = 1; derivative <= highest; ++derivative) {
+            add_place(derivative, 3);
+            for (int k = 0; k < 3; ++k) {
+                list.push_back({AngularVelocityQuantity{b, true, k}, derivative - 1});
+            }
+        }
+    }
+    for (const int j : system.selection().joints) {
+        if (system.mechanism().joints[static_cast<std::size_t>(j)].type->artificial == 0) { continue; }
+        for (int derivative = 0; derivative <= highest; ++derivative) {
+            list.push_back({measures_of(system.mechanism(), j).front(), derivative});
+        }
+    }
+    return list;
 }
 
-std::vector<std::string> columns_of(const System& system, Analysis analysis) {
+std::vector<std::string> columns_of(
+    const std::vector<NamedQuantity>& list, const SweepPlan& plan, const Mechanism& mechanism) {
     std::vector<std::string> columns{"time_s"};
-    const Mechanism& mechanism = system.mechanism();
-    for (const int b : system.moving_bodies()) {
-        const std::string& name = mechanism.bodies[static_cast<std::size_t>(b)].name;
-        add_vector(columns, name + ".");
-        for (const char* e : {"e0", "e1", "e2", "e3"}) { columns.push_back(name + "." + e); }
-        if (analysis != Analysis::position) {
-            add_vector(columns, name + ".r_dot.");
-            add_vector(columns, name + ".omega_local.");
-        }
-        if (analysis == Analysis::acceleration) {
-            add_vector(columns, name + ".r_ddot.");
-            add_vector(columns, name + ".omega_local_dot.");
-        }
-    }
-    const std::vector<int> thetas = mechanism.theta_indices();
-    for (const int j : system.selection().joints) {
-        const auto k = static_cast<std::size_t>(j);
-        if (thetas[k] < 0) { continue; }
-        columns.push_back(mechanism.joints[k].name + ".theta");
-        if (analysis != Analysis::position) { columns.push_back(mechanism.joints[k].name + ".theta_dot"); }
-        if (analysis == Analysis::acceleration) {
-            columns.push_back(mechanism.joints[k].name + ".theta_ddot");
-        }
-    }
+    for (const NamedQuantity& q : list) { columns.push_back(name_of(q.quantity, q.derivative, mechanism)); }
     columns.push_back("residual");
+    for (const NamedQuantity& q : plan.quantities) {
+        columns.push_back(name_of(q.quantity, q.derivative, mechanism));
+    }
     return columns;
 }
 
-SweepRow row_of(const System& system, const MotionFrame& frame, Analysis analysis) {
+Instant instant_of(const System& system, const MotionFrame& frame, bool has_accelerations) {
+    Instant instant;
+    instant.t = frame.t;
+    // lives as long as the row
+    instant.system = std::shared_ptr<const System>(std::shared_ptr<const System>(), &system);
+    instant.state = frame.state;
+    instant.velocity = frame.velocity;
+    if (has_accelerations) { instant.acceleration = frame.acceleration; }
+    return instant;
+}
+
+SweepRow row_of(
+    const System& system, const MotionFrame& frame, const SweepPlan& plan,
+    const std::vector<NamedQuantity>& list, const std::shared_ptr<const Centroidal>& scene) {
+    const Analysis analysis = plan.analysis;
     SweepRow row;
-    const auto add = [&](const auto& v) { row.values.insert(row.values.end(), v.begin(), v.end()); };
+    Instant instant =
+        instant_of(system, frame, analysis == Analysis::acceleration || !plan.quantities.empty());
+    instant.scene = scene;
+    const auto add = [&](const NamedQuantity& q) {
+        row.values.push_back(
+            evaluate(q.quantity, instant, q.derivative).derivatives[static_cast<std::size_t>(q.derivative)]);
+    };
     row.values.push_back(frame.t);
-    for (const int body : system.moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
-        add(frame.state.r[b]);
-        add(frame.state.p[b]);
-        if (analysis != Analysis::position) {
-            add(frame.velocity.r_dot[b]);
-            add(frame.velocity.omega_local[b]);
-        }
-        if (analysis == Analysis::acceleration) {
-            add(frame.acceleration.r_dot[b]);
-            add(frame.acceleration.omega_local[b]);
-        }
-    }
-    const std::vector<int> thetas = system.mechanism().theta_indices();
-    for (const int j : system.selection().joints) {
-        if (thetas[static_cast<std::size_t>(j)] < 0) { continue; }
-        const auto theta = static_cast<std::size_t>(thetas[static_cast<std::size_t>(j)]);
-        row.values.push_back(frame.state.theta[theta]);
-        if (analysis != Analysis::position) { row.values.push_back(frame.velocity.theta_dot[theta]); }
-        if (analysis == Analysis::acceleration) { row.values.push_back(frame.acceleration.theta_dot[theta]); }
-    }
+    for (const NamedQuantity& q : list) { add(q); }
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(frame.state, frame.t);
     row.values.push_back(assembler.phi().size() > 0 ? assembler.phi().cwiseAbs().maxCoeff() : 0.0);
+    for (const NamedQuantity& q : plan.quantities) { add(q); }
 
     row.residuals = residuals_of(system, frame.state, frame.velocity, frame.acceleration, frame.t);
     row.change_point = frame.change_point;
@@ -167,9 +173,15 @@ Sweep solve_sweep(
     if (last.failure) { throw not_reached(lesson, last); }
 
     System system = *last.system;
-    MotionTracker tracker(system, last.state, last.t, plan.analysis == Analysis::acceleration);
+    const bool wants_accelerations = plan.analysis == Analysis::acceleration || !plan.quantities.empty();
+    MotionTracker tracker(system, last.state, last.t, wants_accelerations);
+    const std::vector<NamedQuantity> list = quantities_of(system, plan.analysis);
+    std::shared_ptr<const Centroidal> scene;
+    if (lesson.dynamics && !plan.quantities.empty()) {
+        scene = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
+    }
     Sweep sweep;
-    sweep.columns = columns_of(system, plan.analysis);
+    sweep.columns = columns_of(list, plan, lesson.mechanism);
     const std::vector<double> times = times_of(plan);
     for (std::size_t k = 0; k < times.size(); ++k) {
         bool switched = false;
@@ -177,7 +189,7 @@ Sweep solve_sweep(
             sweep.failure = not_reached(lesson, system, *tracker.failure()).what();
             return sweep;
         }
-        sweep.rows.push_back(row_of(system, tracker.frame(), plan.analysis));
+        sweep.rows.push_back(row_of(system, tracker.frame(), plan, list, scene));
         if (!sweep.rows.back().consistent && sweep.contradiction.empty()) {
             sweep.contradiction = contradiction_at(system, tracker.frame());
         }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/inspection.hpp"
+#include "core/quantity/names.hpp"
 
 /// Position, velocity and acceleration analysis over a sweep of time, as a table of numbers.
 namespace jw {
@@ -16,6 +17,8 @@ struct SweepPlan {
     double from = 0.0;   ///< [s]
     double to = 1.0;     ///< [s], >= from
     double step = 0.01;  ///< [s], > 0; the last interval may be shorter
+    /// Columns besides those of the analysis.
+    std::vector<NamedQuantity> quantities = {};
 };
 
 struct SweepRow {

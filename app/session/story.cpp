@@ -349,6 +349,7 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         if (counts_turns) { centroidal = std::make_shared<const Centroidal>(simulation.scene()); }
         step.centroidal = centroidal;
         step.centroidal_acceleration = simulation.acceleration(t, y);
+        step.energy = Energy{snapshot.kinetic, snapshot.potential};
         steps_.push_back(std::move(step));
         if (options.progress) { options.progress(t / plan.to); }
     });

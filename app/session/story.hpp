@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/kinematics/motion_tracker.hpp"
+#include "core/motion/forces.hpp"
 #include "core/motion/reactions.hpp"
 #include "core/poses/rank.hpp"
 #include "lessons/lesson.hpp"
@@ -62,6 +63,7 @@ struct Step {
     /// Motion by masses and forces: what reactions are found from when somebody looks at them.
     std::shared_ptr<const Centroidal> centroidal;
     Motion centroidal_acceleration;
+    std::optional<Energy> energy;  ///< as the run knows it
 
     /// The story ends here before its time.
     bool failed() const { return failure.has_value() || !ended.empty(); }

@@ -112,6 +112,8 @@ struct QuantityMotion {
     double value = 0.0;
     double rate = 0.0;
     double acceleration = 0.0;
+    std::string rate_name = {};  ///< "pivot.angle_dot"
+    std::string acceleration_name = {};
 };
 
 struct View {

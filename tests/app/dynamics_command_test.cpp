@@ -146,7 +146,7 @@ TEST_CASE("A spring wound up by more than a turn swings as its formula says", "[
                     row[column("wheel.omega_local.z")].get<double>() ==
                     Approx(way * frequency * std::sin(frequency * t)).margin(allowed));
                 CHECK(
-                    row[column("potential_J")].get<double>() ==
+                    row[column("energy.potential")].get<double>() ==
                     Approx(3.0 * std::pow(way * std::cos(frequency * t), 2))
                         .margin(20.0 * allowed * std::abs(way)));
             }

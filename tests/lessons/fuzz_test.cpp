@@ -194,6 +194,7 @@ private:
             add(fact->value, fact->tolerance);
             if (const auto* q = std::get_if<MeasureQuantity>(&fact->quantity)) { add_measure(q->measure); }
             if (const auto* q = std::get_if<PointQuantity>(&fact->quantity)) { add(q->s_local); }
+            if (const auto* q = std::get_if<PointSpeedQuantity>(&fact->quantity)) { add(q->s_local); }
         }
     }
     void add_camera(const CameraWish& camera) {

@@ -164,7 +164,9 @@ public:
     void compare(const std::string& name, const AfterAddition& a, const AfterAddition& b) {
         compare(name + ".count", a.count, b.count);
     }
-    void compare(const std::string& name, const AtTime& a, const AtTime& b) { compare(name, a.t, b.t); }
+    void compare(const std::string& name, const AtTime& a, const AtTime& b) {
+        all(name, a, b, &AtTime::t, "t", &AtTime::by_forces, "by_forces");
+    }
     void compare(const std::string& name, const CountClaim& a, const CountClaim& b) {
         all(name, a, b, &CountClaim::count, "count", &CountClaim::value, "value");
     }
@@ -180,13 +182,14 @@ public:
     }
     void compare(const std::string& name, const QuantityClaim& a, const QuantityClaim& b) {
         using Q = QuantityClaim;
-        all(name, a, b, &Q::quantity, "quantity", &Q::text, "text", &Q::derivative, "derivative", &Q::unit,
-            "unit", &Q::in_degrees, "in_degrees", &Q::value, "value", &Q::tolerance, "tolerance");
+        all(name, a, b, &Q::quantity, "quantity", &Q::text, "text", &Q::derivative, "derivative",
+            &Q::named_derivative, "named_derivative", &Q::in_degrees, "in_degrees", &Q::value, "value",
+            &Q::tolerance, "tolerance");
     }
     void compare(const std::string& name, const MeasureQuantity& a, const MeasureQuantity& b) {
         using Q = MeasureQuantity;
         all(name, a, b, &Q::measure, "measure", &Q::body_i, "body_i", &Q::body_j, "body_j", &Q::joint,
-            "joint");
+            "joint", &Q::driver, "driver");
     }
     void compare(
         const std::string& name, const AngularVelocityQuantity& a, const AngularVelocityQuantity& b) {
@@ -196,6 +199,45 @@ public:
     void compare(const std::string& name, const PointQuantity& a, const PointQuantity& b) {
         using Q = PointQuantity;
         all(name, a, b, &Q::body, "body", &Q::s_local, "s_local", &Q::component, "component");
+    }
+    void compare(const std::string& name, const PointSpeedQuantity& a, const PointSpeedQuantity& b) {
+        using Q = PointSpeedQuantity;
+        all(name, a, b, &Q::body, "body", &Q::s_local, "s_local");
+    }
+    void compare(const std::string& name, const BodySizeQuantity& a, const BodySizeQuantity& b) {
+        using Q = BodySizeQuantity;
+        all(name, a, b, &Q::body, "body", &Q::vector, "vector");
+    }
+    void compare(const std::string& name, const DirectionsQuantity& a, const DirectionsQuantity& b) {
+        using Q = DirectionsQuantity;
+        all(name, a, b, &Q::body_i, "body_i", &Q::a_i_local, "a_i_local", &Q::body_j, "body_j", &Q::a_j_local,
+            "a_j_local");
+    }
+    void compare(const std::string& name, const EnergyQuantity& a, const EnergyQuantity& b) {
+        compare(name, a.part, b.part);
+    }
+    void compare(const std::string& name, const ReactionQuantity& a, const ReactionQuantity& b) {
+        using Q = ReactionQuantity;
+        all(name, a, b, &Q::joint, "joint", &Q::driver, "driver", &Q::part, "part", &Q::component,
+            "component");
+    }
+    void compare(const std::string& name, const EffortQuantity& a, const EffortQuantity& b) {
+        compare(name, a.driver, b.driver);
+    }
+    void compare(const std::string& name, const ParameterErrorQuantity& a, const ParameterErrorQuantity& b) {
+        compare(name, a.body, b.body);
+    }
+    void compare(const std::string& name, const ResidualQuantity& a, const ResidualQuantity& b) {
+        using Q = ResidualQuantity;
+        all(name, a, b, &Q::joint, "joint", &Q::driver, "driver", &Q::role, "role", &Q::component,
+            "component");
+    }
+    void compare(
+        const std::string& /*name*/, const SingularValueQuantity& /*a*/, const SingularValueQuantity& /*b*/) {
+    }
+    void compare(const std::string& name, const PairConditionQuantity& a, const PairConditionQuantity& b) {
+        using Q = PairConditionQuantity;
+        all(name, a, b, &Q::joint, "joint", &Q::role, "role");
     }
 
     template <class T>

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "core/quantity/names.hpp"
 #include "lessons/typed.hpp"
 
 namespace jw::test {
@@ -131,6 +132,18 @@ void DynamicScene::claim(int rows, int rank, int dof, const std::string& why) {
     add(CountClaim{Count::redundant, rows - rank});
     // assembled as it is typed: what rounding leaves
     lesson.claims.push_back({AsGiven{}, BoundClaim{Bound::residual_below, 1e-14}, {}, {}});
+}
+
+void DynamicScene::prove(
+    double t, const std::string& name, double value, double tolerance, const std::string& why) {
+    const std::optional<ReadName> read = read_name(name, lesson.mechanism);
+    if (!read) { throw std::invalid_argument("no quantity " + name); }
+    const NamedQuantity& named = read->named;
+    lesson.claims.push_back(
+        {AtTime{t, true},
+         QuantityClaim{named.quantity, name, named.derivative, named.derivative, false, value, tolerance},
+         {},
+         why});
 }
 
 }  // namespace jw::test

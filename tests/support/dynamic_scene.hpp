@@ -53,6 +53,9 @@ public:
     /// Claims after everything has been put together: equations, rank, and that it is assembled.
     void claim(int rows, int rank, int dof, const std::string& why = {});
 
+    /// A claim about a quantity during the motion; `why` derives the value, in SI and radians.
+    void prove(double t, const std::string& name, double value, double tolerance, const std::string& why);
+
     DynamicsPlan& plan() { return *lesson.dynamics; }
 
     Lesson lesson;

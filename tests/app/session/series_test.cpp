@@ -59,9 +59,11 @@ TEST_CASE("rates and accelerations are the slopes of what is plotted with them",
             CHECK(misfit(set, s, series_named(set, rate)) < tolerance);
         };
         const std::string end = s.name.size() > 2 ? s.name.substr(s.name.size() - 2) : "";
-        if (s.name.ends_with(" rate")) { check(s.name.substr(0, s.name.size() - 5) + " acceleration"); }
-        if (s.unit == "deg") { check(s.name + " rate"); }
-        if (s.name.ends_with(".r" + end)) { check(s.name.substr(0, s.name.size() - 4) + ".r_dot" + end); }
+        if (s.name.ends_with(".angle_dot")) { check(s.name.substr(0, s.name.size() - 4) + "_ddot"); }
+        if (s.unit == "deg") { check(s.name + "_dot"); }
+        const bool is_place = s.unit == "m" && (end == ".x" || end == ".y" || end == ".z");
+        const bool of_point = s.name.find(".point") != std::string::npos;
+        if (is_place && !of_point) { check(s.name.substr(0, s.name.size() - 2) + ".r_dot" + end); }
         if (s.name.ends_with(".r_dot" + end)) {
             check(s.name.substr(0, s.name.size() - 8) + ".r_ddot" + end);
         }
@@ -81,9 +83,9 @@ TEST_CASE("the speed of the traced point is the length of its path over time", "
     double path = 0.0;
     double summed = 0.0;
     const auto at = [&](const char* axis, std::size_t k) {
-        return series_named(set, std::string("body.point.") + axis).values[k];
+        return series_named(set, std::string("body.point[0.3 -0.1 0.2].") + axis).values[k];
     };
-    const Series& speed = series_named(set, "body.point speed");
+    const Series& speed = series_named(set, "body.point[0.3 -0.1 0.2].speed");
     for (std::size_t k = 1; k < set.at.size(); ++k) {
         path += Vec3(at("x", k) - at("x", k - 1), at("y", k) - at("y", k - 1), at("z", k) - at("z", k - 1))
                     .norm();

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/integrate/simulation.hpp"
+#include "core/quantity/evaluate.hpp"
+#include "core/quantity/names.hpp"
+#include "lessons/lesson.hpp"
+
+/// What a motion by masses and forces says at each of its times.
+namespace jw {
+
+/// What a run knows at one of its times: energies as it counts them, accelerations of its equations.
+/// @param with_accelerations they cost an evaluation
+Instant instant_of(
+    const Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
+    std::shared_ptr<const Centroidal> scene, std::shared_ptr<const System> system, bool with_accelerations);
+
+/// The rows of `simulate`, one after the other.
+class DynamicsRows {
+public:
+    /// @param further columns besides; `lesson` and `simulation` must outlive the rows
+    DynamicsRows(
+        const Lesson& lesson, const std::vector<NamedQuantity>& further, const Simulation& simulation);
+
+    std::vector<std::string> columns() const;
+    std::vector<double> row(const Snapshot& now, const std::vector<double>& y);
+
+private:
+    std::vector<NamedQuantity> further_;
+    const Simulation* simulation_;
+    std::vector<NamedQuantity> list_;
+    std::shared_ptr<System> system_;
+    std::shared_ptr<const Centroidal> scene_;
+};
+
+}  // namespace jw
