@@ -237,3 +237,32 @@ TEST_CASE("A body that nothing turns keeps its angular momentum", "[core][dynami
         CHECK((momentum(h) - momentum(-h)).norm() / (2.0 * h) < 1e-8);
     }
 }
+
+TEST_CASE(
+    "Energies are ½ m v² + ½ ω·J ω of the bodies and the potential of their unit p", "[core][dynamics]") {
+    test::Random random(21);
+    for (const Mechanism& mechanism : {test::random_tree(random), test::rssr(0.7)}) {
+        const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
+        test::Moment moment = test::random_moment(random, scene, 0.3);
+        long double kinetic = 0.0L;
+        for (std::size_t b = 0; b < moment.state.r.size(); ++b) {
+            if (!scene.loads.masses[b]) { continue; }
+            const MassProperties& own = *scene.loads.masses[b];
+            const Mat3 A = rotation_matrix(moment.state.p[b]);
+            const Vec3 omega = A * moment.motion.omega_local[b];
+            for (int k = 0; k < 3; ++k) {
+                const long double v = moment.motion.r_dot[b](k);
+                kinetic += 0.5L * static_cast<long double>(own.mass) * v * v;
+                kinetic +=
+                    0.5L * static_cast<long double>(omega(k) * (A * own.J_local * A.transpose() * omega)(k));
+            }
+        }
+        const double potential = potential_energy(scene.loads, test::bodies_of(moment));
+        // drift of p changes no energy
+        for (Vec4& p : moment.state.p) { p *= 1.0 + 1e-3; }
+        const Energy energy = energy_of(scene, moment.state, moment.motion);
+        // sums of a hundred products or so
+        CHECK(energy.kinetic == Approx(static_cast<double>(kinetic)).epsilon(1e-13));
+        CHECK(energy.potential == Approx(potential).epsilon(1e-12).margin(1e-11));
+    }
+}
