@@ -33,7 +33,7 @@ double number_of(const NamedQuantity& named, const Instant& instant) {
 }  // namespace
 
 Instant instant_of(
-    const Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
+    Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
     std::shared_ptr<const Centroidal> scene, std::shared_ptr<const System> system, bool with_accelerations) {
     Instant instant;
     instant.t = snapshot.t;
@@ -50,7 +50,7 @@ Instant instant_of(
 }
 
 DynamicsRows::DynamicsRows(
-    const Lesson& lesson, const std::vector<NamedQuantity>& further, const Simulation& simulation)
+    const Lesson& lesson, const std::vector<NamedQuantity>& further, Simulation& simulation)
     : further_(further),
       simulation_(&simulation),
       list_(columns_of_run(lesson)),

@@ -11,7 +11,7 @@ namespace jw {
 /// What a run knows at one of its times: energies as it counts them, accelerations of its equations.
 /// @param with_accelerations they cost an evaluation
 Instant instant_of(
-    const Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
+    Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
     std::shared_ptr<const Centroidal> scene, std::shared_ptr<const System> system, bool with_accelerations);
 
 /// The rows of `simulate`, one after the other.
@@ -19,14 +19,14 @@ class DynamicsRows {
 public:
     /// @param further columns besides; `lesson` and `simulation` must outlive the rows
     DynamicsRows(
-        const Lesson& lesson, const std::vector<NamedQuantity>& further, const Simulation& simulation);
+        const Lesson& lesson, const std::vector<NamedQuantity>& further, Simulation& simulation);
 
     std::vector<std::string> columns() const;
     std::vector<double> row(const Snapshot& now, const std::vector<double>& y);
 
 private:
     std::vector<NamedQuantity> further_;
-    const Simulation* simulation_;
+    Simulation* simulation_;
     std::vector<NamedQuantity> list_;
     std::shared_ptr<System> system_;
     std::shared_ptr<const Centroidal> scene_;

@@ -108,7 +108,8 @@ std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     int k = 0;
     for (const QuantityMotion& q : quantities_of(step)) {
         const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
-        if (changes > most) {
+        // of curves that rounding alone tells apart, the first
+        if (changes > (1.0 + 1e-9) * most) {
             most = changes;
             best = k;
         }

@@ -136,6 +136,7 @@ std::string_view word_of(Role role) {
         case Role::axes_perpendicular:
         case Role::sides_perpendicular: return "n1";
         case Role::distance_perpendicular: return "n2";
+        case Role::distance_perpendicular_j: return "n2j";
         case Role::length: return "d";
         case Role::screw_advance: return "r";
         case Role::screw_angle: break;
