@@ -18,8 +18,7 @@ Instant instant_of(
 class DynamicsRows {
 public:
     /// @param further columns besides; `lesson` and `simulation` must outlive the rows
-    DynamicsRows(
-        const Lesson& lesson, const std::vector<NamedQuantity>& further, Simulation& simulation);
+    DynamicsRows(const Lesson& lesson, const std::vector<NamedQuantity>& further, Simulation& simulation);
 
     std::vector<std::string> columns() const;
     std::vector<double> row(const Snapshot& now, const std::vector<double>& y);
