@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include "app/hard/report.hpp"
-#include "app/session/csv.hpp"
-#include "app/session/json.hpp"
+#include "app/session/output/csv.hpp"
+#include "app/session/output/json.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/csv.hpp"
-#include "app/session/json.hpp"
-#include "app/session/kinematics_bench.hpp"
-#include "app/session/text_table.hpp"
+#include "app/session/benchmark/kinematics_bench.hpp"
+#include "app/session/output/csv.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/wording/text_table.hpp"
 #include "lessons/catalogue.hpp"
 
 namespace jw {

@@ -4,9 +4,9 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
-#include "app/session/carried_claims.hpp"
-#include "app/session/checks.hpp"
-#include "app/session/describe.hpp"
+#include "app/session/claims/carried_claims.hpp"
+#include "app/session/claims/checks.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw {

@@ -7,7 +7,7 @@
 
 #include "app/commands/command.hpp"
 #include "app/commands/surface.hpp"
-#include "app/session/json.hpp"
+#include "app/session/output/json.hpp"
 #include "render/fonts.hpp"
 
 /// What `jointwise doctor` finds and says.

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/session/carry_out.hpp"
+#include "app/session/try/carry_out.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

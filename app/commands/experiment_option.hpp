@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/commands/command.hpp"
-#include "app/session/json.hpp"
-#include "app/session/session.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/try/session.hpp"
 
 namespace CLI {
 class App;

@@ -6,9 +6,9 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/session/describe_inspection.hpp"
-#include "app/session/json.hpp"
-#include "app/session/labels.hpp"
+#include "app/session/output/describe_inspection.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/wording/labels.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {

@@ -5,7 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/session/text_table.hpp"
+#include "app/session/wording/text_table.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 

@@ -5,7 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/session/newton_runs.hpp"
+#include "app/session/benchmark/newton_runs.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/enum_words.hpp"
 

@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "app/host/panel_context.hpp"
-#include "app/panels/frame.hpp"
-#include "app/panels/theme.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/theme.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/offscreen.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/panels/plot.hpp"
+#include "app/panels/plot/plot.hpp"
 #include "render/image.hpp"
 
 namespace jw {

@@ -8,7 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/usage.hpp"
-#include "app/session/inspection.hpp"
+#include "app/session/view/inspection.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

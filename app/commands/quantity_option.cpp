@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/session/quantities.hpp"
+#include "app/session/wording/quantity_text.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

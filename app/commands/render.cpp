@@ -9,7 +9,7 @@
 #include "app/commands/size_option.hpp"
 #include "app/host/frame_files.hpp"
 #include "app/host/frame_painter.hpp"
-#include "app/session/pace.hpp"
+#include "app/session/output/pace.hpp"
 
 namespace jw {
 

@@ -8,9 +8,9 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/commands/quantity_option.hpp"
-#include "app/session/csv.hpp"
-#include "app/session/dynamics_run.hpp"
-#include "app/session/json.hpp"
+#include "app/session/output/csv.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/story/dynamics_run.hpp"
 #include "core/motion/tolerances.hpp"
 #include "lessons/diagnostics.hpp"
 

@@ -7,10 +7,10 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/commands/quantity_option.hpp"
-#include "app/session/csv.hpp"
-#include "app/session/json.hpp"
-#include "app/session/numbers.hpp"
-#include "app/session/solution.hpp"
+#include "app/session/output/csv.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/view/solution.hpp"
+#include "app/session/wording/numbers.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {

@@ -3,9 +3,9 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/session/describe.hpp"
-#include "app/session/inspection.hpp"
-#include "app/session/json.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/view/inspection.hpp"
 
 namespace jw {
 

@@ -3,8 +3,8 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
-#include "app/session/carry_out.hpp"
-#include "app/session/possible_experiments.hpp"
+#include "app/session/try/carry_out.hpp"
+#include "app/session/try/possible_experiments.hpp"
 
 namespace jw {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/hard/hard_case.hpp"
-#include "app/session/benchmark.hpp"
+#include "app/session/benchmark/benchmark.hpp"
 #include "core/integrate/runge_kutta.hpp"
 
 /// Lessons of dynamics as material of the cases, and what a trajectory of theirs is worth.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/session/text_table.hpp"
+#include "app/session/wording/text_table.hpp"
 
 namespace jw::hard {
 

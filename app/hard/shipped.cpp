@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "app/session/story.hpp"
+#include "app/session/story/story.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 

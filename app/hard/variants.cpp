@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "app/hard/shipped.hpp"
-#include "app/session/story.hpp"
+#include "app/session/story/story.hpp"
 #include "core/equations/assembler.hpp"
 
 namespace jw::hard {

@@ -7,10 +7,10 @@
 #include <imgui.h>
 
 #include "app/host/widgets.hpp"
-#include "app/panels/caption.hpp"
-#include "app/panels/parts.hpp"
-#include "app/panels/text.hpp"
-#include "app/panels/theme.hpp"
+#include "app/panels/frame/caption.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
 
 namespace jw::host {
 

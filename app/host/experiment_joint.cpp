@@ -6,13 +6,13 @@
 
 #include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
-#include "app/panels/direction_sphere.hpp"
-#include "app/panels/formula.hpp"
-#include "app/panels/text.hpp"
-#include "app/panels/theme.hpp"
-#include "app/session/labels.hpp"
-#include "app/session/numbers.hpp"
-#include "app/session/series.hpp"
+#include "app/panels/column/direction_sphere.hpp"
+#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/view/series.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {

@@ -5,10 +5,10 @@
 #include <imgui.h>
 
 #include "app/host/widgets.hpp"
-#include "app/panels/text.hpp"
-#include "app/session/explanations.hpp"
-#include "app/session/labels.hpp"
-#include "app/session/numbers.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/session/wording/explanations.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
 

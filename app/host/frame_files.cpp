@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "app/session/json.hpp"
+#include "app/session/output/json.hpp"
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
 

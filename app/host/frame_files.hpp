@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/host/frame_folder.hpp"
-#include "app/session/json.hpp"
-#include "app/session/view.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/view/view.hpp"
 #include "render/image.hpp"
 
 /// Pictures of a lesson as files, and the manifest that maps each to its step.

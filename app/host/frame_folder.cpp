@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "app/session/json.hpp"
+#include "app/session/output/json.hpp"
 #include "render/atomic_file.hpp"
 
 namespace jw::host {

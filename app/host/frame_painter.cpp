@@ -5,8 +5,8 @@
 #include <imgui.h>
 
 #include "app/host/panel_context.hpp"
-#include "app/panels/frame.hpp"
-#include "app/session/picture_camera.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/session/picture/picture_camera.hpp"
 #include "render/fonts.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/offscreen.hpp"

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "app/session/picture.hpp"
-#include "app/session/view.hpp"
+#include "app/session/picture/picture.hpp"
+#include "app/session/view/view.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
 

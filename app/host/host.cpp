@@ -12,8 +12,8 @@
 #include "app/host/browser.hpp"
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
-#include "app/session/carry_out.hpp"
-#include "app/session/picture_camera.hpp"
+#include "app/session/picture/picture_camera.hpp"
+#include "app/session/try/carry_out.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {

@@ -46,7 +46,7 @@ public:
     void choose(Tab tab) { state_.tab = tab; }
 
     /// Opens a lesson file at a step; without it the lessons are shown.
-    /// @param experiments  to begin with, see app/session/carry_out.hpp
+    /// @param experiments  to begin with, see app/session/try/carry_out.hpp
     /// @return false if it has mistakes: they are shown, and what was open stays
     bool open(
         const std::filesystem::path& path, const std::string& at = {},

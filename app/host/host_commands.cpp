@@ -10,7 +10,7 @@
 #include "app/host/host.hpp"
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
-#include "app/session/pace.hpp"
+#include "app/session/output/pace.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {

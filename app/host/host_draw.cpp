@@ -9,13 +9,13 @@
 #include "app/host/tabs.hpp"
 #include "app/host/timeline_bar.hpp"
 #include "app/host/widgets.hpp"
-#include "app/panels/annotations.hpp"
-#include "app/panels/caption.hpp"
-#include "app/panels/parts.hpp"
-#include "app/panels/text.hpp"
-#include "app/panels/theme.hpp"
-#include "app/session/labels.hpp"
-#include "app/session/numbers.hpp"
+#include "app/panels/frame/annotations.hpp"
+#include "app/panels/frame/caption.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
 

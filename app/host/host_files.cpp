@@ -1,7 +1,7 @@
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/session/export.hpp"
+#include "app/session/output/export.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
 

@@ -5,8 +5,8 @@
 #include <imgui.h>
 
 #include "app/host/widgets.hpp"
-#include "app/panels/parts.hpp"
-#include "app/panels/theme.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/theme.hpp"
 
 namespace jw::host {
 

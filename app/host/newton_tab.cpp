@@ -6,8 +6,8 @@
 #include <imgui.h>
 
 #include "app/host/widgets.hpp"
-#include "app/panels/newton_comparison.hpp"
-#include "app/session/labels.hpp"
+#include "app/panels/plot/newton_comparison.hpp"
+#include "app/session/wording/labels.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {

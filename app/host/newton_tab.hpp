@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/host/ui.hpp"
-#include "app/panels/plot.hpp"
-#include "app/session/newton_runs.hpp"
+#include "app/panels/plot/plot.hpp"
+#include "app/session/benchmark/newton_runs.hpp"
 
 namespace jw::host {
 

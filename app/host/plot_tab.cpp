@@ -7,7 +7,7 @@
 
 #include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
-#include "app/panels/parts.hpp"
+#include "app/panels/parts/parts.hpp"
 
 namespace jw::host {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/host/ui.hpp"
-#include "app/panels/plot.hpp"
-#include "app/session/series.hpp"
+#include "app/panels/plot/plot.hpp"
+#include "app/session/view/series.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {

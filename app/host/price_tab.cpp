@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "app/host/widgets.hpp"
-#include "app/panels/price_panel.hpp"
-#include "app/session/numbers.hpp"
+#include "app/panels/plot/price_panel.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
 

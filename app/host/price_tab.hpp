@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "app/host/ui.hpp"
-#include "app/panels/plot.hpp"
-#include "app/session/bench_job.hpp"
-#include "app/session/prices.hpp"
+#include "app/panels/plot/plot.hpp"
+#include "app/session/benchmark/bench_job.hpp"
+#include "app/session/benchmark/prices.hpp"
 
 namespace jw::host {
 

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/session/picture_parts.hpp"
+#include "app/session/picture/picture_parts.hpp"
 
 namespace jw::host {
 

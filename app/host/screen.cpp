@@ -7,9 +7,9 @@
 
 #include "app/host/frame_files.hpp"
 #include "app/host/frame_painter.hpp"
-#include "app/session/json.hpp"
-#include "app/session/pace.hpp"
-#include "app/session/picture_camera.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/output/pace.hpp"
+#include "app/session/picture/picture_camera.hpp"
 #include "lessons/reader.hpp"
 #include "render/atomic_file.hpp"
 #include "render/gl_errors.hpp"

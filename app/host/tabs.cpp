@@ -4,9 +4,9 @@
 
 #include "app/host/experiment_tab.hpp"
 #include "app/host/widgets.hpp"
-#include "app/panels/column.hpp"
-#include "app/panels/parts.hpp"
-#include "app/panels/theme.hpp"
+#include "app/panels/column/column.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/theme.hpp"
 
 namespace jw::host {
 

@@ -7,9 +7,9 @@
 
 #include "app/host/menu.hpp"
 #include "app/host/widgets.hpp"
-#include "app/panels/text.hpp"
-#include "app/panels/theme.hpp"
-#include "app/session/numbers.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/host/commands.hpp"
-#include "app/panels/canvas.hpp"
-#include "app/panels/frame.hpp"
-#include "app/session/session.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/canvas.hpp"
+#include "app/session/try/session.hpp"
 #include "lessons/enum_words.hpp"
 
 /// What the parts of the interface share: what they see, and what they ask for. Nothing is changed while a

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/session.hpp"
+#include "app/session/try/session.hpp"
 
 /// Experiments of a lesson that are not saved, kept in a file meanwhile: whatever ends the program, it is
 /// there.

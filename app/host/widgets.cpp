@@ -4,8 +4,8 @@
 
 #include <imgui.h>
 
-#include "app/panels/text.hpp"
-#include "app/panels/theme.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/dynamics_run.hpp"
-#include "app/session/inspection.hpp"
-#include "app/session/series.hpp"
-#include "app/session/story.hpp"
-#include "app/session/view.hpp"
+#include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/view/inspection.hpp"
+#include "app/session/view/series.hpp"
+#include "app/session/view/view.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/dynamics_run.hpp"
+#include "app/session/story/dynamics_run.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

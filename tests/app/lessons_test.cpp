@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/checks.hpp"
-#include "app/session/story.hpp"
-#include "app/session/view.hpp"
+#include "app/session/claims/checks.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/view/view.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "tests/app/program.hpp"

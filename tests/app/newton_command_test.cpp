@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/json.hpp"
+#include "app/session/output/json.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

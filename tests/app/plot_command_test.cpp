@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/series.hpp"
+#include "app/session/view/series.hpp"
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/session/explanations.hpp"
-#include "app/session/labels.hpp"
+#include "app/session/wording/explanations.hpp"
+#include "app/session/wording/labels.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
 #include "core/poses/least_squares.hpp"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/story.hpp"
-#include "app/session/view.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/view/view.hpp"
 #include "core/equations/assembler.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"

@@ -54,11 +54,17 @@ constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"le
                               FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost},
                               FolderRule{"app/hard/", kHard}};
 
-/// Rooms of core from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 12> kRooms{
-    "core/numerics/",     "core/jets/",       "core/model/",        "core/equations/",
-    "core/poses/",        "core/motion/",     "core/motion/block/", "core/motion/tree/",
-    "core/motion/dense/", "core/kinematics/", "core/integrate/",    "core/quantity/"};
+/// Rooms from the bottom up: each knows itself and those before it.
+constexpr std::array<std::string_view, 24> kRooms{
+    "core/numerics/",       "core/jets/",          "core/model/",        "core/equations/",
+    "core/poses/",          "core/motion/",        "core/motion/block/", "core/motion/tree/",
+    "core/motion/dense/",   "core/kinematics/",    "core/integrate/",    "core/quantity/",
+    "app/session/wording/", "app/session/story/",  "app/session/view/",  "app/session/picture/",
+    "app/session/claims/",  "app/session/output/", "app/session/try/",   "app/session/benchmark/",
+    "app/panels/parts/",    "app/panels/plot/",    "app/panels/column/", "app/panels/frame/"};
+
+/// Folders that consist of rooms alone.
+constexpr std::array<std::string_view, 3> kFoldersOfRooms{"core/", "app/session/", "app/panels/"};
 
 /// Place of the innermost room that a path lies in, or nothing.
 std::optional<std::size_t> room_of(std::string_view path) {
@@ -122,7 +128,9 @@ std::optional<std::string> objection(std::string_view path, std::string_view nam
     if (room && other && *other > *room) {
         return std::string(kRooms[*room]) + " does not know " + std::string(kRooms[*other]);
     }
-    if (path.starts_with("core/") && !room) { return "of core only rooms are known"; }
+    const bool in_rooms = std::ranges::any_of(
+        kFoldersOfRooms, [path](std::string_view folder) { return path.starts_with(folder); });
+    if (in_rooms && !room) { return "every file of this folder belongs to one of its rooms"; }
 
     // a folder knows only those below it
     const auto folder =

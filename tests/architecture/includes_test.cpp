@@ -28,11 +28,15 @@ TEST_CASE("Includes against the order of the folders are objected to", "[archite
     CHECK(objection("core/poses/rank.cpp", "core/motion/loads.hpp"));
     CHECK(objection("core/motion/certificate.cpp", "core/motion/tree/tree_equations.hpp"));
     CHECK(objection("core/rank.cpp", "core/poses/rank.hpp"));
-    CHECK(objection("lessons/reader.cpp", "app/session/story.hpp"));
+    CHECK(objection("lessons/reader.cpp", "app/session/story/story.hpp"));
     CHECK(objection("render/scene_renderer.cpp", "core/model/mechanism.hpp"));
     CHECK(objection("render/scene_renderer.cpp", "GL/osmesa.h"));
-    CHECK(objection("app/session/story.cpp", "render/scene_renderer.hpp"));
-    CHECK(objection("app/session/story.cpp", "imgui.h"));
+    CHECK(objection("app/session/story/story.cpp", "render/scene_renderer.hpp"));
+    CHECK(objection("app/session/story/story.cpp", "imgui.h"));
+    CHECK(objection("app/session/story/story.cpp", "app/session/view/view.hpp"));
+    CHECK(objection("app/session/output/json.cpp", "app/session/try/session.hpp"));
+    CHECK(objection("app/session/story.cpp", "app/session/view/view.hpp"));
+    CHECK(objection("app/panels/parts/text.cpp", "app/panels/frame/frame.hpp"));
     CHECK(objection("app/panels/rows_panel.cpp", "GL/gl.h"));
     CHECK(objection("app/panels/rows_panel.cpp", "GLFW/glfw3.h"));
     CHECK(objection("app/commands/render.cpp", "GL/osmesa.h"));
@@ -43,7 +47,7 @@ TEST_CASE("Includes in the order of the folders are not objected to", "[architec
     CHECK_FALSE(objection("core/motion/tree/tree_equations.cpp", "core/motion/forces.hpp"));
     CHECK_FALSE(objection("lessons/reader.cpp", "core/model/mechanism.hpp"));
     CHECK_FALSE(objection("lessons/toml_text.cpp", "toml++/toml.h"));
-    CHECK_FALSE(objection("app/session/story.cpp", "render/scene.hpp"));
+    CHECK_FALSE(objection("app/session/story/story.cpp", "render/scene.hpp"));
     CHECK_FALSE(objection("app/commands/render.cpp", "render/offscreen.hpp"));
     CHECK_FALSE(objection("core/poses/rank.cpp", "vector"));
 }

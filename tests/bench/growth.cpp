@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "app/session/checks.hpp"
-#include "app/session/describe.hpp"
-#include "app/session/describe_inspection.hpp"
-#include "app/session/solution.hpp"
+#include "app/session/claims/checks.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/describe_inspection.hpp"
+#include "app/session/view/solution.hpp"
 #include "lessons/reader.hpp"
 #include "tests/bench/clock.hpp"
 

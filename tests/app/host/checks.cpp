@@ -7,8 +7,8 @@
 
 #include <imgui.h>
 
-#include "app/session/describe.hpp"
-#include "app/session/export.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/export.hpp"
 #include "tests/app/session/view_numbers.hpp"
 
 namespace jw::test {

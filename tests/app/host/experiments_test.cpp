@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/picture_parts.hpp"
+#include "app/session/picture/picture_parts.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 

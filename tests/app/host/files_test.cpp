@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "app/session/export.hpp"
+#include "app/session/output/export.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "tests/app/host/checks.hpp"

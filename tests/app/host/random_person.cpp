@@ -3,7 +3,7 @@
 #include <array>
 #include <fstream>
 
-#include "app/session/pointable.hpp"
+#include "app/session/picture/pointable.hpp"
 
 namespace jw::test {
 

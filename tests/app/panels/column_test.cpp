@@ -1,8 +1,8 @@
-#include "app/panels/column.hpp"
+#include "app/panels/column/column.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/equations_panel.hpp"
+#include "app/panels/column/equations_panel.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 

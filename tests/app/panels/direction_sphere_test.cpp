@@ -1,11 +1,11 @@
-#include "app/panels/direction_sphere.hpp"
+#include "app/panels/column/direction_sphere.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <random>
 
-#include "app/panels/sphere_parts.hpp"
+#include "app/panels/column/sphere_parts.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/poses/rank.hpp"
 #include "tests/app/panels/support.hpp"

@@ -1,4 +1,4 @@
-#include "app/panels/formula.hpp"
+#include "app/panels/parts/formula.hpp"
 
 #include <catch2/catch.hpp>
 

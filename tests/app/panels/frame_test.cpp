@@ -1,10 +1,10 @@
-#include "app/panels/frame.hpp"
+#include "app/panels/frame/frame.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/annotations.hpp"
-#include "app/panels/caption.hpp"
-#include "app/panels/column.hpp"
+#include "app/panels/column/column.hpp"
+#include "app/panels/frame/annotations.hpp"
+#include "app/panels/frame/caption.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 

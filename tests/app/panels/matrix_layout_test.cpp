@@ -1,8 +1,8 @@
-#include "app/panels/matrix_layout.hpp"
+#include "app/panels/column/matrix_layout.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/matrix_panel.hpp"
+#include "app/panels/column/matrix_panel.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 

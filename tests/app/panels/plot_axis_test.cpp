@@ -1,4 +1,4 @@
-#include "app/panels/plot_axis.hpp"
+#include "app/panels/plot/plot_axis.hpp"
 
 #include <catch2/catch.hpp>
 

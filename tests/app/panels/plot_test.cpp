@@ -1,11 +1,11 @@
-#include "app/panels/plot.hpp"
+#include "app/panels/plot/plot.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <limits>
 
-#include "app/panels/plot_parts.hpp"
+#include "app/panels/plot/plot_parts.hpp"
 #include "tests/app/panels/support.hpp"
 
 namespace jw::panels::test {

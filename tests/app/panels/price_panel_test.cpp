@@ -1,4 +1,4 @@
-#include "app/panels/price_panel.hpp"
+#include "app/panels/plot/price_panel.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -7,8 +7,8 @@
 
 #include <imgui.h>
 
-#include "app/panels/canvas.hpp"
-#include "app/panels/frame.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/canvas.hpp"
 #include "render/fonts.hpp"
 
 /// Panels without a renderer: what they would draw is a list of vertices.

@@ -1,8 +1,8 @@
-#include "app/panels/text.hpp"
+#include "app/panels/parts/text.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/caption.hpp"
+#include "app/panels/frame/caption.hpp"
 #include "tests/app/panels/support.hpp"
 
 namespace jw::panels::test {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/view.hpp"
+#include "app/session/view/view.hpp"
 
 /// Views filled by hand: panels need no solver.
 namespace jw::panels::test {

@@ -1,8 +1,8 @@
-#include "app/session/carry_out.hpp"
+#include "app/session/try/carry_out.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/session/possible_experiments.hpp"
+#include "app/session/try/possible_experiments.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "app/session/describe.hpp"
-#include "app/session/export.hpp"
-#include "app/session/json.hpp"
-#include "app/session/session.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/export.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/try/session.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "tests/app/session/view_numbers.hpp"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/carry_out.hpp"
-#include "app/session/possible_experiments.hpp"
+#include "app/session/try/carry_out.hpp"
+#include "app/session/try/possible_experiments.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
 namespace jw::test {

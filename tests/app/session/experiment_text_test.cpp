@@ -1,4 +1,4 @@
-#include "app/session/experiment_text.hpp"
+#include "app/session/try/experiment_text.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "app/session/export.hpp"
+#include "app/session/output/export.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/session/labels.hpp"
+#include "app/session/wording/labels.hpp"
 #include "lessons/reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/picture_lessons.hpp"

@@ -1,4 +1,4 @@
-#include "app/session/hand.hpp"
+#include "app/session/try/hand.hpp"
 
 #include <catch2/catch.hpp>
 

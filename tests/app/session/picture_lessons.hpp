@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/session/picture_parts.hpp"
+#include "app/session/picture/picture_parts.hpp"
 #include "tests/support/scene_builder.hpp"
 
 /// Lessons in code and what to look for in their pictures.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/picture_camera.hpp"
-#include "app/session/picture_shapes.hpp"
+#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture_shapes.hpp"
 #include "tests/app/session/picture_lessons.hpp"
 
 namespace jw::test {

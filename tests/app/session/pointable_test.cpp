@@ -1,4 +1,4 @@
-#include "app/session/pointable.hpp"
+#include "app/session/picture/pointable.hpp"
 
 #include <catch2/catch.hpp>
 

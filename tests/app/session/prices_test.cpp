@@ -1,11 +1,11 @@
-#include "app/session/prices.hpp"
+#include "app/session/benchmark/prices.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <chrono>
 #include <cmath>
 
-#include "app/session/bench_job.hpp"
+#include "app/session/benchmark/bench_job.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/carry_out.hpp"
+#include "app/session/try/carry_out.hpp"
 #include "lessons/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

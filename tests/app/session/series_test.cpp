@@ -1,4 +1,4 @@
-#include "app/session/series.hpp"
+#include "app/session/view/series.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/session/view.hpp"
+#include "app/session/view/view.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/app/session/picture_lessons.hpp"

@@ -1,8 +1,8 @@
-#include "app/session/session.hpp"
+#include "app/session/try/session.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "app/session/describe.hpp"
+#include "app/session/output/describe.hpp"
 #include "lessons/equation_labels.hpp"
 #include "lessons/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"

@@ -1,4 +1,4 @@
-#include "app/session/text_table.hpp"
+#include "app/session/wording/text_table.hpp"
 
 #include <limits>
 

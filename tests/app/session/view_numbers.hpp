@@ -3,7 +3,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/session/view.hpp"
+#include "app/session/view/view.hpp"
 
 namespace jw::test {
 

@@ -1,0 +1,247 @@
+#include "app/panels/column/column.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/column/equations_panel.hpp"
+#include "app/panels/column/failure_panel.hpp"
+#include "app/panels/column/matrix_panel.hpp"
+#include "app/panels/column/motion_panel.hpp"
+#include "app/panels/column/newton_panel.hpp"
+#include "app/panels/column/rank_panel.hpp"
+#include "app/panels/column/small_plots.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+Block matrix_block(const Canvas& canvas, const View& view) {
+    // a huge matrix is a pattern of dots, and no reason to give up what stands beside it
+    const auto height = [&](float cell) {
+        return std::min(matrix_panel_height(canvas, view.matrix, cell), canvas.px(260.0F));
+    };
+    Block block;
+    block.draw = [&view](const Canvas& c, const Box& box, Density) {
+        return matrix_panel(c, box, view.matrix);
+    };
+    block.fills = true;
+    block.least = {height(10.0F), height(8.0F), height(5.0F)};
+    block.good = matrix_panel_height(canvas, view.matrix, 14.0F);
+    block.wish = matrix_panel_height(canvas, view.matrix, 20.0F);
+    return block;
+}
+
+/// Curves below a heading, in all the height that is given.
+Block plot_block(
+    const Canvas& canvas, float wish, const char* title, const char* aside,
+    std::function<void(const Canvas&, const Box&)> draw) {
+    return {
+        [=](const Canvas& c, const Box& box, Density) {
+            Box rest = box;
+            cut_top(rest, heading(c, box, title, aside));
+            draw(c, rest);
+            return box.height;
+        },
+        true,
+        {canvas.px(120.0F), canvas.px(110.0F), canvas.px(96.0F)},
+        canvas.px(132.0F),
+        canvas.px(wish)};
+}
+
+Block given_up_at(int level, Block block) {
+    block.given_up = level;
+    return block;
+}
+
+Block empty_block() {
+    return {[](const Canvas&, const Box&, Density) { return 0.0F; }};
+}
+
+Block equations_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return view.equations.empty() ? 0.0F : equations_panel(c, box, view.equations, density);
+    }};
+}
+
+/// What Newton-Raphson works on: values without the reasons for the choice of rows.
+Block values_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density) {
+        if (view.equations.empty()) { return 0.0F; }
+        std::vector<EquationGroup> bare = view.equations;
+        for (EquationGroup& group : bare) { group.choice.reset(); }
+        return equations_panel(c, box, bare, Density::tight);
+    }};
+}
+
+/// While everything moves: the equations among which there is a choice, or all if there is none.
+Block choices_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        std::vector<EquationGroup> shown;
+        for (const EquationGroup& group : view.equations) {
+            if (group.choice) { shown.push_back(group); }
+        }
+        if (shown.empty()) { shown = view.equations; }
+        return shown.empty() ? 0.0F : equations_panel(c, box, shown, density);
+    }};
+}
+
+Block figures_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density) { return rank_figures(c, box, view.rank); }};
+}
+
+Block words_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return rank_words(c, box, view.rank, density);
+    }};
+}
+
+Block warnings_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density) { return rank_warnings(c, box, view.rank); }};
+}
+
+Block singular_values_block(const Canvas& canvas, const View& view) {
+    if (view.rank.singular_values.empty()) { return empty_block(); }
+    return plot_block(
+        canvas, 170.0F, "Singular values", "of Φq in (r, ω′)",
+        [&view](const Canvas& c, const Box& box) { singular_values_plot(c, box, view.rank); });
+}
+
+Block newton_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return view.newton.empty() ? 0.0F : newton_panel(c, box, view.newton, density);
+    }};
+}
+
+Block convergence_block(const Canvas& canvas, const View& view) {
+    if (view.newton.empty()) { return empty_block(); }
+    return plot_block(
+        canvas, 160.0F, "‖Φ‖", "from iteration to iteration",
+        [&view](const Canvas& c, const Box& box) { convergence_plot(c, box, view.newton); });
+}
+
+Block failure_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        const char* const title =
+            view.kind == Step::Kind::motion ? "The motion ends here" : "It cannot be closed";
+        return failure_panel(c, box, title, view.failure, density);
+    }};
+}
+
+Block coordinates_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return view.bodies.empty() ? 0.0F : coordinates_panel(c, box, view.bodies, density);
+    }};
+}
+
+Block quantities_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return quantities_panel(c, box, view, density);
+    }};
+}
+
+Block bodies_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return view.bodies.empty() ? 0.0F : bodies_motion_panel(c, box, view.bodies, density);
+    }};
+}
+
+/// Heights at one density; what fills gets its least, what is given up nothing.
+std::vector<float> heights_at(
+    const Canvas& canvas, const Box& box, const std::vector<Block>& blocks, Density density, int given_up) {
+    std::vector<float> heights;
+    for (const Block& block : blocks) {
+        const bool gone = block.given_up > 0 && block.given_up <= given_up;
+        const float needed = block.fills ? block.least[static_cast<std::size_t>(density)]
+                                         : std::ceil(block.draw(canvas.measuring(), box, density));
+        heights.push_back(gone ? 0.0F : needed);
+    }
+    return heights;
+}
+
+float total_of(const std::vector<float>& heights, float gap) {
+    float total = 0.0F;
+    for (const float height : heights) {
+        if (height > 0.0F) { total += height + (total > 0.0F ? gap : 0.0F); }
+    }
+    return total;
+}
+
+/// Gives what is left to the blocks that fill, the first one first.
+void share_out(
+    std::vector<float>& heights, const std::vector<Block>& blocks, float Block::*goal, float& left) {
+    for (std::size_t k = 0; k < blocks.size() && left > 0.0F; ++k) {
+        if (!blocks[k].fills || heights[k] <= 0.0F) { continue; }
+        const float more = std::floor(std::min(left, std::max(0.0F, blocks[k].*goal - heights[k])));
+        heights[k] += more;
+        left -= more;
+    }
+}
+
+}  // namespace
+
+Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks) {
+    constexpr int most_given_up = 5;
+    const float gap = canvas.px(theme::kGap);
+    Arrangement arrangement;
+    std::vector<float> heights;
+    for (int given_up = 0; given_up <= most_given_up; ++given_up) {
+        for (const Density density : {Density::roomy, Density::compact, Density::tight}) {
+            arrangement.density = density;
+            heights = heights_at(canvas, box, blocks, density, given_up);
+            if (total_of(heights, gap) <= box.height || given_up == 0) { break; }
+        }
+        if (total_of(heights, gap) <= box.height) { break; }
+    }
+    float left = box.height - total_of(heights, gap);
+    share_out(heights, blocks, &Block::good, left);
+    share_out(heights, blocks, &Block::wish, left);
+    float y = box.y;
+    for (const float height : heights) {
+        arrangement.boxes.push_back({box.x, y, box.width, height});
+        if (height > 0.0F) { y += height + gap; }
+    }
+    return arrangement;
+}
+
+std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
+    const Block matrix = given_up_at(5, matrix_block(canvas, view));
+    const Block plot = given_up_at(2, singular_values_block(canvas, view));
+    switch (view.kind) {
+        case Step::Kind::bodies: return {coordinates_block(view), figures_block(view), matrix};
+        case Step::Kind::equations:
+            return {equations_block(view), matrix, given_up_at(4, figures_block(view)), given_up_at(1, plot)};
+        case Step::Kind::iteration:
+            return {
+                given_up_at(4, values_block(view)), newton_block(view), matrix,
+                given_up_at(2, convergence_block(canvas, view))};
+        case Step::Kind::assembled: return {figures_block(view), words_block(view), matrix, plot};
+        case Step::Kind::failed: return {failure_block(view), given_up_at(4, newton_block(view)), matrix};
+        case Step::Kind::motion: break;
+    }
+    return {
+        failure_block(view),
+        given_up_at(4, choices_block(view)),
+        quantities_block(view),
+        given_up_at(3, bodies_block(view)),
+        warnings_block(view),
+        matrix,
+        plot};
+}
+
+void draw_column(const Canvas& canvas, const Box& box, const View& view) {
+    canvas.fill(box, theme::kPaper);
+    canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
+    const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(14.0F));
+    const std::vector<Block> blocks = blocks_of(canvas, view);
+    const Arrangement arrangement = arrange(canvas, inner, blocks);
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+        if (arrangement.boxes[k].height > 0.0F) {
+            blocks[k].draw(canvas, arrangement.boxes[k], arrangement.density);
+        }
+    }
+}
+
+}  // namespace jw::panels

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "app/panels/parts/parts.hpp"
+#include "app/session/view/view.hpp"
+
+namespace jw::panels {
+
+/// A part of the column. It takes the height it needs, or, if it can fill any, what it is given.
+struct Block {
+    /// Returns the height taken.
+    std::function<float(const Canvas&, const Box&, Density)> draw;
+    bool fills = false;
+    std::array<float, 3> least{};  ///< for each density; filling blocks only
+    float good = 0.0F;             ///< given to all that fill before any gets its `wish`
+    float wish = 0.0F;
+    int given_up =
+        0;  ///< what goes first where there is no room: 1 is shown only if there is plenty, 0 stays
+};
+
+struct Arrangement {
+    Density density = Density::roomy;
+    std::vector<Box> boxes;  ///< one per block; of no height for a block that has nothing to show
+};
+
+/// The roomiest density at which everything fits, if need be without blocks that may be given up; what is
+/// left over goes to the blocks that fill.
+Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks);
+
+/// The panels that a step of this kind asks for, from the top.
+std::vector<Block> blocks_of(const Canvas& canvas, const View& view);
+
+void draw_column(const Canvas& canvas, const Box& box, const View& view);
+
+}  // namespace jw::panels

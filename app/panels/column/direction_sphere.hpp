@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panels/parts/canvas.hpp"
+#include "core/numerics/linear.hpp"
+#include "render/camera.hpp"
+
+/// Which pair of p1 / p2 rows is good for which direction of the axis s_i: a sphere of all directions, shaded
+/// by the smallest singular value of the two rows in use.
+///
+/// With s_i unit and everything assembled the rows that are left when component k is dropped have singular
+/// values 1 and |s_k| (core/equations/independent_rows.hpp).
+namespace jw::panels {
+
+enum class PairInUse { rule, drop_x, drop_y, drop_z };
+
+struct DirectionSphere {
+    PairInUse pair = PairInUse::rule;
+    std::optional<Vec3> axis;  ///< where s_i points now, global, unit
+    int dropped = -1;          ///< what the rule drops now (it may keep an earlier choice); -1: the largest
+    std::vector<Vec3> trail;   ///< where it has pointed, oldest first, unit
+};
+
+/// Smallest singular value of the pair in use for the direction `s_i`, unit: 0 to 1.
+double pair_quality(PairInUse pair, const Vec3& s_i);
+
+/// The sphere as it is seen: parallel rays along the camera's view.
+struct SphereView {
+    Point centre;
+    float radius = 1.0F;
+    Vec3 right = Vec3::UnitX();
+    Vec3 up = Vec3::UnitZ();
+    Vec3 towards = -Vec3::UnitY();  ///< to the eye
+
+    /// Of a point at `size` radii in the direction `d`.
+    Point pixel(const Vec3& d, double size = 1.0) const;
+    bool faces(const Vec3& d) const { return d.dot(towards) >= 0.0; }
+    /// The direction under a pixel, on the side that is seen; beyond the rim the nearest one on it. Empty
+    /// farther than half a radius from the sphere.
+    std::optional<Vec3> direction(Point pixel) const;
+};
+
+/// Draws the sphere, its scale and what it says about the present axis.
+/// @param camera of the 3D picture, so that the sphere turns with it
+/// @return for the mouse
+SphereView direction_sphere(
+    const Canvas& canvas, const Box& box, const DirectionSphere& sphere, const render::CameraAxes& camera);
+
+/// The sentences below it.
+std::string sphere_words(const DirectionSphere& sphere);
+
+}  // namespace jw::panels

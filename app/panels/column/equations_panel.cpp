@@ -1,0 +1,114 @@
+#include "app/panels/column/equations_panel.hpp"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+using Status = EquationRow::Status;
+
+const char* word_of(Status status) {
+    switch (status) {
+        case Status::kept: return "";
+        case Status::dropped: return "out";
+        case Status::redundant: break;
+    }
+    return "repeats";
+}
+
+Colour colour_of(Status status) {
+    switch (status) {
+        case Status::kept: return theme::kInk;
+        case Status::dropped: return theme::kFaint;
+        case Status::redundant: break;
+    }
+    return theme::kRedundant;
+}
+
+void draw_mark(const Canvas& canvas, Point centre, Status status) {
+    const float side = canvas.px(9.0F);
+    canvas.square(centre, side, colour_of(status), status == Status::kept);
+    if (status == Status::redundant) {
+        const Box box{std::round(centre.x - 0.5F * side), std::round(centre.y - 0.5F * side), side, side};
+        canvas.hatch(box, theme::kRedundant, canvas.px(3.0F));
+    }
+}
+
+/// "□ x  −0.0123  out"
+void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row) {
+    const ImFont* const font = canvas.fonts().normal;
+    const ImFont* const small = canvas.fonts().small;
+    const Box place{cell.x - canvas.px(3.0F), cell.y, cell.width, canvas.line_height(font)};
+    canvas.spot(place, row.row < 0 ? Pointable{} : Pointable::row(row.row));
+    if (row.row >= 0 && canvas.lit(Pointable::row(row.row))) {
+        canvas.fill(place, theme::kSubject, canvas.px(3.0F));
+        canvas.outline(place, theme::kSubjectMark, hairline(canvas), canvas.px(3.0F));
+    }
+    const float middle = cell.y + 0.5F * canvas.line_height(font);
+    const Colour text_ink = row.status == Status::dropped ? theme::kSoft : theme::kInk;
+    draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status);
+    canvas.text({cell.x + canvas.px(15.0F), cell.y}, font, text_ink, row.component);
+
+    const float right = cell.x + canvas.px(98.0F);
+    const std::string value = live_text(row.value);
+    canvas.text({right, cell.y}, font, text_ink, value, Align::right);
+    const float drop = std::round(font->Ascent) - std::round(small->Ascent);
+    const Colour word_ink = row.status == Status::redundant ? theme::kRedundant : theme::kSoft;
+    canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word_of(row.status));
+}
+
+float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
+    const render::Fonts& fonts = canvas.fonts();
+    const float unit_room = canvas.px(44.0F);
+    Formula formula = layout_formula(group.formula, large_formula_fonts(fonts));
+    if (density != Density::roomy || formula.width > box.width - unit_room) {
+        formula = layout_formula(group.formula, formula_fonts(fonts));
+    }
+    if (formula.width > box.width - unit_room) {
+        formula = layout_formula(group.formula, small_formula_fonts(fonts));
+    }
+    const float baseline = box.y + std::ceil(formula.ascent) + canvas.px(1.0F);
+    if (group.joint >= 0) { link_formula(canvas, {box.x, baseline}, formula, group.joint); }
+    draw_formula(canvas, {box.x, baseline}, formula, theme::kInk, true);
+    if (!group.unit.empty() && group.unit != "-") {
+        const float top = baseline - std::round(fonts.small->Ascent);
+        canvas.text({box.right(), top}, fonts.small, theme::kSoft, "in " + group.unit, Align::right);
+    }
+    return std::ceil(formula.ascent + formula.descent) + canvas.px(density == Density::tight ? 3.0F : 5.0F);
+}
+
+float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
+    float height = draw_formula_line(canvas, box, group, density);
+    const Box cells{box.x, box.y + height, box.width, 0.0F};
+    for (std::size_t k = 0; k < group.rows.size(); ++k) {
+        draw_component(canvas, column_of(cells, static_cast<int>(k), 3), group.rows[k]);
+    }
+    height += canvas.line_height(canvas.fonts().normal);
+    if (group.choice) {
+        const Box below{box.x, box.y + height, box.width, 0.0F};
+        height += choice_table(canvas, below, *group.choice, density);
+    }
+    return height;
+}
+
+}  // namespace
+
+float equations_panel(
+    const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density) {
+    float height = heading(canvas, box, "Equations", "■ kept   □ left out   ▨ repeats others");
+    const float gap =
+        canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
+    for (const EquationGroup& group : equations) {
+        const Box rest{box.x, box.y + height, box.width, 0.0F};
+        height += draw_group(canvas, rest, group, density) + gap;
+    }
+    return height - (equations.empty() ? 0.0F : gap);
+}
+
+}  // namespace jw::panels

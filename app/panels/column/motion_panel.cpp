@@ -1,0 +1,185 @@
+#include "app/panels/column/motion_panel.hpp"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr float kNamePart = 0.13F;
+constexpr float kColumnGap = 8.0F;  ///< between two vectors
+
+struct Symbol {
+    const char* markup;  ///< empty: nothing in this column
+    const char* unit;
+};
+
+float row_height(const Canvas& canvas) { return canvas.line_height(canvas.fonts().small) + canvas.px(2.0F); }
+
+void draw_quantity(const Canvas& canvas, const Box& row, const QuantityMotion& quantity) {
+    const ImFont* const small = canvas.fonts().small;
+    const bool plain = quantity.unit == "-";
+    const std::string unit = quantity.unit == "deg" ? "°" : (plain ? "" : " " + quantity.unit);
+    const std::string per = plain ? " 1" : unit;
+    const int decimals = quantity.unit == "deg" ? 2 : 4;
+    canvas.square(
+        {row.x + canvas.px(5.0F), row.y + 0.5F * canvas.line_height(small)}, canvas.px(8.0F), theme::kAccent,
+        quantity.driven);
+    const float left = row.x + canvas.px(16.0F);
+    canvas.text({left, row.y}, small, theme::kInk, shortened(*small, quantity.name, 0.34F * row.width));
+    const auto number = [&](float part, const std::string& text) {
+        canvas.text({row.x + part * row.width, row.y}, small, theme::kInk, text, Align::right);
+    };
+    number(0.57F, column_text(quantity.value, decimals) + unit);
+    number(0.78F, column_text(quantity.rate, decimals) + per + "/s");
+    number(1.0F, column_text(quantity.acceleration, decimals) + per + "/s²");
+}
+
+/// Numbers one after the other, each right-aligned in a column of its own.
+template <class Vector>
+void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int decimals) {
+    const int count = static_cast<int>(v.size());
+    // one figure more before the point, one less behind it: columns are narrow
+    if (v.cwiseAbs().maxCoeff() >= 10.0) { --decimals; }
+    const auto width_with = [&](int places) {
+        return canvas.text_width(canvas.fonts().small, with_minus_signs(fixed_text(-0.5, places)));
+    };
+    const float room = column_of(cell, 0, count).width - canvas.px(2.0F);
+    while (decimals > 1 && width_with(decimals) > room) { --decimals; }
+    for (int k = 0; k < count; ++k) {
+        const Box column = column_of(cell, k, count);
+        canvas.text(
+            {column.right(), column.y}, canvas.fonts().small, theme::kInk, column_text(v(k), decimals),
+            Align::right);
+    }
+}
+
+/// A symbol over its columns, with its unit, and a line under all of them.
+void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
+    if (*symbol.markup == '\0') { return; }
+    const ImFont* const small = canvas.fonts().small;
+    const Formula formula = layout_formula(symbol.markup, formula_fonts(canvas.fonts()));
+    const float gap = canvas.px(6.0F);
+    const float width = formula.width + gap + canvas.text_width(small, symbol.unit);
+    const float left = std::round(cell.x + 0.5F * (cell.width - width + canvas.px(kColumnGap)));
+    const float baseline = cell.y + canvas.px(3.0F) + std::round(small->Ascent);
+    draw_formula(canvas, {left, baseline}, formula, theme::kInk);
+    canvas.text({left + formula.width + gap, cell.y + canvas.px(3.0F)}, small, theme::kSoft, symbol.unit);
+    const float start = cell.x + canvas.px(kColumnGap);
+    canvas.fill({start, cell.bottom() - 1.0F, cell.right() - start, hairline(canvas)}, theme::kLine);
+}
+
+Box name_cell(const Box& row) { return {row.x, row.y, kNamePart * row.width, row.height}; }
+
+/// Of three vectors the first, r, has a figure more than the others; of two, r and p, it has three of seven.
+Box vector_cell(const Box& row, int index, int count) {
+    const float name = kNamePart * row.width;
+    const float width = row.width - name;
+    const float first = (count == 3 ? 0.36F : 3.0F / 7.0F) * width;
+    if (index == 0) { return {row.x + name, row.y, first, row.height}; }
+    return column_of({row.x + name + first, row.y, width - first, row.height}, index - 1, count - 1);
+}
+
+void draw_name(const Canvas& canvas, const Box& row, const std::string& name) {
+    const ImFont* const small = canvas.fonts().small;
+    const Box cell = name_cell(row);
+    canvas.text({cell.x, cell.y}, small, theme::kInk, shortened_name(*small, name, cell.width));
+}
+
+/// Vectors of every body, one row a body; `vectors_of` draws them.
+template <class VectorsOf>
+float table(
+    const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies,
+    const std::vector<Symbol>& symbols, std::size_t most, const VectorsOf& vectors_of) {
+    const float line = row_height(canvas);
+    const int count = static_cast<int>(symbols.size());
+    Box row{box.x, box.y, box.width, line + canvas.px(5.0F)};
+    for (int k = 0; k < count; ++k) {
+        draw_symbol(canvas, vector_cell(row, k, count), symbols[static_cast<std::size_t>(k)]);
+    }
+    row.y += row.height + canvas.px(2.0F);
+    row.height = line;
+    for (std::size_t b = 0; b < std::min(most, bodies.size()); ++b) {
+        draw_name(canvas, row, bodies[b].body);
+        vectors_of(row, bodies[b]);
+        row.y += line;
+    }
+    if (bodies.size() > most) {
+        const std::string more =
+            "and " + count_text(static_cast<int>(bodies.size() - most), "more body", "more bodies");
+        canvas.text({row.x, row.y}, canvas.fonts().small, theme::kSoft, more);
+        row.y += line;
+    }
+    return row.y - box.y;
+}
+
+std::size_t most_bodies(Density density) {
+    return density == Density::roomy ? 14 : (density == Density::compact ? 8 : 5);
+}
+
+}  // namespace
+
+float quantities_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    if (view.quantities.empty()) { return 0.0F; }
+    float height = heading(canvas, box, "Joints", "■ driven   □ follows");
+    const std::size_t most = density == Density::roomy ? 8 : (density == Density::compact ? 6 : 4);
+    const float line = row_height(canvas);
+    for (std::size_t k = 0; k < std::min(most, view.quantities.size()); ++k) {
+        draw_quantity(canvas, {box.x, box.y + height, box.width, line}, view.quantities[k]);
+        height += line;
+    }
+    if (view.quantities.size() > most) {
+        const std::string more = "and " + std::to_string(view.quantities.size() - most) + " more";
+        canvas.text({box.x, box.y + height}, canvas.fonts().small, theme::kSoft, more);
+        height += line;
+    }
+    if (!view.velocity_note.empty()) {
+        const Box below{box.x, box.y + height + canvas.px(3.0F), box.width, 0.0F};
+        height += canvas.px(3.0F) +
+                  paragraph(canvas, below, canvas.fonts().small, theme::kWarning, view.velocity_note, 3);
+    }
+    return height;
+}
+
+float bodies_motion_panel(
+    const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
+    float height = heading(canvas, box, "Bodies", "x, y, z in the global frame");
+    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
+    height += table(
+        canvas, below(), bodies, {{"@r", "m"}, {"˙r", "m/s"}, {"@ω", "rad/s"}}, most_bodies(density),
+        [&](const Box& row, const BodyMotion& body) {
+            draw_numbers(canvas, vector_cell(row, 0, 3), body.r, 3);
+            draw_numbers(canvas, vector_cell(row, 1, 3), body.r_dot, 2);
+            draw_numbers(canvas, vector_cell(row, 2, 3), body.omega, 2);
+        });
+    if (density != Density::roomy) { return height; }
+    height += canvas.px(4.0F);
+    return height + table(
+                        canvas, below(), bodies, {{"", ""}, {"¨r", "m/s²"}, {"˙ω", "rad/s²"}},
+                        most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+                            draw_numbers(canvas, vector_cell(row, 1, 3), body.r_ddot, 2);
+                            draw_numbers(canvas, vector_cell(row, 2, 3), body.omega_dot, 2);
+                        });
+}
+
+float coordinates_panel(
+    const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
+    float height = heading(canvas, box, "Coordinates q", "where the bodies start");
+    const Box below{box.x, box.y + height, box.width, 0.0F};
+    height += table(
+        canvas, below, bodies, {{"@r", "x, y, z in m"}, {"@p", "e₀, e₁, e₂, e₃"}}, 2 * most_bodies(density),
+        [&](const Box& row, const BodyMotion& body) {
+            draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
+            draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);
+        });
+    return height;
+}
+
+}  // namespace jw::panels

@@ -1,0 +1,147 @@
+#include "app/panels/column/rank_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+struct Figure {
+    std::string number;
+    const char* name;
+    float share;  ///< of the width
+    Colour ink = theme::kInk;
+};
+
+void draw_figure(const Canvas& canvas, const Box& cell, const Figure& figure) {
+    const render::Fonts& fonts = canvas.fonts();
+    canvas.text({cell.x, cell.y}, fonts.title, figure.ink, figure.number);
+    canvas.text({cell.x, cell.y + canvas.line_height(fonts.title)}, fonts.small, theme::kSoft, figure.name);
+}
+
+float width_of(const Canvas& canvas, const Figure& figure) {
+    const render::Fonts& fonts = canvas.fonts();
+    return std::max(
+        canvas.text_width(fonts.title, figure.number), canvas.text_width(fonts.small, figure.name));
+}
+
+std::array<Figure, 6> figures_of(const RankView& rank) {
+    const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
+    const int redundant = rank.rows - rank.rank;
+    const std::string number = grown ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
+                                     : std::to_string(rank.rank);
+    return {{
+        {number, "rank", 0.27F, theme::kAccent},
+        {std::to_string(rank.rows), "rows", 0.13F},
+        {std::to_string(rank.columns), "columns", 0.15F},
+        {std::to_string(rank.dof), rank.dof == 1 ? "freedom" : "freedoms", 0.16F},
+        {std::to_string(redundant), "redundant", 0.16F, redundant > 0 ? theme::kRedundant : theme::kInk},
+        {std::to_string(rank.mobility_by_counting), "Grübler", 0.13F},
+    }};
+}
+
+/// The first `most` texts, then how many more there are.
+float list_of_texts(
+    const Canvas& canvas, const Box& box, const std::vector<std::string>& texts, std::size_t most,
+    std::size_t lines_each) {
+    const ImFont* const small = canvas.fonts().small;
+    const float indent = canvas.px(12.0F);
+    const std::size_t shown = texts.size() == most + 1 ? texts.size() : std::min(most, texts.size());
+    float height = 0.0F;
+    for (std::size_t k = 0; k < shown; ++k) {
+        canvas.square(
+            {box.x + canvas.px(3.0F), box.y + height + 0.5F * canvas.line_height(small)}, canvas.px(3.0F),
+            theme::kSoft, true);
+        const Box rest{box.x + indent, box.y + height, box.width - indent, 0.0F};
+        height += paragraph(canvas, rest, small, theme::kInk, texts[k], lines_each);
+    }
+    if (shown < texts.size()) {
+        const std::string more = "and " + std::to_string(texts.size() - shown) + " more";
+        canvas.text({box.x + indent, box.y + height}, small, theme::kSoft, more);
+        height += canvas.line_height(small);
+    }
+    return height;
+}
+
+float titled_list(
+    const Canvas& canvas, const Box& box, const char* title, const std::vector<std::string>& texts,
+    std::size_t most, std::size_t lines_each) {
+    if (texts.empty()) { return 0.0F; }
+    const ImFont* const small = canvas.fonts().small;
+    canvas.text({box.x, box.y}, small, theme::kSoft, title);
+    const float line = canvas.line_height(small);
+    const Box rest{box.x, box.y + line, box.width, 0.0F};
+    return line + list_of_texts(canvas, rest, texts, most, lines_each) + canvas.px(4.0F);
+}
+
+float warning(const Canvas& canvas, const Box& box, const std::string& text) {
+    const ImFont* const small = canvas.fonts().small;
+    const float margin = canvas.px(6.0F);
+    const Box inner{box.x + 2.0F * margin, box.y + margin, box.width - 3.0F * margin, 0.0F};
+    const float height = paragraph(canvas.measuring(), inner, small, theme::kWarning, text) + 2.0F * margin;
+    canvas.fill({box.x, box.y, box.width, height}, theme::kWarningShade, canvas.px(3.0F));
+    canvas.fill({box.x, box.y, canvas.px(3.0F), height}, theme::kSubjectMark);
+    paragraph(canvas, inner, small, theme::kWarning, text);
+    return height + canvas.px(4.0F);
+}
+
+}  // namespace
+
+float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
+    const float top = heading(
+        canvas, box, "Rank",
+        rank.assembled ? "of joints and drivers, in (r, ω′)" : "of the matrix here, not assembled yet");
+    const float row = canvas.line_height(canvas.fonts().title) + canvas.line_height(canvas.fonts().small);
+    const std::array<Figure, 6> figures = figures_of(rank);
+    // large text in a narrow window: three below three
+    const bool narrow = std::ranges::any_of(figures, [&](const Figure& figure) {
+        return width_of(canvas, figure) + canvas.px(3.0F) > figure.share * box.width;
+    });
+    float x = box.x;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        const float lower = narrow && k >= 3 ? row : 0.0F;
+        if (narrow && k % 3 == 0) { x = box.x; }
+        draw_figure(canvas, {x, box.y + top + lower, 0.0F, 0.0F}, figures[k]);
+        x += (narrow ? 1.0F / 3.0F : figures[k].share) * box.width;
+    }
+    return top + (narrow ? 2.0F : 1.0F) * row;
+}
+
+float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) {
+    float height = 0.0F;
+    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
+    if (!rank.assembled) {
+        height += warning(
+            canvas, below(),
+            "Not assembled: the largest |Φ| is " + small_text(rank.residual) +
+                ". Which rows are redundant is decided once the equations hold.");
+    }
+    for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(), doubt); }
+    if (rank.near_singular) {
+        height += warning(
+            canvas, below(),
+            "Nearly singular: a singular value is small, but above the threshold. The rank is about to "
+            "drop.");
+    }
+    return height;
+}
+
+float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Density density) {
+    const std::size_t most = density == Density::roomy ? 3 : (density == Density::compact ? 2 : 1);
+    const std::size_t lines = density == Density::tight ? 1 : 2;
+    float height = rank_warnings(canvas, box, rank);
+    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
+    height += titled_list(canvas, below(), "What repeats what", rank.combinations, most, lines);
+    const char* const title = rank.dof == 1 ? "The freedom that is left" : "Freedoms that are left";
+    height += titled_list(canvas, below(), title, rank.free_motions, most, lines);
+    return height;
+}
+
+}  // namespace jw::panels

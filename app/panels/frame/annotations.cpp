@@ -1,0 +1,130 @@
+#include "app/panels/frame/annotations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr float kGap = 9.0F;
+
+/// A label with what is to be drawn.
+struct Drawn {
+    Label label;
+    Formula formula;  ///< empty for the name of a body
+    const Annotation* annotation = nullptr;
+};
+
+/// Direction of a global vector on the picture, seen from `at`.
+Point direction_on_picture(
+    const render::Camera& camera, const render::Rect& viewport, const Vec3& at, const Vec3& towards) {
+    if (towards.isZero()) { return {}; }
+    const double step = 0.01 * camera.distance();
+    const render::Projected from = render::project(camera, viewport, at);
+    const render::Projected to = render::project(camera, viewport, at + step * towards.normalized());
+    return {static_cast<float>(to.x - from.x), static_cast<float>(to.y - from.y)};
+}
+
+Point on_picture(const render::Camera& camera, const render::Rect& viewport, const Vec3& point) {
+    const render::Projected seen = render::project(camera, viewport, point);
+    return {static_cast<float>(seen.x), static_cast<float>(seen.y)};
+}
+
+std::vector<Segment> arrows_on_picture(
+    const render::Scene& scene, const render::Camera& camera, const render::Rect& viewport) {
+    std::vector<Segment> segments;
+    for (const render::Arrow& arrow : scene.arrows) {
+        segments.push_back(
+            {on_picture(camera, viewport, arrow.from), on_picture(camera, viewport, arrow.to)});
+    }
+    return segments;
+}
+
+Drawn prepared(
+    const Canvas& canvas, const Annotation& annotation, const render::Camera& camera,
+    const render::Rect& viewport) {
+    const render::Projected seen = render::project(camera, viewport, annotation.at);
+    Drawn drawn;
+    drawn.annotation = &annotation;
+    drawn.label.at = {static_cast<float>(seen.x), static_cast<float>(seen.y)};
+    drawn.label.towards = direction_on_picture(camera, viewport, annotation.at, annotation.towards);
+    drawn.label.optional = annotation.body_name;
+    if (annotation.body_name) {
+        drawn.label.width = canvas.text_width(canvas.fonts().small, annotation.text);
+        drawn.label.height = canvas.line_height(canvas.fonts().small);
+    } else {
+        drawn.formula = layout_formula(annotation.text, formula_fonts(canvas.fonts()));
+        drawn.label.width = drawn.formula.width;
+        drawn.label.height = std::ceil(drawn.formula.ascent) + std::ceil(drawn.formula.descent);
+    }
+    return drawn;
+}
+
+void draw_words(const Canvas& canvas, const Drawn& drawn, Point at, Colour colour) {
+    if (drawn.annotation->body_name) {
+        canvas.text(at, canvas.fonts().small, colour, drawn.annotation->text);
+    } else {
+        const Point baseline{at.x, at.y + std::ceil(drawn.formula.ascent)};
+        draw_formula(canvas, baseline, drawn.formula, colour);
+    }
+}
+
+/// Light around dark letters: readable over any body.
+void draw_halo(const Canvas& canvas, const Drawn& drawn, Point at) {
+    const Colour light = render::with_alpha(theme::kWhite, 0.55F);
+    for (const float radius : {canvas.px(2.0F), canvas.px(1.0F)}) {
+        for (int k = 0; k < 8; ++k) {
+            const float angle = 0.785398F * static_cast<float>(k);
+            draw_words(
+                canvas, drawn, {at.x + radius * std::cos(angle), at.y + radius * std::sin(angle)}, light);
+        }
+    }
+}
+
+void draw_leader(const Canvas& canvas, const Label& label, const Box& box, Colour colour) {
+    const Point nearest{
+        std::clamp(label.at.x, box.x, box.right()), std::clamp(label.at.y, box.y, box.bottom())};
+    canvas.line(nearest, label.at, render::with_alpha(theme::kWhite, 0.7F), canvas.px(3.0F));
+    canvas.line(nearest, label.at, colour, std::max(1.0F, canvas.px(1.0F)));
+}
+
+}  // namespace
+
+void draw_annotations(
+    const Canvas& canvas, const Picture& picture, const render::Camera& camera,
+    const render::Rect& viewport) {
+    std::vector<Drawn> drawn;
+    for (const Annotation& annotation : picture.annotations) {
+        if (render::project(camera, viewport, annotation.at).visible) {
+            drawn.push_back(prepared(canvas, annotation, camera, viewport));
+        }
+    }
+    std::vector<Label> labels;
+    for (const Drawn& d : drawn) { labels.push_back(d.label); }
+
+    const Box area = shrunk(box_of(viewport), canvas.px(6.0F), canvas.px(6.0F));
+    const std::vector<PlacedLabel> placed =
+        place_labels(labels, arrows_on_picture(picture.scene, camera, viewport), area, canvas.px(kGap));
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        if (!placed[k].shown) { continue; }
+        const Point at{placed[k].box.x, placed[k].box.y};
+        if (placed[k].far) { draw_leader(canvas, labels[k], placed[k].box, drawn[k].annotation->colour); }
+        const Pointable& link = drawn[k].annotation->link;
+        canvas.spot(placed[k].box, link);
+        if (canvas.lit(link)) {
+            const Box around = shrunk(placed[k].box, -canvas.px(3.0F), -canvas.px(2.0F));
+            canvas.fill(around, theme::kSubject, canvas.px(3.0F));
+            canvas.outline(around, theme::kSubjectMark, std::max(1.0F, canvas.px(1.0F)), canvas.px(3.0F));
+        }
+        draw_halo(canvas, drawn[k], at);
+        draw_words(canvas, drawn[k], at, drawn[k].annotation->colour);
+    }
+}
+
+}  // namespace jw::panels

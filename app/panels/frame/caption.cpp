@@ -1,0 +1,95 @@
+#include "app/panels/frame/caption.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+void draw_progress(const Canvas& canvas, const Box& box, const View& view) {
+    const float height = canvas.px(3.0F);
+    const Box line{box.x, box.bottom() - height, box.width, height};
+    const float part = static_cast<float>(view.step + 1) / static_cast<float>(std::max(1, view.steps));
+    canvas.fill(line, theme::kLine);
+    canvas.fill({line.x, line.y, std::round(line.width * std::min(part, 1.0F)), height}, theme::kAccent);
+}
+
+/// @return left edge of what was drawn
+float draw_position(const Canvas& canvas, const Box& box, const View& view) {
+    const render::Fonts& fonts = canvas.fonts();
+    std::string text = "step " + std::to_string(view.step + 1) + " of " + std::to_string(view.steps);
+    if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
+    const float source_room = 0.4F * box.width;
+    const std::string source = shortened(*fonts.small, view.source, source_room);
+    canvas.text({box.right(), box.y}, fonts.small, theme::kSoft, source, Align::right);
+    const float y = box.y + canvas.line_height(fonts.small) + canvas.px(6.0F);
+    canvas.text({box.right(), y}, fonts.normal, theme::kInk, text, Align::right);
+    return box.right() -
+           std::max(canvas.text_width(fonts.small, source), canvas.text_width(fonts.normal, text));
+}
+
+std::string trimmed(std::string text) {
+    const auto first = text.find_first_not_of(" \n");
+    if (first == std::string::npos) { return {}; }
+    return text.substr(first, text.find_last_not_of(" \n") - first + 1);
+}
+
+}  // namespace
+
+std::string run_on(std::string_view text) {
+    std::string joined;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool paragraph = text[k] == '\n' && k + 1 < text.size() && text[k + 1] == '\n';
+        joined += text[k] == '\n' && !paragraph ? ' ' : text[k];
+        if (paragraph) {
+            while (k + 1 < text.size() && text[k + 1] == '\n') { ++k; }
+        }
+    }
+    return trimmed(joined);
+}
+
+void draw_title(const Canvas& canvas, const Box& box, const View& view) {
+    const render::Fonts& fonts = canvas.fonts();
+    canvas.fill(box, theme::kPaper);
+    draw_progress(canvas, box, view);
+    const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(8.0F));
+    const float right = draw_position(canvas, inner, view) - canvas.px(20.0F);
+    const float room = right - inner.x;
+    canvas.text(
+        {inner.x, inner.y}, fonts.small, theme::kSoft, shortened(*fonts.small, view.lesson_title, room));
+    const float y = inner.y + canvas.line_height(fonts.small) + canvas.px(1.0F);
+    canvas.text({inner.x, y}, fonts.title, theme::kInk, shortened(*fonts.title, view.title, room));
+}
+
+void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
+    const render::Fonts& fonts = canvas.fonts();
+    canvas.fill(box, theme::kPaper);
+    canvas.fill({box.x, box.y, box.width, std::max(1.0F, canvas.px(1.0F))}, theme::kLine);
+    const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
+
+    // large type while three lines are enough
+    const bool is_long = wrapped(*fonts.normal, view.sentence, inner.width).size() > 3;
+    const ImFont* const font = is_long ? fonts.small : fonts.normal;
+    const auto lines_of = [&](const ImFont* f, float room) {
+        return static_cast<std::size_t>(std::max(0.0F, std::floor(room / canvas.line_height(f))));
+    };
+    float height = paragraph(canvas, inner, font, theme::kInk, view.sentence, lines_of(font, inner.height));
+
+    const std::string text = typeset(run_on(view.author_text));
+    if (text.empty()) { return; }
+    height += canvas.px(8.0F);
+    const Box below{inner.x, inner.y + height, inner.width, inner.height - height};
+    const std::size_t room = lines_of(fonts.normal, below.height);
+    const bool fits = wrapped(*fonts.normal, text, below.width).size() <= room;
+    const ImFont* const author = fits ? fonts.normal : fonts.small;
+    paragraph(canvas, below, author, theme::kSoft, text, lines_of(author, below.height));
+}
+
+}  // namespace jw::panels

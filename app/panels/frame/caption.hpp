@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/panels/parts/parts.hpp"
+#include "app/session/view/view.hpp"
+
+namespace jw::panels {
+
+/// Lesson and step, source, number of the step, time; the line below is how far the story has come.
+void draw_title(const Canvas& canvas, const Box& box, const View& view);
+
+/// What happened, and what the author has to say about it.
+void draw_caption(const Canvas& canvas, const Box& box, const View& view);
+
+/// Lines of a lesson's file run on; an empty line starts a paragraph.
+std::string run_on(std::string_view text);
+
+}  // namespace jw::panels

@@ -1,0 +1,62 @@
+#include "app/panels/frame/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/column/column.hpp"
+#include "app/panels/frame/annotations.hpp"
+#include "app/panels/frame/caption.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+// parts of the frame
+constexpr float kTitleHeight = 62.0F;
+constexpr float kColumnPart = 0.4F;
+constexpr float kCaptionPart = 0.225F;
+
+}  // namespace
+
+float scale_of(int width, int height) {
+    return std::min(static_cast<float>(width) / 1280.0F, static_cast<float>(height) / 720.0F);
+}
+
+FrameLayout layout_of(int width, int height) {
+    const Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
+    return layout_in(frame, scale_of(width, height), 0.0F);
+}
+
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height) {
+    Box rest = frame;
+    FrameLayout layout;
+    layout.title = cut_top(rest, std::round(kTitleHeight * scale));
+    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * frame.width));
+    layout.tabs = cut_top(rest, tabs_height);
+    layout.column = rest;
+    const Box scene = cut_top(left, left.height - std::round(kCaptionPart * frame.height));
+    layout.caption = left;
+    layout.scene = rect_of(scene);
+    layout.scene_safe = rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));
+    return layout;
+}
+
+void draw_frame(
+    const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
+    const FrameLayout& layout) {
+    draw_annotations(canvas, picture, camera, layout.scene);
+    draw_title(canvas, layout.title, view);
+    draw_caption(canvas, layout.caption, view);
+    draw_column(canvas, layout.column, view);
+}
+
+void draw_frame(
+    const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
+    const render::Fonts& fonts) {
+    draw_frame(Canvas(ImGui::GetBackgroundDrawList(), fonts), view, picture, camera, layout);
+}
+
+}  // namespace jw::panels

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/panels/parts/canvas.hpp"
+#include "app/session/picture/picture.hpp"
+#include "app/session/view/view.hpp"
+#include "render/camera.hpp"
+#include "render/fonts.hpp"
+
+/// A whole frame: title, the 3D picture with its labels, caption, and the column of panels.
+namespace jw::panels {
+
+/// The parts of a frame. They depend on nothing but its size, so nothing moves from step to step.
+struct FrameLayout {
+    render::Rect scene;       ///< 3D viewport
+    render::Rect scene_safe;  ///< part of it that bodies should keep to: labels find room around
+    Box title;
+    Box caption;  ///< below the scene
+    Box tabs;     ///< above the column; of no height in pictures
+    Box column;   ///< of panels, right
+};
+
+/// Sizes of text for a frame: 1 at 1280x720.
+float scale_of(int width, int height);
+
+FrameLayout layout_of(int width, int height);
+
+/// The same in a part of a window.
+/// @param scale  of text, see scale_of
+/// @param tabs_height  left free above the column of panels
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height);
+
+/// Issues everything but the 3D picture itself into the background draw list of the current ImGui context,
+/// between NewFrame and Render.
+/// @param fonts  loaded for scale_of(width, height)
+void draw_frame(
+    const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
+    const render::Fonts& fonts);
+
+/// The same into any canvas.
+void draw_frame(
+    const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
+    const FrameLayout& layout);
+
+}  // namespace jw::panels

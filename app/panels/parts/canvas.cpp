@@ -1,0 +1,135 @@
+#include "app/panels/parts/canvas.hpp"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/text.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+ImU32 packed_as_it_is(const Colour& colour) {
+    return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a});
+}
+
+ImVec2 vec(Point p) { return {p.x, p.y}; }
+
+ImVec2 corner(const Box& box) { return {box.x, box.y}; }
+ImVec2 far_corner(const Box& box) { return {box.right(), box.bottom()}; }
+
+}  // namespace
+
+Canvas Canvas::pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const {
+    Canvas canvas = *this;
+    canvas.lit_ = &lit;
+    canvas.spots_ = &spots;
+    return canvas;
+}
+
+Canvas Canvas::in(render::Tone tone) const {
+    Canvas canvas = *this;
+    canvas.tone_ = tone;
+    canvas.last_packed_ = 0;
+    return canvas;
+}
+
+unsigned Canvas::packed(const Colour& colour) const {
+    if (tone_ == render::Tone::light) { return packed_as_it_is(colour); }
+    if (last_packed_ == 0 || !(last_ == colour)) {
+        last_ = colour;
+        last_packed_ = packed_as_it_is(render::toned(colour, tone_));
+    }
+    return last_packed_;
+}
+
+void Canvas::spot(const Box& box, const Pointable& link) const {
+    if (spots_ != nullptr && list_ != nullptr && link) { spots_->push_back({box, link}); }
+}
+
+float Canvas::px(float at_720) const { return std::round(at_720 * fonts_->scale); }
+
+float Canvas::line_height(const ImFont* font) const { return std::round(1.16F * font->FontSize); }
+
+float Canvas::text_width(const ImFont* font, std::string_view text) const {
+    return panels::text_width(*font, text);
+}
+
+void Canvas::text(Point at, const ImFont* font, Colour colour, std::string_view text, Align align) const {
+    if (list_ == nullptr || text.empty()) { return; }
+    const std::string set = with_minus_signs(text);
+    if (align != Align::left) { at.x -= (align == Align::right ? 1.0F : 0.5F) * text_width(font, set); }
+    const ImVec2 whole{std::round(at.x), std::round(at.y)};
+    list_->AddText(font, font->FontSize, whole, packed(colour), set.data(), set.data() + set.size());
+}
+
+void Canvas::glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const {
+    if (list_ == nullptr || glyph.Visible == 0) { return; }
+    list_->PrimReserve(6, 4);
+    list_->PrimRectUV(
+        {origin.x + glyph.X0, origin.y + glyph.Y0}, {origin.x + glyph.X1, origin.y + glyph.Y1},
+        {glyph.U0, glyph.V0}, {glyph.U1, glyph.V1}, packed(colour));
+}
+
+void Canvas::fill(const Box& box, Colour colour, float rounding) const {
+    if (list_ != nullptr) { list_->AddRectFilled(corner(box), far_corner(box), packed(colour), rounding); }
+}
+
+void Canvas::outline(const Box& box, Colour colour, float thickness, float rounding) const {
+    if (list_ != nullptr) {
+        list_->AddRect(corner(box), far_corner(box), packed(colour), rounding, 0, thickness);
+    }
+}
+
+void Canvas::line(Point from, Point to, Colour colour, float thickness) const {
+    if (list_ != nullptr) { list_->AddLine(vec(from), vec(to), packed(colour), thickness); }
+}
+
+void Canvas::dashed_line(Point from, Point to, Colour colour, float thickness) const {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    if (list_ == nullptr || length <= 0.0F) { return; }
+    const float dash = px(5.0F);
+    const Point unit{(to.x - from.x) / length, (to.y - from.y) / length};
+    for (float at = 0.0F; at < length; at += 2.0F * dash) {
+        const float end = std::min(at + dash, length);
+        line(
+            {from.x + at * unit.x, from.y + at * unit.y}, {from.x + end * unit.x, from.y + end * unit.y},
+            colour, thickness);
+    }
+}
+
+void Canvas::disc(Point centre, float radius, Colour colour) const {
+    if (list_ != nullptr) { list_->AddCircleFilled(vec(centre), radius, packed(colour)); }
+}
+
+void Canvas::ring(Point centre, float radius, Colour colour, float thickness) const {
+    if (list_ != nullptr) { list_->AddCircle(vec(centre), radius, packed(colour), 0, thickness); }
+}
+
+void Canvas::hatch(const Box& box, Colour colour, float distance) const {
+    for (float at = distance; at < box.width + box.height; at += distance) {
+        const float down = std::min(at, box.height);
+        const float along = std::min(at, box.width);
+        line({box.x + at - down, box.y + down}, {box.x + along, box.y + at - along}, colour, 1.0F);
+    }
+}
+
+void Canvas::square(Point centre, float side, Colour colour, bool filled) const {
+    const Box box{std::round(centre.x - 0.5F * side), std::round(centre.y - 0.5F * side), side, side};
+    if (filled) {
+        fill(box, colour);
+    } else {
+        outline(box, colour, std::max(1.0F, px(1.4F)));
+    }
+}
+
+void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const {
+    if (list_ == nullptr) { return; }
+    list_->PrimReserve(3, 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        list_->PrimVtx(vec(corners[k]), ImGui::GetFontTexUvWhitePixel(), packed(colours[k]));
+    }
+}
+
+}  // namespace jw::panels

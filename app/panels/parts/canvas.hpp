@@ -1,0 +1,91 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "app/panels/parts/box.hpp"
+#include "app/session/picture/pointable.hpp"
+#include "render/fonts.hpp"
+#include "render/palette.hpp"
+
+struct ImDrawList;
+struct ImFont;
+struct ImFontGlyph;
+
+namespace jw::panels {
+
+using render::Colour;
+
+enum class Align { left, centre, right };
+
+/// A place on the picture that stands for something; see pointable.hpp.
+struct HotSpot {
+    Box box;
+    Pointable link;
+};
+
+/// Where panels are drawn: a draw list of ImGui and the fonts.
+///
+/// Without a list nothing is drawn: a panel run on such a canvas returns the height that it takes, from the
+/// same code that draws it. Minus signs of numbers are set as − wherever text is drawn.
+class Canvas {
+public:
+    Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
+
+    /// The same on another draw list.
+    Canvas(ImDrawList* list, const Canvas& other) : Canvas(other) { list_ = list; }
+
+    /// The same fonts, nothing drawn.
+    Canvas measuring() const { return {static_cast<ImDrawList*>(nullptr), *fonts_}; }
+
+    /// The same, for a picture that can be pointed at: what is `lit` stands out, and where things come to lie
+    /// is added to `spots`. Both must outlive the canvas.
+    Canvas pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const;
+    /// The same with every colour as it is in that tone.
+    Canvas in(render::Tone tone) const;
+
+    /// `box` stands for `link`.
+    void spot(const Box& box, const Pointable& link) const;
+    bool lit(const Pointable& link) const { return lit_ != nullptr && lit_->contains(link); }
+
+    const render::Fonts& fonts() const { return *fonts_; }
+    bool draws() const { return list_ != nullptr; }
+
+    /// Whole pixels for a length in a picture 720 high.
+    float px(float at_720) const;
+
+    float line_height(const ImFont* font) const;
+    float text_width(const ImFont* font, std::string_view text) const;
+
+    /// `y` is the top of the line; `x` its left edge, centre or right edge.
+    void text(
+        Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
+    /// One glyph at any x, as formulas need it.
+    void glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const;
+
+    void fill(const Box& box, Colour colour, float rounding = 0.0F) const;
+    void outline(const Box& box, Colour colour, float thickness = 1.0F, float rounding = 0.0F) const;
+    void line(Point from, Point to, Colour colour, float thickness = 1.0F) const;
+    void dashed_line(Point from, Point to, Colour colour, float thickness = 1.0F) const;
+    void disc(Point centre, float radius, Colour colour) const;
+    void ring(Point centre, float radius, Colour colour, float thickness) const;
+    /// Diagonal lines within `box`: a mark that needs no colour.
+    void hatch(const Box& box, Colour colour, float distance) const;
+    /// Filled if `filled`, else its outline; the size of a small letter.
+    void square(Point centre, float side, Colour colour, bool filled) const;
+    /// Filled; its corners may differ in colour.
+    void gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const;
+
+private:
+    ImDrawList* list_;
+    const render::Fonts* fonts_;
+    unsigned packed(const Colour& colour) const;
+
+    render::Tone tone_ = render::Tone::light;
+    mutable Colour last_;  ///< colours come in runs: the last one need not be toned again
+    mutable unsigned last_packed_ = 0;
+    const Emphasis* lit_ = nullptr;
+    std::vector<HotSpot>* spots_ = nullptr;
+};
+
+}  // namespace jw::panels

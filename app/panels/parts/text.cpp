@@ -1,0 +1,223 @@
+#include "app/panels/parts/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include <imgui.h>
+
+#include "render/math_alphabets.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr char32_t kUnreadable = 0xFFFD;
+
+/// Of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Bytes of the character that starts with `first`; 0 if none does.
+std::size_t bytes_of(unsigned char first) {
+    if (first < 0x80) { return 1; }
+    if (first >= 0xC2 && first < 0xE0) { return 2; }
+    if (first >= 0xE0 && first < 0xF0) { return 3; }
+    return first >= 0xF0 && first < 0xF5 ? 4 : 0;
+}
+
+/// Is the hyphen at `k` the sign of a number or of an exponent?
+bool is_minus(std::string_view text, std::size_t k) {
+    if (k + 1 >= text.size() || !is_digit(text[k + 1])) { return false; }
+    if (k == 0) { return true; }
+    const char before = text[k - 1];
+    if (before == 'e') { return k >= 2 && is_digit(text[k - 2]); }
+    return before == ' ' || before == '(' || before == '=' || before == '\n';
+}
+
+/// May a line end between these two words?
+bool breaks_between(std::string_view left, std::string_view right) {
+    const auto binds = [](std::string_view word) {
+        return word == "·" || word == "=" || word == "→" || word == "−";
+    };
+    return !binds(left) && !binds(right) && left != "Φq";
+}
+
+/// Words that stay on one line.
+std::vector<std::string> units_of(std::string_view line) {
+    std::vector<std::string> units;
+    std::string_view last;
+    std::size_t at = 0;
+    while (at < line.size()) {
+        const std::size_t end = std::min(line.find(' ', at), line.size());
+        const std::string_view word = line.substr(at, end - at);
+        if (!word.empty()) {
+            if (!units.empty() && !breaks_between(last, word)) {
+                units.back() += " " + std::string(word);
+            } else {
+                units.emplace_back(word);
+            }
+            last = word;
+        }
+        at = end + 1;
+    }
+    return units;
+}
+
+/// The longest beginning of `text` that is no wider than `width`, at least one character.
+std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float width) {
+    std::size_t fits = 0;
+    while (fits < text.size()) {
+        const std::size_t next = std::min(
+            text.size(), fits + std::max<std::size_t>(1, bytes_of(static_cast<unsigned char>(text[fits]))));
+        if (fits > 0 && text_width(font, text.substr(0, next)) > width) { break; }
+        fits = next;
+    }
+    return fits;
+}
+
+/// Greedy, one paragraph.
+void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_view paragraph, float width) {
+    std::string line;
+    for (std::string unit : units_of(paragraph)) {
+        const std::string longer = line.empty() ? unit : line + " " + unit;
+        if (text_width(font, longer) <= width) {
+            line = longer;
+            continue;
+        }
+        if (!line.empty()) { lines.push_back(line); }
+        while (text_width(font, unit) > width && unit.size() > 1) {
+            std::size_t cut = bytes_that_fit(font, unit, width);
+            // words that would rather stay together still break between each other before breaking themselves
+            const std::size_t space = unit.rfind(' ', cut);
+            if (space != std::string::npos && space > 0) { cut = space; }
+            if (cut >= unit.size()) { break; }
+            lines.push_back(unit.substr(0, cut));
+            unit.erase(0, cut + (unit[cut] == ' ' ? 1 : 0));
+        }
+        line = unit;
+    }
+    if (!line.empty()) { lines.push_back(line); }
+}
+
+/// Ends of sentences, last first: positions behind ". ", "? " and "! ".
+std::vector<std::size_t> sentence_ends(std::string_view text) {
+    std::vector<std::size_t> ends;
+    for (std::size_t k = text.size(); k-- > 1;) {
+        const bool stop = text[k - 1] == '.' || text[k - 1] == '?' || text[k - 1] == '!';
+        if (stop && (text[k] == ' ' || text[k] == '\n')) { ends.push_back(k); }
+    }
+    return ends;
+}
+
+}  // namespace
+
+std::u32string from_utf8(std::string_view text) {
+    std::u32string points;
+    for (std::size_t k = 0; k < text.size();) {
+        const auto first = static_cast<unsigned char>(text[k]);
+        const std::size_t bytes = bytes_of(first);
+        if (bytes == 0 || k + bytes > text.size()) {
+            points += kUnreadable;
+            ++k;
+            continue;
+        }
+        char32_t point = bytes == 1 ? first : first & (0x7FU >> bytes);
+        for (std::size_t b = 1; b < bytes; ++b) {
+            point = (point << 6U) | (static_cast<unsigned char>(text[k + b]) & 0x3FU);
+        }
+        points += point;
+        k += bytes;
+    }
+    return points;
+}
+
+float text_width(const ImFont& font, std::string_view text) {
+    float width = 0.0F;
+    for (const char32_t c : from_utf8(text)) { width += font.GetCharAdvance(static_cast<ImWchar>(c)); }
+    return width;
+}
+
+std::string typeset(std::string_view text) {
+    constexpr std::array<std::pair<char, const char*>, 6> subscripts{
+        {{'i', "ᵢ"}, {'j', "ⱼ"}, {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}}};
+    std::string set;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const auto found = std::ranges::find_if(subscripts, [&](const auto& subscript) {
+            const bool ends = k + 2 >= text.size() || !is_word(text[k + 2]);
+            return text[k] == '_' && k + 1 < text.size() && text[k + 1] == subscript.first && ends;
+        });
+        // one letter alone before it: s_i, but not file_1
+        const bool single = k >= 1 && (k == 1 || !is_word(text[k - 2]) || !is_word(text[k - 1]));
+        if (found != subscripts.end() && single) {
+            set += found->second;
+            ++k;
+        } else if (text.substr(k, 3) == " - ") {
+            set += " –";
+            ++k;
+        } else {
+            set += text[k];
+        }
+    }
+    return set;
+}
+
+std::string with_minus_signs(std::string_view text) {
+    std::string set;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '-' && is_minus(text, k)) {
+            set += "−";
+        } else {
+            set += text[k];
+        }
+    }
+    return set;
+}
+
+std::vector<std::string> wrapped(const ImFont& font, std::string_view text, float width) {
+    std::vector<std::string> lines;
+    const std::string set = with_minus_signs(text);
+    std::string_view rest = set;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        wrap_into(lines, font, rest.substr(0, end), width);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return lines;
+}
+
+std::string shortened(const ImFont& font, std::string_view text, float width) {
+    const std::string set = with_minus_signs(text);
+    if (text_width(font, set) <= width) { return set; }
+    const float room = width - text_width(font, "…");
+    std::string_view kept = std::string_view(set).substr(0, bytes_that_fit(font, set, room));
+    while (!kept.empty() && kept.back() == ' ') { kept.remove_suffix(1); }
+    return std::string(kept) + "…";
+}
+
+std::string shortened_name(const ImFont& font, std::string_view name, float width) {
+    if (name.empty() || text_width(font, name) <= width) { return std::string(name); }
+    std::size_t last = name.size() - 1;
+    while (last > 0 && (static_cast<unsigned char>(name[last]) & 0xC0U) == 0x80U) { --last; }
+    const std::string_view end = name.substr(last);
+    const float room = width - text_width(font, "…") - text_width(font, end);
+    if (room <= 0.0F) { return shortened(font, name, width); }
+    return std::string(name.substr(0, bytes_that_fit(font, name, room))) + "…" + std::string(end);
+}
+
+std::vector<std::string> wrapped_to(
+    const ImFont& font, std::string_view text, float width, std::size_t most_lines) {
+    std::vector<std::string> lines = wrapped(font, text, width);
+    if (lines.size() <= most_lines) { return lines; }
+    if (most_lines == 0) { return {}; }
+    for (const std::size_t end : sentence_ends(text)) {
+        std::vector<std::string> fewer = wrapped(font, std::string(text.substr(0, end)) + " …", width);
+        if (fewer.size() <= most_lines) { return fewer; }
+    }
+    lines.resize(most_lines);
+    lines.back() = shortened(font, lines.back() + "…", width);
+    return lines;
+}
+
+}  // namespace jw::panels

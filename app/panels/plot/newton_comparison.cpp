@@ -1,0 +1,88 @@
+#include "app/panels/plot/newton_comparison.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr float kRoomForTurns = 560.0F;  // width; narrower, the outcome needs it
+
+/// Right edges of the columns in parts of the width; names and outcomes are set from the left.
+struct Columns {
+    float iterations = 0.41F;
+    float phi = 0.57F;
+    float order = 0.68F;
+    float turn = 0.0F;      ///< 0: left out
+    float verdict = 0.71F;  ///< left edge
+};
+
+Columns columns_of(const Canvas& canvas, const Box& row) {
+    if (row.width < canvas.px(kRoomForTurns)) { return {}; }
+    return {0.42F, 0.55F, 0.64F, 0.74F, 0.77F};
+}
+
+void draw_names(const Canvas& canvas, const Box& row) {
+    const ImFont* const small = canvas.fonts().small;
+    const Columns columns = columns_of(canvas, row);
+    const auto name = [&](float part, const char* text, Align align) {
+        canvas.text({row.x + part * row.width, row.y}, small, theme::kSoft, text, align);
+    };
+    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, "method");
+    name(columns.iterations, "steps", Align::right);
+    name(columns.phi, "last ‖Φ‖", Align::right);
+    name(columns.order, "order", Align::right);
+    if (columns.turn > 0.0F) { name(columns.turn, "turn", Align::right); }
+    name(columns.verdict, "outcome", Align::left);
+}
+
+/// With words and a sign: "✓ closed".
+std::string with_sign(const std::string& verdict) { return (verdict == "closed" ? "✓ " : "✗ ") + verdict; }
+
+void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, const CurveStyle& style) {
+    const ImFont* const small = canvas.fonts().small;
+    const Columns columns = columns_of(canvas, row);
+    const float middle = row.y + 0.5F * canvas.line_height(small);
+    draw_curve_mark(canvas, {row.x + mark_indent(canvas), middle}, style);
+    const float left = row.x + name_indent(canvas);
+    const float room = (columns.iterations - 0.08F) * row.width - name_indent(canvas);
+    canvas.text({left, row.y}, small, style.colour, shortened(*small, run.name, room));
+    const auto number = [&](float part, const std::string& text) {
+        canvas.text({row.x + part * row.width, row.y}, small, theme::kInk, text, Align::right);
+    };
+    number(columns.iterations, std::to_string(run.iterations));
+    number(columns.phi, small_text(run.phi_norm));
+    number(columns.order, run.order);
+    if (columns.turn > 0.0F) { number(columns.turn, run.turn); }
+    const float verdict = row.x + columns.verdict * row.width;
+    canvas.text(
+        {verdict, row.y}, small, run.verdict == "closed" ? theme::kInk : theme::kRedundant,
+        shortened(*small, with_sign(run.verdict), row.right() - verdict));
+}
+
+}  // namespace
+
+ComparisonLayout newton_comparison_panel(
+    const Canvas& canvas, const Box& box, const NewtonComparison& comparison, const PlotState& state) {
+    Box rest = box;
+    cut_top(rest, heading(canvas, rest, "Newton, method by method", "from the same start"));
+    ComparisonParts parts;
+    parts.rows = comparison.rows.size();
+    parts.draw_names = [&](const Box& line) { draw_names(canvas, line); };
+    parts.draw_row = [&](const Box& line, std::size_t row, const CurveStyle& style) {
+        draw_row(canvas, line, comparison.rows[row], style);
+    };
+    parts.summary = comparison.summary;
+    parts.caption = "‖Φ‖ after each step";
+    return draw_comparison(canvas, rest, comparison.residuals, parts, state);
+}
+
+}  // namespace jw::panels

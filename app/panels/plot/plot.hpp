@@ -1,0 +1,111 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panels/parts/canvas.hpp"
+#include "app/panels/plot/plot_axis.hpp"
+#include "app/session/view/series.hpp"
+
+/// Plots of a SeriesSet. Layout and drawing are two steps: what lies where is plain values, which a mouse is
+/// compared with and tests read; drawing adds nothing to it.
+namespace jw::panels {
+
+/// What a person has done to a plot.
+struct PlotState {
+    /// Window of one unit's values.
+    struct Height {
+        std::string unit;
+        Range range;
+    };
+    std::vector<int> shown;       ///< of the set's series; empty: the telling ones
+    std::optional<Range> window;  ///< of the axis; empty: all of it
+    std::vector<Height> heights;  ///< units that are zoomed; the others fit their curves
+    int cursor = -1;              ///< point of the set, -1: none
+    int hovered = -1;             ///< series of the set that stands out, -1: none
+};
+
+/// The name of a curve at its end; also of a value at the cursor.
+struct PlotLabel {
+    int series = 0;
+    std::string text;
+    Box box;
+    Point anchor;  ///< where the curve is
+};
+
+struct PlotMark {
+    float x = 0.0F;
+    std::string text;  ///< empty where there is no room
+    Box box;
+};
+
+/// Curves of one unit, with a vertical axis of their own.
+struct PlotPane {
+    std::string unit;
+    std::string caption;  ///< "in 10³ m/s", above the curves
+    Point caption_at;
+    bool titled = false;  ///< the name of the only curve stands before the caption, not at its end
+    Box plot;             ///< where curves are
+    Axis y;
+    TickMarks ticks;
+    std::vector<int> series;
+    std::vector<PlotLabel> labels;
+    std::vector<PlotLabel> values;  ///< at the cursor
+    int unnamed = 0;                ///< curves for whose names there is no room
+};
+
+struct PlotLayout {
+    Box box;
+    Axis x;
+    TickMarks ticks;
+    std::string axis;  ///< "t [s]"
+    Box axis_box;
+    std::vector<PlotPane> panes;  ///< one above the other, all over the same x
+    int left_out = 0;             ///< units for which there is no height
+    std::vector<PlotMark> marks;
+    std::optional<float> cursor;
+    std::string cursor_text;
+    Box cursor_box;
+    std::string empty;  ///< said instead of everything above
+};
+
+PlotLayout layout_plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state);
+void draw_plot(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state);
+
+/// Both at once.
+PlotLayout plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state);
+
+/// Of the set's series, in the order in which they are drawn.
+std::vector<int> shown_series(const SeriesSet& set, const PlotState& state);
+
+/// The pixels of a curve, broken where it has no values; at most four per column of pixels, so that a peak
+/// between two columns is still seen.
+std::vector<std::vector<Point>> curve_of(
+    const PlotLayout& layout, const PlotPane& pane, const SeriesSet& set, int series);
+
+// ---- what a mouse means -------------------------------------------------------------------------
+
+/// Value of the axis under a pixel; empty outside of all panes.
+std::optional<double> at_of_pixel(const PlotLayout& layout, Point pixel);
+/// The point whose place on the axis is nearest to `at`; -1 if there is none.
+int point_near(const SeriesSet& set, double at);
+/// The point of a story's step, or the last one before it; -1 if there is none.
+int point_of_step(const SeriesSet& set, int step);
+
+struct PlotHit {
+    int series = 0;
+    int point = 0;
+    float distance = 0.0F;  ///< [pixels]
+};
+/// The drawn point nearest to a pixel, no farther than `reach` pixels.
+std::optional<PlotHit> hit_of(const PlotLayout& layout, const SeriesSet& set, Point pixel, float reach);
+
+/// Zoomed by `factor` (above 1: nearer) about a pixel, the axis and the values of the pane that it is in.
+PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, double factor);
+/// Moved along with the mouse.
+PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by);
+/// Everything in sight again.
+PlotState unzoomed(PlotState state);
+
+}  // namespace jw::panels

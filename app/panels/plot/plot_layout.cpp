@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/text.hpp"
+#include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr float kTickLength = 4.0F;
+constexpr float kNumberGap = 4.0F;     // between a number and its tick
+constexpr float kLeastPane = 3.2F;     // height of the smallest plot worth drawing, in lines
+constexpr float kTickDistance = 2.1F;  // between numbers of an upright axis, in lines
+constexpr float kTickWidth = 66.0F;    // room for a number of the lower axis
+constexpr float kLongName = 0.22F;     // of the width: a single curve's name stands above it
+
+bool is_time(const SeriesSet& set) { return set.axis.find('[') != std::string::npos; }
+
+/// "deg/s²" as it is written in a picture.
+std::string shown_unit(const std::string& unit) {
+    if (unit == "-") { return {}; }
+    return unit.starts_with("deg") ? "°" + unit.substr(3) : unit;
+}
+
+std::string caption_of(const std::string& unit, int exponent) {
+    const std::string shown = shown_unit(unit);
+    if (exponent == 0) { return shown.empty() ? "" : "in " + shown; }
+    return "in " + power_of_ten(exponent) + (shown.empty() ? "" : " " + shown);
+}
+
+/// Above the curves of a pane: its caption, or just room for half a number.
+float caption_height(const Canvas& canvas, const PlotPane& pane) {
+    const float line = canvas.line_height(canvas.fonts().small);
+    return pane.unit == "-" && !pane.titled ? 0.6F * line : line + canvas.px(3.0F);
+}
+
+std::vector<PlotPane> panes_of(const SeriesSet& set, const std::vector<int>& shown) {
+    std::vector<PlotPane> panes;
+    for (const int s : shown) {
+        const std::string& unit = set.series[static_cast<std::size_t>(s)].unit;
+        auto pane = std::ranges::find(panes, unit, &PlotPane::unit);
+        if (pane == panes.end()) {
+            panes.emplace_back();
+            panes.back().unit = unit;
+            pane = panes.end() - 1;
+        }
+        pane->series.push_back(s);
+    }
+    return panes;
+}
+
+/// Values that a logarithmic axis has no place for.
+bool has_zeros(const SeriesSet& set, const PlotPane& pane, const PointSpan& span) {
+    if (!set.logarithmic) { return false; }
+    for (const int s : pane.series) {
+        for (int k = span.first; k <= span.last; ++k) {
+            if (value_at(set, s, k) <= 0.0) { return true; }
+        }
+    }
+    return false;
+}
+
+/// Of the values in sight; nothing if there are none.
+std::optional<Range> range_of(const SeriesSet& set, const PlotPane& pane, const PointSpan& span) {
+    Range found{HUGE_VAL, -HUGE_VAL};
+    double rounding = 0.0;
+    for (const int s : pane.series) {
+        rounding = std::max(rounding, set.series[static_cast<std::size_t>(s)].rounding);
+        for (int k = span.first; k <= span.last; ++k) {
+            const double value = value_at(set, s, k);
+            if (!std::isfinite(value) || (set.logarithmic && value <= 0.0)) { continue; }
+            found.from = std::min(found.from, value);
+            found.to = std::max(found.to, value);
+        }
+    }
+    const bool zeros = has_zeros(set, pane, span);
+    if (found.from > found.to) { return zeros ? std::optional<Range>({1e-16, 1.0}) : std::nullopt; }
+    if (!set.logarithmic) { return range_around(found, rounding); }
+    if (zeros) { found.from *= 0.1; }
+    return log_range_around(found);
+}
+
+void set_values_axis(
+    const Canvas& canvas, const SeriesSet& set, const PlotState& state, const PointSpan& span,
+    PlotPane& pane) {
+    pane.y.logarithmic = set.logarithmic;
+    pane.y.range = range_of(set, pane, span).value_or(set.logarithmic ? Range{0.1, 10.0} : Range{0.0, 1.0});
+    const auto zoomed = std::ranges::find(state.heights, pane.unit, &PlotState::Height::unit);
+    if (zoomed != state.heights.end()) { pane.y.range = zoomed->range; }
+    pane.y.start = pane.plot.bottom();
+    pane.y.end = pane.plot.y;
+    const float line = canvas.line_height(canvas.fonts().small);
+    const int most = static_cast<int>(pane.plot.height / (kTickDistance * line));
+    pane.ticks = ticks_of(pane.y, std::max(2, most), pane.unit == "deg" ? Ticks::degrees : Ticks::decimal);
+    // what is zero lies at the lower end of a logarithmic axis, and is said to
+    const bool room =
+        pane.ticks.ticks.empty() || pane.y.start - pane.y.pixel(pane.ticks.ticks.front().at) > 0.9F * line;
+    if (has_zeros(set, pane, span) && room) {
+        pane.ticks.ticks.insert(pane.ticks.ticks.begin(), {pane.y.range.from, "0"});
+    }
+    pane.caption = caption_of(pane.unit, pane.ticks.exponent);
+}
+
+bool has_long_name(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotPane& pane) {
+    if (pane.series.size() != 1) { return false; }
+    const Series& only = set.series[static_cast<std::size_t>(pane.series.front())];
+    return canvas.text_width(canvas.fonts().small, only.name) > kLongName * box.width;
+}
+
+/// Stacks panes in `rest`, which ends where the curves do; those that have no height go.
+void stack_panes(const Canvas& canvas, Box rest, PlotLayout& layout) {
+    const float line = canvas.line_height(canvas.fonts().small);
+    const float least = (kLeastPane + 1.0F) * line;
+    const auto most = static_cast<std::size_t>(std::max(1.0F, rest.height / least));
+    if (layout.panes.size() > most) {
+        layout.left_out = static_cast<int>(layout.panes.size() - most);
+        layout.panes.resize(most);
+    }
+    const float height = rest.height / static_cast<float>(layout.panes.size());
+    for (PlotPane& pane : layout.panes) {
+        Box part = cut_top(rest, height);
+        pane.caption_at.y = part.y;
+        cut_top(part, caption_height(canvas, pane));
+        pane.plot = {std::round(part.x), std::round(part.y), part.width, std::floor(part.height)};
+    }
+}
+
+void set_lower_axis(const Canvas& canvas, const SeriesSet& set, PlotLayout& layout) {
+    const ImFont* const small = canvas.fonts().small;
+    const Box& plot = layout.panes.back().plot;
+    layout.x.start = plot.x;
+    layout.x.end = plot.right();
+    const int most = static_cast<int>(plot.width / canvas.px(kTickWidth));
+    layout.ticks = ticks_of(layout.x, most, is_time(set) ? Ticks::decimal : Ticks::whole);
+    layout.axis = set.axis;
+    if (layout.ticks.exponent != 0) { layout.axis += " · " + power_of_ten(layout.ticks.exponent); }
+    const float width = canvas.text_width(small, layout.axis);
+    const float top = plot.bottom() + canvas.px(kTickLength + 2.0F);
+    layout.axis_box = {layout.box.right() - width, top, width, canvas.line_height(small)};
+}
+
+void place_cursor(const Canvas& canvas, const SeriesSet& set, const PlotState& state, PlotLayout& layout) {
+    if (state.cursor < 0 || state.cursor >= static_cast<int>(set.at.size())) { return; }
+    const double at = set.at[static_cast<std::size_t>(state.cursor)];
+    if (!layout.x.range.contains(at)) { return; }
+    const ImFont* const small = canvas.fonts().small;
+    layout.cursor = std::round(layout.x.pixel(at));
+    layout.cursor_text = number_text(at) + (set.axis == "t [s]" ? " s" : "");
+    const float width = canvas.text_width(small, layout.cursor_text) + canvas.px(10.0F);
+    const float left = std::clamp(*layout.cursor - 0.5F * width, layout.box.x, layout.box.right() - width);
+    layout.cursor_box = {std::round(left), layout.axis_box.y, width, layout.axis_box.height};
+}
+
+Range window_of(const SeriesSet& set, const PlotState& state) {
+    if (state.window) { return *state.window; }
+    const double from = set.at.front();
+    const double to = set.at.back();
+    if (to > from) { return {from, to}; }
+    return {from - 0.5, from + 0.5};  // a single point stands in the middle
+}
+
+}  // namespace
+
+std::vector<int> shown_series(const SeriesSet& set, const PlotState& state) {
+    std::vector<int> shown = state.shown.empty() ? set.telling : state.shown;
+    const int count = static_cast<int>(set.series.size());
+    std::erase_if(shown, [count](int s) { return s < 0 || s >= count; });
+    return shown;
+}
+
+PointSpan visible_points(const SeriesSet& set, const Range& window) {
+    const auto first = std::ranges::lower_bound(set.at, window.from);
+    const auto last = std::ranges::upper_bound(set.at, window.to);
+    return {static_cast<int>(first - set.at.begin()), static_cast<int>(last - set.at.begin()) - 1};
+}
+
+PlotLayout layout_plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state) {
+    PlotLayout layout;
+    layout.box = box;
+    layout.panes = panes_of(set, shown_series(set, state));
+    if (set.at.empty() || layout.panes.empty()) {
+        layout.panes.clear();
+        layout.empty = set.at.empty() ? set.why_empty : "No curve is chosen.";
+        return layout;
+    }
+    const ImFont* const small = canvas.fonts().small;
+    const float line = canvas.line_height(small);
+    const Range window = window_of(set, state);
+    const PointSpan span = visible_points(set, window);
+    layout.x.range = window;
+
+    // heights first: how many numbers an axis has, and so how wide they are, depends on them
+    const int rows = rows_of_marks(canvas, box, set);
+    for (PlotPane& pane : layout.panes) { pane.titled = has_long_name(canvas, box, set, pane); }
+    Box rest = box;
+    cut_top(rest, static_cast<float>(rows) * line);
+    rest.height -= line + canvas.px(kTickLength + 2.0F);
+    stack_panes(canvas, rest, layout);
+    float left = 0.0F;
+    std::vector<int> drawn;
+    for (PlotPane& pane : layout.panes) {
+        set_values_axis(canvas, set, state, span, pane);
+        for (const Tick& tick : pane.ticks.ticks) {
+            left = std::max(left, canvas.text_width(small, with_minus_signs(tick.text)));
+        }
+        if (!pane.titled) { drawn.insert(drawn.end(), pane.series.begin(), pane.series.end()); }
+    }
+    left = std::round(box.x + left + canvas.px(kTickLength + kNumberGap));
+    const float names = name_column_width(canvas, box, set, drawn, span);
+    const float right = std::floor(box.right() - std::max(names, canvas.px(10.0F)));
+    for (PlotPane& pane : layout.panes) {
+        pane.plot.x = pane.caption_at.x = left;
+        pane.plot.width = std::max(1.0F, right - left);
+    }
+    set_lower_axis(canvas, set, layout);
+    place_cursor(canvas, set, state, layout);
+    place_marks(canvas, set, rows, layout);
+    for (PlotPane& pane : layout.panes) { place_labels(canvas, layout, set, state, span, pane); }
+    return layout;
+}
+
+}  // namespace jw::panels

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/panels/plot/plot.hpp"
+
+/// What the files of the plot share; used by them and their tests only.
+namespace jw::panels {
+
+/// First and last point of the set within the window of the axis; first > last if there are none.
+struct PointSpan {
+    int first = 0;
+    int last = -1;
+};
+PointSpan visible_points(const SeriesSet& set, const Range& window);
+
+inline double value_at(const SeriesSet& set, int series, int point) {
+    return set.series[static_cast<std::size_t>(series)].values[static_cast<std::size_t>(point)];
+}
+
+/// Last visible point that has a value; -1 if there is none.
+int last_point_of(const SeriesSet& set, int series, const PointSpan& span);
+
+/// From the left edge of a curve's name to its text, and to the middle of the mark before it.
+float name_indent(const Canvas& canvas);
+float mark_indent(const Canvas& canvas);
+/// How wide the names of curves that end at the right edge are, 0 if none does.
+float name_column_width(
+    const Canvas& canvas, const Box& box, const SeriesSet& set, const std::vector<int>& series,
+    const PointSpan& span);
+
+/// Tops of lines of equal height, as near as can be to where each is wished (ascending) without overlaps,
+/// between `top` and `bottom`, where all of them must have room.
+std::vector<float> spread_lines(std::vector<float> wished, float height, float top, float bottom);
+
+/// Lines above the curves in which marks have their names: two where one would be crowded.
+int rows_of_marks(const Canvas& canvas, const Box& box, const SeriesSet& set);
+/// Once the axis and the cursor have their places.
+void place_marks(const Canvas& canvas, const SeriesSet& set, int rows, PlotLayout& layout);
+
+/// Names at the ends of curves and, where there is a cursor, values at it.
+void place_labels(
+    const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state,
+    const PointSpan& span, PlotPane& pane);
+
+/// How a curve is told from the others, by its place among them: colour, dashes and marks go round with
+/// different periods.
+struct CurveStyle {
+    Colour colour;
+    int dashes = 0;
+    int mark = 0;
+    float width = 1.8F;  ///< at 720
+    bool marked = true;
+};
+CurveStyle style_of(const PlotPane& pane, std::size_t place, const SeriesSet& set, const PlotState& state);
+
+/// The part of a line within a box, by Liang and Barsky; empty if none is.
+std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box);
+
+void draw_curve(
+    const Canvas& canvas, const Box& clip, const std::vector<Point>& points, const CurveStyle& style);
+void draw_curve_mark(const Canvas& canvas, Point at, const CurveStyle& style);
+
+}  // namespace jw::panels

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/session/story/dynamics_run.hpp"
+
+/// Speed against error: what a digit costs, method by method.
+namespace jw {
+
+/// Of errors and times.
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+/// Positions of a lesson's point at equal times from 0 to its duration, known beforehand.
+struct Reference {
+    std::string origin;            ///< one sentence: how it was computed
+    std::vector<double> times;     ///< [s]
+    std::vector<Vec3> positions;   ///< [m]
+    std::vector<Vec3> velocities;  ///< [m/s]; may be empty
+};
+/// The stored reference of a shipped lesson, lessons/reference/NAME.csv; nothing if there is none, or the
+/// file is not one of those shipped: a copy may have been changed.
+/// @throws std::runtime_error if a row of it does not hold seven numbers
+std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
+/// By two ways that no method of the race takes: the equations of the bodies, extrapolated, and the dense
+/// equations of the slides (for more than 20 bodies those of the bodies again, by another integrator).
+/// `origin` says which, and how many digits the two agree to, or why there is only one.
+/// @throws Stopped if `stop` asks for it; std::runtime_error if both end early
+Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
+
+/// What a run throws that was asked to stop.
+struct Stopped {};
+
+/// The largest errors of a trajectory so far.
+class TrajectoryErrors {
+public:
+    /// Lesson (one with a point) and reference must outlive this.
+    TrajectoryErrors(const Lesson& lesson, const Reference& reference);
+
+    /// The state (flat) at the k-th time of the reference.
+    void look_at(std::size_t k, const std::vector<double>& y);
+
+    double position() const { return position_; }    ///< of the lesson's point [m]
+    double velocity() const { return velocity_; }    ///< likewise [m/s]; 0 where the reference has none
+    double violation() const { return violation_; }  ///< |Φ| by the size of its equation
+    /// Change of energy, by the largest kinetic energy; NaN where nothing moves.
+    double energy() const { return change_ / largest_kinetic_; }
+
+private:
+    const Reference* reference_;
+    const BodyPoint* tracked_;
+    Simulation simulation_;
+    double position_ = 0.0;
+    double velocity_ = 0.0;
+    double violation_ = 0.0;
+    double energy_at_start_ = 0.0;
+    double change_ = 0.0;
+    double largest_kinetic_ = 0.0;
+};
+
+/// One run.
+struct BenchPoint {
+    double setting = 0.0;    ///< tolerance or step [s]
+    double cpu = 0.0;        ///< [s], the least of several runs
+    double position = 0.0;   ///< largest distance from the reference [m]; NaN: the run failed
+    double velocity = 0.0;   ///< likewise [m/s]; NaN where the reference has none
+    double energy = 0.0;     ///< largest change by the largest kinetic energy; NaN where energy is not kept
+    double violation = 0.0;  ///< largest |Φ|, by the size of its equation; NaN: the run failed
+    IntegrationCounts counts;
+    std::string failure;
+};
+
+struct BenchRun {
+    std::string scene;
+    Method method = Method::explicit_8;
+    Treatment treatment = Treatment::projection;
+    std::vector<BenchPoint> points;  ///< from the loosest to the tightest setting
+
+    /// Least time of a run whose position error is at most `error` [s].
+    std::optional<double> time_to(double error) const;
+};
+
+struct BenchPlan {
+    std::vector<Method> methods;  ///< empty: explicit-5, -8 and, with projection, implicit-5, -9
+    Treatment treatment = Treatment::projection;
+    Formulation formulation = Formulation::automatic;
+    double least_time = 0.02;  ///< runs are repeated until this much CPU time has passed [s]
+};
+
+/// For those who look on while a sweep goes on.
+struct BenchWatch {
+    /// All runs so far, the last one unfinished; after every point.
+    std::function<void(const std::vector<BenchRun>&)> seen = [](const std::vector<BenchRun>&) {};
+    std::stop_token stop;  ///< obeyed at the next sample of the run under way
+};
+
+/// The sweep of one lesson by all methods of the plan.
+/// @throws Stopped if the watch asks for it
+std::vector<BenchRun> bench_dynamics(
+    const Lesson& lesson, const Reference& reference, const BenchPlan& plan, const BenchWatch& watch = {});
+
+}  // namespace jw

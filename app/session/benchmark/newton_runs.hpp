@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/benchmark/newton_comparison.hpp"
+#include "app/session/output/json.hpp"
+#include "core/poses/newton_methods.hpp"
+#include "lessons/enum_words.hpp"
+
+/// Newton's method from one start of a story, in several ways: the comparison of newton_comparison.hpp with
+/// its numbers.
+namespace jw {
+
+/// What is compared: all methods in one choice of coordinates, or one method in all choices.
+struct NewtonPlan {
+    bool by_method = true;
+    CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;  ///< by method
+    NewtonMethod method = NewtonMethod::stepwise_limited;                   ///< by coordinates
+    bool normalisation_rows = true;
+
+    bool operator==(const NewtonPlan&) const = default;
+};
+
+inline constexpr std::array kNewtonMethods{
+    EnumWord<NewtonMethod>{NewtonMethod::stepwise_limited, "limited", "turns limited to 0.5 rad"},
+    EnumWord<NewtonMethod>{NewtonMethod::plain, "plain", "plain Newton"},
+    EnumWord<NewtonMethod>{NewtonMethod::damped, "damped", "damped (line search)"},
+    EnumWord<NewtonMethod>{NewtonMethod::levenberg_marquardt, "levenberg-marquardt", "Levenberg-Marquardt"}};
+
+/// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
+int start_of_closing(const Story& story, const Addition& subject);
+
+struct NewtonRuns {
+    std::string title;  ///< "Closing D from the same start, methods in rp-modified"
+    std::vector<std::string> names;
+    std::vector<NewtonTrace> traces;
+    std::vector<std::string> wrong_branches;  ///< in words, empty where there is none
+    NewtonComparison comparison;
+};
+
+/// @param start  index of a step of kind equations
+NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan);
+
+std::string describe(const NewtonRuns& runs);
+Json json_of(const NewtonRuns& runs, const Lesson& lesson);
+
+}  // namespace jw

@@ -1,0 +1,245 @@
+#include "app/session/claims/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/session/claims/claim_poses.hpp"
+#include "app/session/story/sentences.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/wording/explanations.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/quantity_text.hpp"
+#include "core/equations/assembler.hpp"
+
+namespace jw {
+
+namespace {
+
+// poses "around" a singular one: far enough for its singular value to be plain, near enough to be its
+// neighbours
+constexpr double kNearby = 1e-2;
+
+std::string text_of(const Moment& moment, const Lesson& lesson) {
+    if (std::holds_alternative<AsGiven>(moment)) { return "as given"; }
+    if (const auto* at = std::get_if<AtTime>(&moment)) { return "at " + number_text(at->t, 6) + " s"; }
+    const int count = std::get<AfterAddition>(moment).count;
+    if (count == 0) { return "free bodies"; }
+    const Addition& a = lesson.order[static_cast<std::size_t>(count - 1)];
+    const auto k = static_cast<std::size_t>(a.index);
+    return "after " + (a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                       : lesson.mechanism.drivers[k].name);
+}
+
+/// The pose is singular if it can be moved to one where the rank is higher.
+bool rank_grows_nearby(const Pose& pose, const RankReport& report) {
+    const Layout<OmegaLocal> layout(*pose.instant.system);
+    for (const FreeMotion& motion : report.free_motions) {
+        for (const double step : {kNearby, -kNearby}) {
+            State state = pose.instant.state;
+            layout.advance(state, step * motion);
+            if (!solve_position<OmegaLocal>(*pose.instant.system, state, pose.instant.t).ok()) { continue; }
+            if (rank_of(*pose.instant.system, state, pose.instant.t).rank > report.rank) { return true; }
+        }
+    }
+    return false;
+}
+
+int count_of(const RankReport& report, Count count) {
+    switch (count) {
+        case Count::rank: return report.rank;
+        case Count::rows: return report.rows;
+        case Count::columns: return report.columns;
+        case Count::dof: return report.dof;
+        case Count::redundant: return report.redundant();
+        case Count::mobility_by_counting: break;
+    }
+    return report.mobility_by_counting;
+}
+
+const char* name_of(Count count) {
+    switch (count) {
+        case Count::rank: return "rank";
+        case Count::rows: return "rows";
+        case Count::columns: return "columns";
+        case Count::dof: return "dof";
+        case Count::redundant: return "redundant";
+        case Count::mobility_by_counting: break;
+    }
+    return "mobility by counting";
+}
+
+double number_of(const QuantityClaim& claim, const Instant& instant, Absence& why) {
+    const QuantityValue v = evaluate(claim.quantity, instant, claim.derivative);
+    why = v.absences[static_cast<std::size_t>(claim.derivative)];
+    return v.derivatives[static_cast<std::size_t>(claim.derivative)];
+}
+
+double difference_of(const QuantityClaim& claim, double a, double b) {
+    const bool is_plain_angle = claim.derivative == 0 && is_modulo_turn(claim.quantity);
+    return is_plain_angle ? std::remainder(a - b, 2.0 * std::numbers::pi) : a - b;
+}
+
+void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
+    const double factor = claim.in_degrees ? kDegreesPerRadian : 1.0;
+    const std::string symbol = unit_text(dimension_of(claim.quantity), claim.derivative, claim.in_degrees);
+    const std::string unit = symbol.empty() ? "" : " " + symbol;
+    const int derivative = claim.derivative - claim.named_derivative;
+    result.subject = claim.text + (derivative == 0 ? "" : (derivative == 1 ? " rate" : " acceleration"));
+    result.expected =
+        number_text(factor * claim.value, 12) + unit + " ± " + number_text(factor * claim.tolerance, 3);
+    Absence why = Absence::none;
+    const double found = number_of(claim, pose.instant, why);
+    if (std::isnan(found)) {
+        result.found = "nothing: " + absence_text(why);
+        return;
+    }
+    const double difference = difference_of(claim, found, claim.value);
+    result.found = number_text(factor * found, 15) + unit + ", off by " + small_text(factor * difference);
+    result.holds = std::abs(difference) <= claim.tolerance;
+    if (!pose.rough) { return; }
+    const double apart = std::abs(difference_of(claim, found, number_of(claim, *pose.rough, why)));
+    if (apart <= claim.tolerance) { return; }
+    result.found += "; two runs of different tolerance are " + small_text(factor * apart) + unit +
+                    " apart there, so this cannot be proved";
+    result.holds = false;
+}
+
+void judge(const CountClaim& claim, const Pose& pose, ClaimResult& result) {
+    const RankReport report = rank_of(*pose.instant.system, pose.instant.state, pose.instant.t);
+    const int found = count_of(report, claim.count);
+    const bool of_rank =
+        claim.count == Count::rank || claim.count == Count::dof || claim.count == Count::redundant;
+    result.subject = name_of(claim.count);
+    result.expected = std::to_string(claim.value);
+    result.found = std::to_string(found);
+    result.holds = found == claim.value;
+    if (of_rank && !report.decided) {
+        result.found += "; " + undecided_text(report);
+        result.holds = false;
+    }
+}
+
+void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {
+    const Joint& joint = pose.instant.system->mechanism().joints[static_cast<std::size_t>(claim.joint)];
+    result.subject = "dropped of " + joint.name + " " + name_of_role(claim.role, joint.parallel_form);
+    result.expected = axis_name(claim.component);
+    result.found = "nothing";
+    for (const Constraint& c : pose.instant.system->constraints()) {
+        if (c.joint != claim.joint || c.role != claim.role || c.dropped < 0) { continue; }
+        result.found = axis_name(c.dropped);
+        result.holds = c.dropped == claim.component;
+    }
+}
+
+/// Largest |Φ| in the scene's units, as in RankReport.
+double residual_of(const Pose& pose) {
+    Assembler<OmegaLocal> assembler(*pose.instant.system);
+    assembler.assemble_phi_and_jacobian(pose.instant.state, pose.instant.t);
+    double largest = 0.0;
+    for (int row = 0; row < pose.instant.system->rows(); ++row) {
+        largest = std::max(largest, std::abs(assembler.phi()(row) / pose.instant.system->row_unit(row)));
+    }
+    return largest;
+}
+
+/// σ_1 / σ_r; an estimate is no proof, so of large systems, too, by singular values.
+double condition_of(const Pose& pose) {
+    const RankReport report = rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);
+    return report.rank > 0 ? report.first_value() / report.last_value() : 1.0;
+}
+
+void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
+    const bool residual = claim.bound == Bound::residual_below;
+    const double found = residual ? residual_of(pose) : condition_of(pose);
+    result.subject = residual ? "residual" : "condition";
+    const bool above = claim.bound == Bound::condition_above;
+    result.expected = (above ? "above " : "below ") + number_text(claim.limit, 6);
+    result.found = number_text(found, 6);
+    result.holds = above ? found > claim.limit : found < claim.limit;
+}
+
+void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
+    const RankReport report =
+        rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);  // with free motions
+    const bool found = pose.change_point || report.near_singular || rank_grows_nearby(pose, report);
+    result.subject = "change point";
+    result.expected = claim.value ? "yes" : "no";
+    result.found = found ? "yes" : "no";
+    result.holds = found == claim.value;
+}
+
+ClaimResult judged(const Claim& claim, const Pose& pose) {
+    ClaimResult result;
+    const auto* verdict = std::get_if<VerdictClaim>(&claim.fact);
+    if (verdict != nullptr && verdict->verdict == Verdict::closes) {
+        result.subject = "closes";
+        result.expected = verdict->value ? "yes" : "no";
+        result.found = pose.failure.empty() ? "yes" : "no: " + pose.failure;
+        result.holds = verdict->value == pose.failure.empty();
+    } else if (!pose.failure.empty()) {
+        result.subject = "this claim";
+        result.expected = "a pose that closes";
+        result.found = pose.failure;
+    } else {
+        std::visit([&](const auto& fact) { judge(fact, pose, result); }, claim.fact);
+    }
+    result.span = claim.span;
+    result.why = claim.why;
+    return result;
+}
+
+/// A claim that a trusted computation has made about the end of the motion. Two runs of different tolerance
+/// say how far the own computation can be trusted.
+ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
+    constexpr double far =
+        1e-6;  // of the scene: more than both leave open, less than a wrong digit that matters
+    const DynamicsPlan& plan = *lesson.dynamics;
+    const double allowed = far * extent(lesson.mechanism);
+    ClaimResult result;
+    result.span = plan.point_at_end_span;
+    result.moment = "at " + number_text(plan.duration, 6) + " s";
+    result.subject = "point_at_end";
+    result.expected = vector_text(*plan.point_at_end, 10) + " m ± " + number_text(allowed, 3);
+    if (!pose.failure.empty()) {
+        result.found = pose.failure;
+        return result;
+    }
+    const auto place_at = [&](const Instant& instant) {
+        Vec3 place;
+        for (int k = 0; k < 3; ++k) {
+            place(k) =
+                evaluate(PointQuantity{plan.point->body, plan.point->point_local, k}, instant, 0).value();
+        }
+        return place;
+    };
+    const Vec3 end = place_at(pose.instant);
+    const double uncertain = (end - place_at(*pose.rough)).norm();
+    const double off = (end - *plan.point_at_end).norm();
+    result.found = vector_text(end, 10) + " m, off by " + small_text(off);
+    if (uncertain > allowed) {
+        result.found += "; two runs of different tolerance are " + small_text(uncertain) +
+                        " m apart there, so this cannot be proved";
+        return result;
+    }
+    result.holds = off <= allowed;
+    return result;
+}
+
+}  // namespace
+
+std::vector<ClaimResult> check_claims(const Lesson& lesson) {
+    const ClaimPoses poses(lesson);
+    std::vector<ClaimResult> results;
+    for (const Claim& claim : lesson.claims) {
+        results.push_back(judged(claim, poses.at(claim.when)));
+        results.back().moment = text_of(claim.when, lesson);
+    }
+    if (lesson.dynamics && lesson.dynamics->point && lesson.dynamics->point_at_end) {
+        results.push_back(judged_end(lesson, poses.at(AtTime{lesson.dynamics->duration, true})));
+    }
+    return results;
+}
+
+}  // namespace jw

@@ -1,0 +1,167 @@
+#include "app/session/claims/claim_poses.hpp"
+
+#include <algorithm>
+
+#include "app/session/story/dynamics_rows.hpp"
+#include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/sentences.hpp"
+#include "app/session/wording/explanations.hpp"
+
+namespace jw {
+
+namespace {
+
+// what a trusted computation is compared with, and what says how far that can be trusted
+constexpr double kTight = 1e-10;
+constexpr double kLoose = 1e-8;
+
+/// As many joints and drivers as the claims speak of.
+StoryOptions what_claims_need(const Lesson& lesson) {
+    StoryOptions options = poses_only();
+    options.additions = 0;
+    for (const Claim& claim : lesson.claims) {
+        if (const auto* after = std::get_if<AfterAddition>(&claim.when)) {
+            options.additions = std::max(options.additions, after->count);
+        }
+        const auto* at = std::get_if<AtTime>(&claim.when);
+        if (at != nullptr && !at->by_forces) { options.additions = static_cast<int>(lesson.order.size()); }
+    }
+    return options;
+}
+
+bool has_claimed_end(const Lesson& lesson) {
+    return lesson.dynamics && lesson.dynamics->point && lesson.dynamics->point_at_end;
+}
+
+}  // namespace
+
+ClaimPoses::ClaimPoses(const Lesson& lesson) : lesson_(&lesson), story_(lesson, what_claims_need(lesson)) {
+    if (lesson.dynamics) {
+        scene_ = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
+    }
+    if (!claimed_times(false).empty()) { follow_motion(); }
+    if (!claimed_times(true).empty() || has_claimed_end(lesson)) { follow_forces(); }
+}
+
+Pose ClaimPoses::at(const Moment& moment) const {
+    if (std::holds_alternative<AsGiven>(moment)) { return as_given(); }
+    if (const auto* at = std::get_if<AtTime>(&moment)) {
+        return at->by_forces ? by_forces_.at(at->t) : motion_.at(at->t);
+    }
+    return after(std::get<AfterAddition>(moment).count);
+}
+
+Pose ClaimPoses::as_given() const {
+    Pose pose;
+    Instant& instant = pose.instant;
+    instant.state = start_state(lesson_->mechanism);
+    auto system = std::make_shared<System>(
+        lesson_->mechanism, selection_of(*lesson_, static_cast<int>(lesson_->order.size())));
+    system->choose_rows(instant.state);
+    instant.system = system;
+    instant.velocity = start_motion(lesson_->mechanism);
+    instant.t = start_time(*lesson_);
+    instant.scene = scene_;
+    return pose;
+}
+
+Pose ClaimPoses::after(int count) const {
+    Pose pose = as_given();
+    for (const Step& step : story_.steps()) {
+        if (step.additions != count) { continue; }
+        if (step.kind == Step::Kind::assembled || step.kind == Step::Kind::bodies) {
+            pose.instant.system = step.system;
+            pose.instant.state = step.state;
+            return pose;
+        }
+    }
+    pose.failure = failure_text(*story_.failure());
+    return pose;
+}
+
+std::vector<double> ClaimPoses::claimed_times(bool by_forces) const {
+    std::vector<double> times;
+    for (const Claim& claim : lesson_->claims) {
+        const auto* at = std::get_if<AtTime>(&claim.when);
+        if (at != nullptr && at->by_forces == by_forces) { times.push_back(at->t); }
+    }
+    return times;
+}
+
+void ClaimPoses::follow_motion() {
+    std::vector<double> times = claimed_times(false);
+    // the lesson's own intervals as well: a claim must not depend on how many others there are
+    const MotionPlan& plan = *lesson_->motion;
+    const double last = *std::ranges::max_element(times);
+    for (int k = 0; k <= plan.steps; ++k) {
+        const double t = plan.from + (plan.to - plan.from) * k / plan.steps;
+        if (t < last) { times.push_back(t); }
+    }
+    std::ranges::sort(times);
+    const Pose start = after(static_cast<int>(lesson_->order.size()));
+    if (!start.failure.empty()) {
+        for (const double t : times) { motion_[t] = start; }
+        return;
+    }
+    System system = *start.instant.system;
+    MotionTracker tracker(system, start.instant.state, plan.from);
+    std::string failure;
+    for (const double t : times) {
+        if (failure.empty() && !tracker.advance_to(t)) { failure = failure_text(system, *tracker.failure()); }
+        const MotionFrame& frame = tracker.frame();
+        Pose& pose = motion_[t];
+        pose.instant.system = std::make_shared<System>(system);
+        pose.instant.state = frame.state;
+        pose.instant.velocity = frame.velocity;
+        pose.instant.acceleration = frame.acceleration;
+        pose.instant.t = t;
+        pose.instant.scene = scene_;
+        pose.change_point = frame.change_point;
+        pose.failure = failure;
+    }
+}
+
+std::string ClaimPoses::run(
+    double tolerance, const std::vector<double>& times, std::map<double, Instant>& found) const {
+    const DynamicsPlan& plan = *lesson_->dynamics;
+    SimulationSettings settings;
+    const MethodName& method = entry_of(plan.method);
+    settings.method = method.kind == MethodKind::radau ? plan.method : Method::explicit_8;
+    settings.tolerance = tolerance;
+    settings.most_steps = kMostStepsUnasked;
+    Simulation simulation(lesson_->mechanism, plan.loads, settings);
+    System system(lesson_->mechanism, selection_of(*lesson_, static_cast<int>(lesson_->order.size())));
+    const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+        const Snapshot now = simulation.snapshot(t, y);
+        system.choose_rows(now.state);
+        found[t] = instant_of(
+            simulation, now, y, std::make_shared<const Centroidal>(simulation.scene()),
+            std::make_shared<const System>(system), true);
+    });
+    return outcome.failure ? failure_text(*outcome.failure, settings, lesson_->mechanism) : std::string();
+}
+
+/// By two runs over the whole duration, whatever times are claimed: what is found at one of them must not
+/// depend on the others.
+void ClaimPoses::follow_forces() {
+    std::vector<double> times = claimed_times(true);
+    times.insert(times.end(), {0.0, lesson_->dynamics->duration});
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    std::map<double, Instant> rough;
+    std::map<double, Instant> found;
+    std::string failure = run(kLoose, times, rough);
+    if (failure.empty()) { failure = run(kTight, times, found); }
+    for (const double t : times) {
+        Pose& pose = by_forces_[t];
+        // what was reached before the run ended counts
+        if (found.contains(t)) {
+            pose.instant = found.at(t);
+            pose.rough = rough.at(t);
+        } else {
+            pose.failure = failure;
+        }
+    }
+}
+
+}  // namespace jw

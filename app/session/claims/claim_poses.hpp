@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/session/story/story.hpp"
+#include "core/quantity/evaluate.hpp"
+
+/// Where and how a lesson's mechanism moves at the moments that its claims speak of.
+namespace jw {
+
+/// A pose at which claims are judged, or why there is none.
+struct Pose {
+    Instant instant;
+    /// Of a motion by masses and forces: the same of a run with a looser tolerance. What lies between them is
+    /// what cannot be proved.
+    std::optional<Instant> rough;
+    bool change_point = false;  ///< as the motion met it
+    std::string failure;        ///< not empty: the pose was not reached
+};
+
+/// Poses of all moments that are asked for, each found once.
+class ClaimPoses {
+public:
+    /// `lesson` must outlive the poses.
+    explicit ClaimPoses(const Lesson& lesson);
+
+    /// @param moment of a claim of the lesson, or the end of its [dynamics] where a point is claimed there
+    Pose at(const Moment& moment) const;
+
+private:
+    Pose as_given() const;
+    Pose after(int count) const;
+    std::vector<double> claimed_times(bool by_forces) const;
+    void follow_motion();
+    void follow_forces();
+    /// One run. @return why it ended early, or nothing
+    std::string run(
+        double tolerance, const std::vector<double>& times, std::map<double, Instant>& found) const;
+
+    const Lesson* lesson_;
+    Story story_;
+    std::shared_ptr<const Centroidal> scene_;  ///< nothing in a lesson without masses
+    std::map<double, Pose> motion_;
+    std::map<double, Pose> by_forces_;
+};
+
+}  // namespace jw

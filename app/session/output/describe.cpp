@@ -1,0 +1,133 @@
+#include "app/session/output/describe.hpp"
+
+#include <cmath>
+
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/text_table.hpp"
+#include "app/session/wording/text_width.hpp"
+
+namespace jw {
+
+namespace {
+
+std::string status_text(EquationRow::Status status) {
+    switch (status) {
+        case EquationRow::Status::kept: return "kept";
+        case EquationRow::Status::dropped: return "left out";
+        case EquationRow::Status::redundant: break;
+    }
+    return "repeats others";
+}
+
+std::string equations_text(const View& view, int width) {
+    std::string text;
+    for (const EquationGroup& group : view.equations) {
+        text += "  " + group.plain + '\n';
+        for (const EquationRow& row : group.rows) {
+            text += "      " + padded(row.component, 2) + padded(small_text(row.value), 10, true) + " " +
+                    padded(group.unit == "-" ? "" : group.unit, 4) + status_text(row.status) + '\n';
+        }
+        if (group.choice) {
+            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {"condition without it"}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                table[1].push_back(number_text(group.choice->axis_size[k], 3));
+                table[2].push_back(number_text(group.choice->pair_condition[k], 3));
+            }
+            text += text_table(table, columns_of_numbers(4, 6)) + "      " +
+                    wrapped(group.choice->reason, width - 6, 6) + '\n';
+        }
+    }
+    return text;
+}
+
+std::string newton_text(const View& view) {
+    TextRows table{{"", "‖Φ‖", "largest", "‖Δq‖", "turn", "rank", "equation"}};
+    for (const NewtonRow& row : view.newton) {
+        table.push_back(
+            {std::to_string(row.iteration), small_text(row.phi_norm), small_text(row.largest_value),
+             row.stepped ? small_text(row.delta_norm) : "",
+             row.stepped ? number_text(row.turn_deg * row.fraction, 3) + "°" : "",
+             row.stepped ? std::to_string(row.rank) : "",
+             row.largest_row + (row.note.empty() ? "" : "   " + row.note)});
+    }
+    return text_table(table, columns_of_numbers(table.front().size(), 2));
+}
+
+std::string rank_text(const View& view, int width) {
+    const RankView& rank = view.rank;
+    std::string text = "  " + count_text(rank.rows, "equation") + ", " + count_text(rank.columns, "column") +
+                       " (r, ω′), rank " + std::to_string(rank.rank) + ", " +
+                       count_text(rank.dof, "freedom", "freedoms") + ", " +
+                       count_text(rank.rows - rank.rank, "redundant equation") + ", mobility by counting " +
+                       std::to_string(rank.mobility_by_counting) + '\n';
+    if (!rank.singular_values.empty()) {
+        std::string values = "singular values:";
+        for (const double s : rank.singular_values) { values += " " + number_text(s, 3); }
+        text += "  " + wrapped(values + "; zero up to " + small_text(rank.threshold), width - 2, 4) + '\n';
+    }
+    if (rank.near_singular) {
+        text += "  The smallest one that counts is small against the others: near a singular position.\n";
+    }
+    for (const std::string& doubt : rank.doubts) { text += "  " + wrapped(doubt, width - 2, 2) + '\n'; }
+    for (const std::string& combination : rank.combinations) {
+        text += "  redundant: " + wrapped(combination, width - 13, 13) + '\n';
+    }
+    for (const std::string& motion : rank.free_motions) {
+        text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
+    }
+    return text;
+}
+
+/// Rounding of a solution of size 1 in m and degrees is shown as what it is: nothing.
+std::string clean_text(double value) {
+    constexpr double kRounding = 1e-10;
+    return number_text(std::abs(value) < kRounding ? 0.0 : value, 6);
+}
+
+std::string motion_text(const View& view) {
+    TextRows quantities{{"quantity", "value", "rate", "acceleration", ""}};
+    for (const QuantityMotion& q : view.quantities) {
+        quantities.push_back(
+            {q.name, clean_text(q.value), clean_text(q.rate), clean_text(q.acceleration),
+             (q.unit == "-" ? "" : q.unit) + (q.driven ? " driven" : "")});
+    }
+    TextRows bodies{{"body", "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
+    for (const BodyMotion& b : view.bodies) {
+        bodies.push_back({b.body, vector_text(b.r), vector_text(b.r_dot), vector_text(b.omega)});
+    }
+    return (view.quantities.empty() ? "" : text_table(quantities, columns_of_numbers(5, 2))) +
+           text_table(bodies, columns_of_numbers(4, 2));
+}
+
+}  // namespace
+
+std::string describe(const View& view, int width) {
+    std::string text = "[" + std::to_string(view.step) + "] " + view.title;
+    if (view.kind == Step::Kind::iteration) { text += " · iteration"; }
+    if (view.kind == Step::Kind::assembled) { text += " · put together"; }
+    text += '\n' + std::string("  ") + wrapped(view.sentence, width - 2, 2) + '\n';
+    if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&
+        view.kind != Step::Kind::assembled) {
+        text += "  » " + wrapped(view.author_text, width - 4, 4) + '\n';
+    }
+    switch (view.kind) {
+        case Step::Kind::bodies:
+        case Step::Kind::iteration: break;
+        case Step::Kind::equations: text += equations_text(view, width); break;
+        case Step::Kind::assembled: text += newton_text(view) + rank_text(view, width); break;
+        case Step::Kind::failed:
+            text += "  " + wrapped(view.failure, width - 2, 2) + '\n' + newton_text(view);
+            break;
+        case Step::Kind::motion:
+            text += motion_text(view);
+            if (!view.velocity_note.empty()) {
+                text += "  " + wrapped(view.velocity_note, width - 2, 2) + '\n';
+            }
+            if (!view.failure.empty()) { text += "  " + wrapped(view.failure, width - 2, 2) + '\n'; }
+            break;
+    }
+    return text;
+}
+
+}  // namespace jw

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/view/view.hpp"
+
+namespace jw {
+
+/// A view as text for a terminal: everything of the step that matters to its kind, in lines of at most
+/// `width` characters where words allow.
+std::string describe(const View& view, int width = 100);
+
+}  // namespace jw

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/view/inspection.hpp"
+
+namespace jw {
+
+/// Φ, Φq and γ with labelled rows and named columns, the choice of rows and the rank, as text for a terminal.
+std::string describe(const Inspection& inspection, const Lesson& lesson, int width = 100);
+
+}  // namespace jw

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/view/view.hpp"
+
+/// What a view shows, to be pasted elsewhere: LaTeX that needs nothing but amsmath, and comma-separated
+/// tables (RFC 4180, line feeds, numbers in full).
+namespace jw {
+
+/// Formula markup (labels.hpp) as a formula of LaTeX, without delimiters; ASCII.
+std::string latex_of(const std::string& markup);
+/// Words and labels for \text{...}; what LaTeX gives a meaning is escaped, symbols are set as mathematics.
+/// Letters of other alphabets stay as they are.
+std::string latex_text(const std::string& text);
+
+/// An equation as a display of its own.
+std::string equation_latex(const EquationGroup& group);
+
+enum class MatrixStyle {
+    labelled,  ///< an array with the names of rows and columns
+    brackets,  ///< a bmatrix of numbers
+};
+/// Φq as a display of its own, four digits.
+std::string matrix_latex(const MatrixView& matrix, MatrixStyle style);
+
+/// A line per row of Φq: what it belongs to, its label, its entries; columns are named "crank ω′x".
+std::string matrix_csv(const MatrixView& matrix);
+
+}  // namespace jw

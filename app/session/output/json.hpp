@@ -1,0 +1,35 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/session/view/inspection.hpp"
+#include "app/session/view/view.hpp"
+
+/// JSON of everything the program can tell; docs/command-line.md describes the layout. Numbers have full
+/// double precision; what is not finite is null.
+namespace jw {
+
+/// Keeps the order in which keys were written.
+using Json = nlohmann::ordered_json;
+
+/// Version of the layout: a key is added without, removed or changed only with a new one.
+inline constexpr int kJsonVersion = 1;
+
+Json json_of(const Inspection& inspection, const Lesson& lesson);
+Json json_of(const Story& story, int until);
+Json json_of(const RankReport& report, const System& system);
+/// `value` and the `bound` that rounding puts on it.
+Json json_of(const EquationResidual& residual);
+/// Bodies with positions and velocities, in the order of the lesson.
+Json json_of(const Mechanism& mechanism, const State& state, const Motion& velocity);
+
+/// null if it is not finite.
+Json number(double value);
+/// "bodies", "equations", ... as in the JSON of steps.
+const char* kind_name(Step::Kind kind);
+
+Json json_of(const Vec3& v);
+Json json_of(const VectorX& v);
+Json json_of(const MatrixX& m);
+
+}  // namespace jw

@@ -1,0 +1,212 @@
+#include "app/session/picture/picture.hpp"
+
+#include "app/session/picture/picture_parts.hpp"
+
+namespace jw {
+
+namespace picture {
+
+namespace {
+
+constexpr double kTriad = 0.10;  // of the unit
+constexpr double kGroundTriad = 0.14;
+constexpr double kTriadRadius = 0.0028;
+constexpr double kSameFrame = 0.02;
+constexpr float kFaint = 0.4F;
+constexpr float kGhost = 0.2F;
+constexpr double kMoved = 0.01;  // of the unit: less is not seen
+
+int bodies_count(const Lesson& lesson) { return static_cast<int>(lesson.mechanism.bodies.size()); }
+
+/// The joint that a step is about: the one that was added, or that the added driver acts along; while
+/// everything moves the featured one. -1: none.
+int subject_joint(const Story& story, const Step& step) {
+    if (step.kind == Step::Kind::motion) { return story.featured_joint(); }
+    const std::optional<Addition> subject = subject_of(story.lesson(), step);
+    if (!subject) { return -1; }
+    if (subject->kind == Addition::Kind::joint) { return subject->index; }
+    return story.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
+}
+
+/// The joint whose equation could not be closed, -1 if there is none.
+int failing_joint(const Step& step) {
+    if (!step.failure) { return -1; }
+    const RowOrigin origin = step.system->origin(step.failure->row);
+    if (origin.kind != RowOrigin::Kind::constraint) { return -1; }
+    return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
+}
+
+/// Everything from the `first` entry on stands for `link`.
+template <class Drawn>
+void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& link) {
+    for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
+}
+
+void add_mechanism(
+    const Lesson& lesson, const PictureStyle& style, const Step& step, int highlighted,
+    render::Scene& scene) {
+    for (int b = 0; b < bodies_count(lesson); ++b) {
+        const std::size_t first = scene.shapes.size();
+        add_body(lesson, style, step.state, b, 1.0F, scene);
+        name_from(scene.shapes, first, Pointable::body(b));
+    }
+    for (const int j : step.system->selection().joints) {
+        const std::size_t first = scene.shapes.size();
+        add_joint(lesson, style, placed(lesson.mechanism, j, step.state), j == highlighted, scene);
+        name_from(scene.shapes, first, Pointable::joint(j));
+    }
+}
+
+/// The part of a joint's vectors that a colour stands for (palette.hpp), -1 for none.
+int part_of(const render::Colour& colour) {
+    if (colour == render::palette::kVectorI) { return Pointable::kVectorI; }
+    if (colour == render::palette::kVectorJ) { return Pointable::kVectorJ; }
+    return colour == render::palette::kVectorD ? Pointable::kVectorD : -1;
+}
+
+/// Vectors and their names, all of one joint.
+void name_vectors(Picture& picture, int joint) {
+    for (render::Arrow& arrow : picture.scene.arrows) {
+        if (const int part = part_of(arrow.colour); part >= 0) {
+            arrow.id = picture_id(Pointable::vector(joint, part));
+        }
+    }
+    for (Annotation& annotation : picture.annotations) {
+        if (const int part = part_of(annotation.colour); part >= 0) {
+            annotation.link = Pointable::vector(joint, part);
+        }
+    }
+}
+
+void add_triads(
+    const Lesson& lesson, const PictureStyle& style, const Step& step, int joint, render::Scene& scene) {
+    const Joint* subject = joint < 0 ? nullptr : &lesson.mechanism.joints[static_cast<std::size_t>(joint)];
+    const BodyFrame ground = frame_of(step.state, 0);
+    for (int b = 0; b < bodies_count(lesson); ++b) {
+        const BodyFrame frame = frame_of(step.state, b);
+        // axes on axes would look like arrows with two heads
+        const bool on_ground = b > 0 && style.ground_axes && (frame.A - ground.A).norm() < kSameFrame &&
+                               (frame.r - ground.r).norm() < kSameFrame * style.unit;
+        if (on_ground || (b == 0 && !style.ground_axes)) { continue; }
+        const bool of_subject = subject != nullptr && (subject->body_i == b || subject->body_j == b);
+        render::Triad triad{{frame.A, frame.r}};
+        triad.length = (b == 0 ? kGroundTriad : kTriad) * style.unit;
+        triad.radius = kTriadRadius * style.unit;
+        triad.alpha = of_subject || b == 0 || step.kind == Step::Kind::bodies ? 1.0F : kFaint;
+        scene.triads.push_back(triad);
+    }
+}
+
+void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step, Picture& picture) {
+    for (int b = 0; b < bodies_count(lesson); ++b) {
+        const auto k = static_cast<std::size_t>(b);
+        if (lesson.mechanism.bodies[k].fixed && lesson.looks[k].shapes.empty()) { continue; }
+        Annotation name;
+        name.at = middle_of_body(style, step.state, b);
+        name.text = lesson.mechanism.bodies[k].name;
+        name.colour = render::palette::kInkSoft;
+        name.body_name = true;
+        name.link = Pointable::body(b);
+        picture.annotations.push_back(name);
+    }
+}
+
+/// Where the bodies that move in this solve came from.
+void add_ghosts(const Story& story, const PictureStyle& style, int index, render::Scene& scene) {
+    int start = index;
+    while (start > 0 && story.steps()[static_cast<std::size_t>(start)].kind != Step::Kind::equations) {
+        --start;
+    }
+    const State& before = story.steps()[static_cast<std::size_t>(start)].state;
+    const State& now = story.steps()[static_cast<std::size_t>(index)].state;
+    for (int b = 0; b < bodies_count(story.lesson()); ++b) {
+        const BodyFrame from = frame_of(before, b);
+        const BodyFrame to = frame_of(now, b);
+        // a turn is seen at an arm of about a quarter of the unit
+        const double moved = (to.r - from.r).norm() + 0.25 * style.unit * (to.A - from.A).norm();
+        if (moved > kMoved * style.unit) { add_body(story.lesson(), style, before, b, kGhost, scene); }
+    }
+}
+
+/// The path of the traced point up to now.
+void add_path(const Story& story, const PictureStyle& style, int index, render::Scene& scene) {
+    if (style.traced_body < 0) { return; }
+    render::Polyline path{{}, 1.6, render::palette::kInkFaint};
+    path.see_through = false;
+    for (int k = 0; k <= index; ++k) {
+        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        if (step.kind != Step::Kind::motion) { continue; }
+        path.points.push_back(frame_of(step.state, style.traced_body).point(style.traced_point_local));
+    }
+    if (path.points.size() > 1) { scene.polylines.push_back(std::move(path)); }
+}
+
+}  // namespace
+
+Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index) {
+    const Lesson& lesson = story.lesson();
+    const bool moves = step.kind == Step::Kind::motion;
+    const int joint = subject_joint(story, step);
+    const std::optional<Addition> subject = subject_of(lesson, step);
+    const bool about_driver = subject && subject->kind == Addition::Kind::driver;
+
+    Picture picture;
+    add_mechanism(lesson, style, step, moves ? -1 : joint, picture.scene);
+    if (step.kind == Step::Kind::iteration) { add_ghosts(story, style, index, picture.scene); }
+    add_triads(lesson, style, step, joint, picture.scene);
+    if (about_driver) {
+        add_driver(lesson, style, step.state, subject->index, picture);
+    } else if (joint >= 0) {
+        add_vectors(style, placed(lesson.mechanism, joint, step.state), picture);
+        name_vectors(picture, joint);
+    }
+    if (const int failing = failing_joint(step); failing >= 0 && failing != joint) {
+        add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
+    }
+    // between bodies that are still apart they would only be in the way
+    if (step.additions == static_cast<int>(lesson.order.size())) {
+        add_springs(lesson, style, step.state, picture.scene);
+    }
+    if (const auto reactions = reactions_of(step)) { add_reactions(style, *reactions, picture); }
+    add_names(lesson, style, step, picture);
+    return picture;
+}
+
+}  // namespace picture
+
+void add_ghosts(
+    const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture) {
+    constexpr float palest = 0.10F;
+    constexpr float strongest = 0.30F;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        const float part = static_cast<float>(k + 1) / static_cast<float>(poses.size());
+        for (int b = 0; b < static_cast<int>(lesson.mechanism.bodies.size()); ++b) {
+            if (lesson.mechanism.bodies[static_cast<std::size_t>(b)].fixed) { continue; }
+            picture::add_body(
+                lesson, style, poses[k], b, palest + part * (strongest - palest), picture.scene);
+        }
+    }
+}
+
+void light_up(Picture& picture, const Emphasis& lit) {
+    if (lit.empty()) { return; }
+    for (render::Shape& shape : picture.scene.shapes) {
+        shape.highlighted = shape.highlighted || lit.contains(pointable_of(shape.id));
+    }
+    for (render::Arrow& arrow : picture.scene.arrows) {
+        arrow.highlighted = arrow.highlighted || lit.contains(pointable_of(arrow.id));
+    }
+}
+
+Picture picture_of(const Story& story, const PictureStyle& style, int index) {
+    return picture_of(story, style, story.steps()[static_cast<std::size_t>(index)], index);
+}
+
+Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index) {
+    Picture picture = picture::compose(story, style, step, index);
+    if (step.kind == Step::Kind::motion) { picture::add_path(story, style, index, picture.scene); }
+    picture.scene.ground = style.ground;
+    return picture;
+}
+
+}  // namespace jw

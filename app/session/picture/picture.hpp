@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/session/picture/pointable.hpp"
+#include "app/session/story/story.hpp"
+#include "render/framing.hpp"
+#include "render/scene.hpp"
+
+/// The 3D part of a step's picture: bodies, joints, and the vectors of the joint that the step is about.
+namespace jw {
+
+/// A name that belongs to a point of the scene, in formula markup (labels.hpp).
+struct Annotation {
+    Vec3 at = Vec3::Zero();       ///< what it names: the tip of a vector, a point [m]
+    Vec3 towards = Vec3::Zero();  ///< direction in which there is room for it, global; zero: anywhere
+    std::string text;
+    render::Colour colour;
+    bool body_name = false;  ///< less important: left out where there is no room
+    Pointable link = {};     ///< what it is the name of
+};
+
+struct Picture {
+    render::Scene scene;
+    std::vector<Annotation> annotations;
+};
+
+/// What the glyph and the vectors of a joint keep to in all pictures [m].
+struct JointStyle {
+    double aside_i = 0.0;  ///< from its line to where s_i is in plain sight, beside the bodies
+    double aside_j = 0.0;  ///< the same for s_j
+    double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
+    double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is in plain sight
+    double lift_j = 0.0;   ///< the same for h_j (u_j)
+    double lowest = 0.0;   ///< of s_iᵀ d over the story, zero included: the bar reaches P_i
+    double highest = 0.0;
+    double farthest = 0.0;  ///< from that line, of P_j [m]
+};
+
+/// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.
+struct PictureStyle {
+    double unit = 1.0;  ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
+    Vec3 up = Vec3::UnitZ();
+    Vec3 view{-0.62, 0.66, -0.42};           ///< from the eye to the scene
+    std::vector<std::vector<Shape>> bodies;  ///< what is drawn of each body, body frames; see local_shapes
+    std::vector<JointStyle> joints;
+    int traced_body = -1;  ///< its point draws a path while everything moves; -1: nothing moves
+    Vec3 traced_point_local = Vec3::Zero();
+    bool ground_axes = true;  ///< false: they are too far away to be shown
+    render::Bounds bounds;    ///< everything that is ever in sight: one camera serves the whole story
+    render::Ground ground;
+    double newton = 0.0;        ///< length of an arrow for 1 N; 0: there are no forces
+    double newton_metre = 0.0;  ///< and for 1 N m
+};
+PictureStyle picture_style(const Story& story);
+
+/// @param index of the step in the story
+Picture picture_of(const Story& story, const PictureStyle& style, int index);
+
+/// Marks what is lit: outlined bodies, joints and vectors, their names as well.
+void light_up(Picture& picture, const Emphasis& lit);
+
+/// Other poses of the same bodies, pale; the later ones stronger.
+void add_ghosts(
+    const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture);
+
+/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
+
+}  // namespace jw

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/picture/picture_parts.hpp"
+#include "app/session/picture/picture_shapes.hpp"
+
+namespace jw::picture {
+
+namespace {
+
+namespace palette = render::palette;
+
+constexpr int kArcPoints = 72;  // a full turn looks round with so many
+constexpr double kHead = 0.03;  // length of the arrow at the end of an arc, of the unit
+
+constexpr double kArm = 1.22;  // length of u_i, of the arc's radius
+
+/// A circle about the axis of a joint.
+struct Circle {
+    Vec3 centre;
+    Vec3 u;  ///< angle 0
+    Vec3 v;  ///< a quarter turn
+    double radius = 1.0;
+
+    Vec3 direction(double angle) const { return std::cos(angle) * u + std::sin(angle) * v; }
+    Vec3 at(double angle) const { return centre + radius * direction(angle); }
+};
+
+/// Where along the axis the circle is in plain sight: as near to P_i as possible, rather in front of the
+/// bodies.
+Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const State& state) {
+    constexpr int samples = 16;
+    constexpr int places = 8;
+    const Solid solid(style, state, j.joint->body_i, j.joint->body_j);
+    const double side = style.joints[static_cast<std::size_t>(j.index)].side;
+    Circle best{
+        j.P_i, j.u_i, j.s_i.cross(j.u_i),
+        std::clamp(side + 0.06 * style.unit, 0.14 * style.unit, 0.25 * style.unit)};
+    const Vec3 to_front = j.s_i.dot(style.view) > 0.0 ? Vec3(-j.s_i) : j.s_i;
+    int fewest = 2 * samples + 1;
+    for (int k = 0; k < 2 * places; ++k) {
+        Circle circle = best;
+        const double along = 0.02 * style.unit * (k + 1) / 2 * (k % 2 == 0 ? 1.0 : -1.0);
+        circle.centre = j.P_i + along * to_front;
+        int hidden = 0;
+        for (int n = 0; n < samples; ++n) {
+            hidden += solid.contains(circle.at(kWholeTurn * n / samples)) ? 1 : 0;
+            // the outer half of u_i and u_j, as far as they are drawn
+            const Vec3 along_u =
+                (n % 2 == 0 ? j.u_i : j.u_j) * circle.radius * (0.5 + (kArm - 0.5) * n / samples);
+            hidden += solid.contains(circle.centre + along_u) ? 1 : 0;
+        }
+        if (hidden < fewest) {
+            fewest = hidden;
+            best.centre = circle.centre;
+        }
+    }
+    return best;
+}
+
+/// From u_i to u_j about s_i, with what marks its ends.
+void add_angle(
+    const PictureStyle& style, const PlacedJoint& j, const State& state, double angle, Picture& picture) {
+    const Circle circle = circle_in_sight(style, j, state);
+    // whole turns lie on each other
+    const double shown = std::remainder(angle, 2.0 * kWholeTurn);
+    const int count = std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / kWholeTurn)));
+    render::Polyline arc{{}, 3.0, palette::kVectorD};
+    for (int k = 0; k <= count; ++k) { arc.points.push_back(circle.at(shown * k / count)); }
+    picture.scene.polylines.push_back(std::move(arc));
+    const double head = kHead * style.unit / circle.radius;
+    if (std::abs(shown) > head) {
+        picture.scene.arrows.push_back(
+            {circle.at(shown - std::copysign(head, shown)), circle.at(shown), vector_radius(style.unit),
+             palette::kVectorD});
+    }
+    const double middle = 0.5 * shown;
+    picture.annotations.push_back({circle.at(middle), circle.direction(middle), "θ", palette::kVectorD});
+    const double length = kArm * circle.radius;
+    // at the angle zero one would hide the other
+    const Vec3 apart = 1.5 * vector_radius(style.unit) * (j.s_i.dot(style.view) > 0.0 ? -1.0 : 1.0) * j.s_i;
+    const Vec3 foot_i = circle.centre - apart;
+    const Vec3 foot_j = circle.centre + apart;
+    add_vector(style, foot_i, foot_i + length * j.u_i, palette::kVectorI, "@u_i", picture);
+    add_vector(style, foot_j, foot_j + 0.9 * length * j.u_j, palette::kVectorJ, "@u_j", picture);
+}
+
+/// The displacement of a joint beside its bar.
+void add_displacement(const PictureStyle& style, const PlacedJoint& j, Picture& picture) {
+    const double aside = style.joints[static_cast<std::size_t>(j.index)].aside_i + 0.03 * style.unit;
+    const Vec3 from = j.P_i + aside * beside(style, j.s_i);
+    add_distance(style, from, from + j.displacement() * j.s_i, "d", picture);
+}
+
+constexpr const char* kCoordinates[] = {"x", "y", "z"};
+
+void add_coordinate(const PictureStyle& style, const Vec3& r, int coordinate, Picture& picture) {
+    Vec3 foot = r;
+    foot(coordinate) = 0.0;
+    add_distance(style, foot, r, kCoordinates[coordinate], picture);
+}
+
+}  // namespace
+
+void add_driver(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
+    const Mechanism& mechanism = lesson.mechanism;
+    const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
+    if (d.joint >= 0) {
+        const auto k = static_cast<std::size_t>(d.joint);
+        const PlacedJoint joint = placed(mechanism, d.joint, state);
+        if (std::holds_alternative<AngleMeasure>(d.measure)) {
+            return add_angle(style, joint, state, relative_angle(mechanism.joints[k], state), picture);
+        }
+        if (std::holds_alternative<ThetaMeasure>(d.measure)) {
+            const auto theta = static_cast<std::size_t>(mechanism.theta_indices()[k]);
+            return add_angle(style, joint, state, state.theta[theta], picture);
+        }
+        return add_displacement(style, joint, picture);
+    }
+    const BodyFrame i = frame_of(state, d.body_i);
+    const BodyFrame j = frame_of(state, d.body_j);
+    if (const auto* m = std::get_if<SquaredDistanceMeasure>(&d.measure)) {
+        add_distance(style, i.point(m->P_i_local), j.point(m->P_j_local), "d", picture);
+    } else if (const auto* c = std::get_if<CoordinateMeasure>(&d.measure);
+               c != nullptr && c->coordinate < 3) {
+        add_coordinate(style, j.r, c->coordinate, picture);
+    }
+}
+
+}  // namespace jw::picture

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <numbers>
+
+#include "app/session/picture/picture.hpp"
+
+/// Parts that picture.cpp puts together.
+namespace jw::picture {
+
+inline constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+
+/// A body's frame at a state.
+struct BodyFrame {
+    Mat3 A = Mat3::Identity();
+    Vec3 r = Vec3::Zero();
+
+    Vec3 point(const Vec3& s_local) const { return r + A * s_local; }
+    Vec3 direction(const Vec3& s_local) const { return (A * s_local).normalized(); }
+};
+BodyFrame frame_of(const State& state, int body);
+
+/// A joint's vectors at a state, global; directions unit.
+struct PlacedJoint {
+    const Joint* joint = nullptr;
+    int index = 0;  ///< in the mechanism
+    BodyFrame frame_i, frame_j;
+    Vec3 P_i, P_j;
+    Vec3 s_i, s_j;
+    Vec3 h_i, h_j;
+    Vec3 u_i, u_j;
+
+    /// Along s_i, from P_i to P_j [m].
+    double displacement() const { return s_i.dot(P_j - P_i); }
+};
+PlacedJoint placed(const Mechanism& mechanism, int joint, const State& state);
+
+/// Radius of a pin; other sizes are multiples of it.
+inline double pin_radius(double unit) { return 0.011 * unit; }
+/// Radius of the shaft of a vector.
+inline double vector_radius(double unit) { return 0.0042 * unit; }
+
+/// Beside a line on the picture: perpendicular to it and to the view, unit.
+Vec3 beside(const PictureStyle& style, const Vec3& line);
+
+render::Colour colour_of_body(const Lesson& lesson, int body);
+/// @param alpha below 1 for a ghost
+void add_body(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int body, float alpha,
+    render::Scene& scene);
+/// Where a body's name may stand [m].
+Vec3 middle_of_body(const PictureStyle& style, const State& state, int body);
+
+/// What a joint looks like; its two halves apart where it is not assembled.
+void add_joint(
+    const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted,
+    render::Scene& scene);
+
+/// Points and vectors of the joint that the step is about, with their names.
+void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
+/// A dashed line where the two points of a joint should meet and do not.
+void add_gap(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
+
+/// What a driver prescribes: an angle as an arc, a distance as an arrow.
+void add_driver(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture);
+
+/// A vector with its name at the tip.
+void add_vector(
+    const PictureStyle& style, const Vec3& from, const Vec3& to, const render::Colour& colour,
+    const std::string& name, Picture& picture);
+/// The distance between two points, its name beside its middle: an arrow, or dashes where it is too short for
+/// one.
+void add_distance(
+    const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture);
+
+/// Springs as coils, dampers as dashpots, rotational springs as spirals.
+void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene);
+
+/// Lengths of the arrows of forces and torques, from what is usual in the story.
+void set_reaction_scales(const Story& story, PictureStyle& style);
+/// What joints and drivers do to their second bodies, in dynamics.
+void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
+
+/// All of a step but the ground plane and the path.
+Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index);
+
+}  // namespace jw::picture

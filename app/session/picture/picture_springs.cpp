@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/picture/picture_parts.hpp"
+
+namespace jw::picture {
+
+namespace {
+
+constexpr render::Colour kWire = render::from_hex(0x5B6672);
+constexpr double kWireWidth = 2.4;
+/// Sizes in the unit of the picture, shares of the length.
+constexpr double kCoilRadius = 0.028;
+constexpr double kStraightEnd = 0.14;
+constexpr int kCoils = 9;
+constexpr int kPointsOfCoil = 24;
+constexpr double kInnermost = 0.02;
+constexpr double kOutermost = 0.10;
+constexpr double kSpiralTurns = 2.5;
+
+void add_wire(std::vector<Vec3> points, render::Scene& scene) {
+    render::Polyline wire{std::move(points), kWireWidth, kWire};
+    wire.see_through = false;
+    scene.polylines.push_back(std::move(wire));
+}
+
+/// As many coils however far it is stretched.
+void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
+    const Vec3 way = to - from;
+    // facing the eye, so that they do not jump where the spring turns
+    const Vec3 first = beside(style, way);
+    const Vec3 second = way.normalized().cross(first);
+    const double radius = kCoilRadius * style.unit;
+    const int count = kCoils * kPointsOfCoil;
+    std::vector<Vec3> points{from};
+    for (int k = 0; k <= count; ++k) {
+        const double angle = kWholeTurn * k / kPointsOfCoil;
+        const double along = kStraightEnd + (1.0 - 2.0 * kStraightEnd) * k / count;
+        // the wire leaves the axis and comes back to it within a coil
+        const double out = radius * std::min(1.0, std::min(k, count - k) / (0.5 * kPointsOfCoil));
+        points.push_back(from + along * way + out * (std::sin(angle) * first + std::cos(angle) * second));
+    }
+    points.push_back(to);
+    add_wire(std::move(points), scene);
+}
+
+/// What dampens only: a cylinder on a rod.
+void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
+    add_wire({from, to}, scene);
+    scene.shapes.push_back(
+        {render::Cylinder{from + 0.3 * (to - from), from + 0.6 * (to - from), 0.6 * kCoilRadius * style.unit},
+         kWire});
+}
+
+/// From the shaft, which is body j, out to what belongs to body i. Angles are known up to whole turns.
+void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& scene) {
+    const Vec3 v = j.s_i.cross(j.u_i);
+    const double theta = std::atan2(j.u_j.dot(v), j.u_j.dot(j.u_i));
+    const Vec3 centre = j.P_i + style.joints[static_cast<std::size_t>(j.index)].lift_i * j.s_i;
+    const int count = static_cast<int>(kPointsOfCoil * (kSpiralTurns + 1.0));
+    std::vector<Vec3> points;
+    for (int k = 0; k <= count; ++k) {
+        const double share = static_cast<double>(k) / count;
+        const double angle = (1.0 - share) * theta + share * kWholeTurn * kSpiralTurns;
+        const double radius = style.unit * (kInnermost + share * (kOutermost - kInnermost));
+        points.push_back(centre + radius * (std::cos(angle) * j.u_i + std::sin(angle) * v));
+    }
+    add_wire(std::move(points), scene);
+}
+
+}  // namespace
+
+void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene) {
+    if (!lesson.dynamics) { return; }
+    for (const Spring& spring : lesson.dynamics->loads.springs) {
+        const Vec3 from = frame_of(state, spring.body_i).point(spring.P_i_local);
+        const Vec3 to = frame_of(state, spring.body_j).point(spring.P_j_local);
+        if (!((to - from).norm() > kInnermost * style.unit)) { continue; }
+        const auto add = spring.stiffness != 0.0 ? add_coils : add_dashpot;
+        add(style, from, to, scene);
+    }
+    for (const RotationalSpring& spring : lesson.dynamics->loads.rotational_springs) {
+        const std::vector<Joint>& joints = lesson.mechanism.joints;
+        const auto joint =
+            std::ranges::find_if(joints, [&](const Joint& j) { return acts_about(spring, j); });
+        if (joint == joints.end()) { continue; }
+        add_spiral(style, placed(lesson.mechanism, static_cast<int>(joint - joints.begin()), state), scene);
+    }
+}
+
+}  // namespace jw::picture

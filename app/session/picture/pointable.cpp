@@ -1,0 +1,125 @@
+#include "app/session/picture/pointable.hpp"
+
+#include <algorithm>
+
+namespace jw {
+
+namespace {
+
+// kinds of links that are drawn in 3D, in the lowest digits of their number
+constexpr int kRadix = 8;
+constexpr int kBody = 1;
+constexpr int kJoint = 2;
+constexpr int kVector = 3;  // and the two after it, one per part
+
+constexpr int bit(int part) { return 1 << part; }
+
+/// The vectors that an equation is made of.
+int vectors_of(Role role) {
+    const unsigned vectors = traits_of(role).vectors;
+    const auto has = [&](unsigned any, int part) { return (vectors & any) != 0 ? bit(part) : 0; };
+    return has(kPoints | kAxisI | kSidesH | kSidesU, Pointable::kVectorI) |
+           has(kPoints | kAxisJ | kSidesH | kSidesU, Pointable::kVectorJ) | has(kD, Pointable::kVectorD);
+}
+
+}  // namespace
+
+int picture_id(const Pointable& link) {
+    switch (link.kind) {
+        case Pointable::Kind::body: return (link.index + 1) * kRadix + kBody;
+        case Pointable::Kind::joint: return (link.index + 1) * kRadix + kJoint;
+        case Pointable::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
+        case Pointable::Kind::none:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
+    }
+    return 0;
+}
+
+Pointable pointable_of(int id) {
+    const int kind = id % kRadix;
+    const int index = id / kRadix - 1;
+    if (id <= 0 || index < 0) { return {}; }
+    if (kind == kBody) { return Pointable::body(index); }
+    if (kind == kJoint) { return Pointable::joint(index); }
+    if (kind >= kVector && kind <= kVector + Pointable::kVectorD) {
+        return Pointable::vector(index, kind - kVector);
+    }
+    return {};
+}
+
+Emphasis::Emphasis(const System& system, int angular, const Pointable& pointed_at) {
+    light(system, angular, pointed_at);
+}
+
+void Emphasis::light(const System& system, int angular, const Pointable& pointed_at) {
+    if (!pointed_at) { return; }
+    add(pointed_at);
+    switch (pointed_at.kind) {
+        case Pointable::Kind::row: add_row_and_its_vectors(system, pointed_at.index); break;
+        case Pointable::Kind::joint: add_rows_of_joint(system, pointed_at.index); break;
+        case Pointable::Kind::vector: add_rows_with_vector(system, pointed_at.index, pointed_at.part); break;
+        case Pointable::Kind::body: add_columns_of_body(system, angular, pointed_at.index); break;
+        case Pointable::Kind::column:
+            for (const int body : system.moving_bodies()) {
+                const int first = system.body_column(body, angular);
+                if (pointed_at.index >= first && pointed_at.index < first + 3 + angular) {
+                    add(Pointable::body(body));
+                }
+            }
+            break;
+        case Pointable::Kind::none: break;
+    }
+}
+
+bool Emphasis::contains(const Pointable& link) const {
+    return std::ranges::find(links_, link) != links_.end();
+}
+
+void Emphasis::add(const Pointable& link) {
+    if (!contains(link)) { links_.push_back(link); }
+}
+
+void Emphasis::add_row_and_its_vectors(const System& system, int row) {
+    if (row < 0 || row >= system.rows(true)) { return; }
+    const RowOrigin origin = system.origin(row);
+    const auto k = static_cast<std::size_t>(origin.index);
+    if (origin.kind == RowOrigin::Kind::normalisation) { return add(Pointable::body(origin.index)); }
+    if (origin.kind == RowOrigin::Kind::driver) {
+        const int driver = system.drivers()[k].driver;
+        const int joint = system.mechanism().drivers[static_cast<std::size_t>(driver)].joint;
+        if (joint >= 0) { add(Pointable::joint(joint)); }
+        return;
+    }
+    const Constraint& c = system.constraints()[k];
+    add(Pointable::joint(c.joint));
+    for (const int part : {Pointable::kVectorI, Pointable::kVectorJ, Pointable::kVectorD}) {
+        if ((vectors_of(c.role) & bit(part)) != 0) { add(Pointable::vector(c.joint, part)); }
+    }
+}
+
+void Emphasis::add_rows_of_joint(const System& system, int joint) {
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const auto k = static_cast<std::size_t>(origin.index);
+        if (origin.kind == RowOrigin::Kind::constraint && system.constraints()[k].joint == joint) {
+            add(Pointable::row(row));
+        }
+    }
+}
+
+void Emphasis::add_rows_with_vector(const System& system, int joint, int part) {
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        if (origin.kind != RowOrigin::Kind::constraint) { continue; }
+        const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
+        if (c.joint == joint && (vectors_of(c.role) & bit(part)) != 0) { add(Pointable::row(row)); }
+    }
+}
+
+void Emphasis::add_columns_of_body(const System& system, int angular, int body) {
+    const int first = system.body_column(body, angular);
+    for (int k = 0; first >= 0 && k < 3 + angular; ++k) { add(Pointable::column(first + k)); }
+}
+
+}  // namespace jw

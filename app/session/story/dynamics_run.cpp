@@ -1,0 +1,314 @@
+#include "app/session/story/dynamics_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/session/story/dynamics_rows.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "core/motion/reactions.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw {
+
+namespace {
+
+void add_columns(std::vector<std::string>& columns, const std::string& prefix) {
+    for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
+}
+
+std::string name_of(const Reaction& reaction, const Mechanism& mechanism) {
+    return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
+                               : mechanism.drivers[at(reaction.driver)].name;
+}
+
+void add_reactions(
+    const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
+    const bool first = table.rows.empty();
+    std::vector<std::string> mark_columns;
+    std::vector<double> marks;  // 1: the same in every answer
+    for (const Reaction& reaction : found.reactions) {
+        const std::string name = name_of(reaction, mechanism);
+        if (first) {
+            add_columns(table.columns, name + ".force.");
+            add_columns(table.columns, name + ".torque.");
+            add_columns(mark_columns, name + ".force.unique.");
+            add_columns(mark_columns, name + ".torque.unique.");
+        }
+        row.insert(row.end(), reaction.wrench.force.begin(), reaction.wrench.force.end());
+        row.insert(row.end(), reaction.wrench.torque.begin(), reaction.wrench.torque.end());
+        marks.insert(marks.end(), reaction.force_unique_global.begin(), reaction.force_unique_global.end());
+        marks.insert(marks.end(), reaction.torque_unique_global.begin(), reaction.torque_unique_global.end());
+        const bool known = std::ranges::find(table.not_unique, name) != table.not_unique.end();
+        if (!reaction.unique() && !known) { table.not_unique.push_back(name); }
+    }
+    // behind all numbers, whose columns stay where they were
+    table.columns.insert(table.columns.end(), mark_columns.begin(), mark_columns.end());
+    row.insert(row.end(), marks.begin(), marks.end());
+}
+
+/// The equilibrium of every body, beside the reactions that should give it.
+void add_residual(const Reactions& found, double t, DynamicsTable& table) {
+    if (!table.reaction_residual || found.residual > *table.reaction_residual) {
+        table.reaction_residual = found.residual;
+        table.reaction_bound = found.bound;
+    }
+    if (found.holds() || !table.reaction_note.empty()) { return; }
+    table.reaction_note =
+        "at t = " + number_text(t, 6) + " s the reactions leave " + small_text(found.residual) +
+        " of the forces on the bodies unexplained, where rounding explains " + small_text(found.bound);
+}
+
+std::string summary_of(const DynamicsTable& table) {
+    const std::size_t kinetic = table.column_of("energy.kinetic");
+    const std::size_t potential = table.column_of("energy.potential");
+    const std::size_t violation = table.column_of("position_violation");
+    const IntegrationCounts& c = table.outcome.counts;
+    std::string text = std::to_string(c.steps) + " steps, " + std::to_string(c.rejected) + " rejected, " +
+                       std::to_string(c.evaluations) + " evaluations, " + std::to_string(c.projections) +
+                       " projections";
+    if (c.singular_passages > 0) {
+        text += ", " + std::to_string(c.singular_passages) + " steps near a singular position";
+    }
+    if (c.row_choices > 0) { text += ", rows chosen anew " + std::to_string(c.row_choices) + " times"; }
+    double position = 0.0;
+    double energy = 0.0;
+    for (const std::vector<double>& row : table.rows) {
+        const auto sum = [&](const std::vector<double>& r) { return r[kinetic] + r[potential]; };
+        energy = std::max(energy, std::abs(sum(row) - sum(table.rows.front())));
+        position = std::max(position, row[violation]);
+    }
+    return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
+           number_text(position, 2) + ", accelerations proved to " +
+           small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints));
+}
+
+/// Where branches of a loop cross, they do so only as far as its numbers fit.
+std::string fit_note(const DynamicsTable& table) {
+    constexpr double twelve_digits = 3e-12;
+    if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
+    const double left_open = table.rows.front()[table.column_of("position_violation")];
+    if (left_open < twelve_digits) { return {}; }
+    return "equations that repeat others are off by " + small_text(left_open) +
+           " at the start, so that branches that should cross near a singular position part there: it may go "
+           "on folded; numbers with 12 digits and more keep it on its branch";
+}
+
+constexpr const char* kNearest = " do not fit the joints, nearest ones that do are used: ";
+
+/// Bodies whose start poses are moved, those that are moved most first.
+std::string pose_note(const Mechanism& given, const Snapshot& start) {
+    constexpr double typed = 1e-6;  // seven digits of a pose that was computed leave this open
+    constexpr std::size_t most_named = 4;
+    const double length = extent(given);
+    std::vector<std::pair<double, std::string>> moved;
+    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+        const Body& body = given.bodies[b];
+        const double way = (start.state.r[b] - body.r).norm();
+        const double turn = turn_local_between(body.p.normalized(), start.state.p[b]).norm();
+        const double by = std::max(way / length, turn);
+        if (!(by > typed)) { continue; }
+        std::vector<std::string> parts;
+        if (way > typed * length) { parts.push_back(number_text(way, 3) + " m"); }
+        if (turn > typed) { parts.push_back(number_text(turn * kDegreesPerRadian, 3) + "°"); }
+        moved.emplace_back(by, "body " + in_quotes(body.name) + " begins " + listed(parts));
+    }
+    if (moved.empty()) { return {}; }
+    std::ranges::stable_sort(moved, std::greater{}, &std::pair<double, std::string>::first);
+    std::vector<std::string> texts;
+    for (const auto& [by, text] : moved) {
+        if (texts.size() < most_named) { texts.push_back(text); }
+    }
+    const std::size_t more = moved.size() - texts.size();
+    return "the start poses" + (kNearest + listed(texts)) + " from where the file has it" +
+           (more > 0 ? " (and " + std::to_string(more) + " more, by less)" : "");
+}
+
+/// Of the body whose start velocity is changed most; one that was not given is nobody's wish.
+std::string speed_note(const Mechanism& given, const Snapshot& start) {
+    constexpr double typed = 1e-4;  // what four digits leave open is no news
+    const double length = extent(given);
+    double fastest = 0.0;
+    for (const Body& body : given.bodies) {
+        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
+    }
+    double most = typed * fastest;
+    std::string text;
+    const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
+                             const std::string& unit, const std::string& hint) {
+        const double off = (found - wanted).norm();
+        if (wanted.norm() == 0.0 || !(off / size > most)) { return; }
+        most = off / size;
+        text = "body " + in_quotes(body.name) + " was given " + number_text(wanted.norm(), 4) + unit +
+               " and begins with " + number_text(found.norm(), 4) + unit + ", " + number_text(off, 2) + unit +
+               " off" + hint;
+    };
+    for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+        const Body& body = given.bodies[b];
+        compare(
+            body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s",
+            " (a joint that is not in its origin asks for a 'velocity' besides)");
+        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", "");
+    }
+    return text.empty() ? text : "the start velocities" + (kNearest + text);
+}
+
+/// Watches a run: where it will take long it says so once, with what helps; where stability makes a method
+/// crawl that nobody chose, it gives up.
+class Pace {
+public:
+    Pace(const DynamicsRequest& request, std::string& note) : request_(&request), note_(&note) {}
+
+    bool gave_way() const { return gave_way_; }
+
+    bool look(const RunState& run) {
+        if (request_->progress) { request_->progress(run.t / run.end); }
+        // the pace over the last looks counts: a run may begin slowly
+        if (run.steps % (kLooks * kStepsBetweenLooks) != 0) { return true; }
+        const double way = run.t - t_before_;
+        t_before_ = run.t;
+        if (!(way > 0.0)) { return true; }
+        const double needed = static_cast<double>(run.steps) +
+                              (run.end - run.t) * static_cast<double>(kLooks * kStepsBetweenLooks) / way;
+        const bool stiff = run.bound_by_stability > kMostly;
+        if (stiff && needed > kCrawls && !request_->method_chosen) {
+            gave_way_ = true;
+            return false;
+        }
+        if (said_ || !(needed > (stiff ? kCrawls : static_cast<double>(request_->settings.most_steps)))) {
+            return true;
+        }
+        said_ = true;
+        say(run, needed, stiff);
+        return true;
+    }
+
+private:
+    static constexpr long kLooks = 10;
+    static constexpr double kMostly = 0.5;
+    static constexpr double kCrawls = 5e4;  // an implicit method is some tens of times as dear a step
+
+    void say(const RunState& run, double needed, bool stiff) {
+        const std::string method(entry_of(request_->settings.method).name);
+        std::string text = "at t = " + number_text(run.t, 3) + " s of " + number_text(run.end, 3) + " s " +
+                           method + " has taken " + std::to_string(run.steps) +
+                           " steps; at this pace it takes " + number_text(needed, 2) + " in all";
+        if (static_cast<double>(request_->settings.most_steps) < needed) {
+            text += ", and is given up after " + std::to_string(request_->settings.most_steps);
+        }
+        if (stiff) {
+            text += "; stability keeps the steps short, not accuracy: --method implicit-5 takes longer ones";
+        }
+        *note_ = text;
+        if (request_->tell) { request_->tell(text); }
+    }
+
+    const DynamicsRequest* request_;
+    std::string* note_;
+    double t_before_ = 0.0;
+    bool said_ = false;
+    bool gave_way_ = false;
+};
+
+}  // namespace
+
+DynamicsRequest request_of(const Lesson& lesson) {
+    if (!lesson.dynamics) { throw std::invalid_argument("the lesson has no [dynamics]"); }
+    const DynamicsPlan& plan = *lesson.dynamics;
+    DynamicsRequest request;
+    request.settings.method = plan.method;
+    request.settings.treatment = plan.treatment;
+    request.settings.tolerance = plan.tolerance;
+    request.settings.step = plan.step;
+    request.duration = plan.duration;
+    request.method_chosen = plan.method_given;
+    return request;
+}
+
+std::vector<double> equal_times(double duration, int intervals) {
+    std::vector<double> times;
+    for (int k = 0; k <= intervals; ++k) { times.push_back(duration * k / intervals); }
+    return times;
+}
+
+std::string start_note(const Mechanism& given, const Snapshot& start) {
+    const std::string pose = pose_note(given, start);
+    return pose.empty() ? speed_note(given, start) : pose;
+}
+
+std::size_t DynamicsTable::column_of(std::string_view name) const {
+    const auto found = std::ranges::find(columns, name);
+    if (found == columns.end()) { throw std::invalid_argument("no column " + std::string(name)); }
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
+Mechanism placed_at(const Mechanism& mechanism, const State& state) {
+    Mechanism placed = mechanism;
+    for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
+        placed.bodies[b].r = state.r[b];
+        placed.bodies[b].p = state.p[b];
+    }
+    return placed;
+}
+
+namespace {
+
+/// One run by the method of `request`. @return whether the method gave way to an implicit one
+bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
+    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, request.settings);
+    DynamicsRows rows(lesson, request.quantities, simulation);
+    table.columns = rows.columns();
+    table.rows.clear();
+    table.not_unique.clear();
+    table.reaction_residual.reset();
+    table.reaction_note.clear();
+    const bool noted = !table.start_note.empty();
+    Pace pace(request, table.pace_note);
+    const auto receive = [&](double t, const std::vector<double>& y) {
+        const Snapshot now = simulation.snapshot(t, y);
+        if (t == 0.0) {
+            table.start_note = start_note(lesson.mechanism, now);
+            if (!noted && !table.start_note.empty() && request.tell) { request.tell(table.start_note); }
+        }
+        std::vector<double> row = rows.row(now, y);
+        if (request.reactions) {
+            const Reactions found = reactions_from_body_frames(
+                simulation.scene(), t, now.state, now.velocity, simulation.acceleration(t, y));
+            add_reactions(found, lesson.mechanism, table, row);
+            add_residual(found, t, table);
+        }
+        table.rows.push_back(std::move(row));
+    };
+    table.outcome = simulation.run(
+        equal_times(request.duration, request.samples), receive,
+        [&](const RunState& run) { return pace.look(run); });
+    return pace.gave_way();
+}
+
+}  // namespace
+
+DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
+    DynamicsTable table;
+    DynamicsRequest used = request;
+    if (run_once(lesson, used, table)) {
+        const std::string method(entry_of(used.settings.method).name);
+        used.settings.method = Method::implicit_5;
+        used.settings.dense.reset();
+        used.method_chosen = true;
+        const long steps = table.outcome.counts.steps;
+        table.pace_note = "the scene is stiff: stability kept the steps of " + method +
+                          " short, not accuracy (" + std::to_string(steps) +
+                          " of them to t = " + number_text(table.outcome.failure->t, 3) +
+                          " s); implicit-5 was taken instead, --method " + method + " keeps it";
+        if (request.tell) { request.tell(table.pace_note); }
+        run_once(lesson, used, table);
+    }
+    table.summary = summary_of(table);
+    table.fit_note = fit_note(table);
+    if (table.outcome.failure) {
+        table.failure = failure_text(*table.outcome.failure, used.settings, lesson.mechanism);
+    }
+    return table;
+}
+
+}  // namespace jw

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "app/session/story/story.hpp"
+
+/// What happened in a step, in words and with the real numbers.
+namespace jw {
+
+/// "Joint C · revolute · coupler – rocker"
+std::string title_of(const Lesson& lesson, const Step& step);
+
+/// @param rank of the step's pose
+std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport& rank);
+
+/// Why the story ends at a step; empty if it does not.
+std::string failure_text(const Step& step);
+
+}  // namespace jw

@@ -1,0 +1,78 @@
+#include "app/session/try/carry_out.hpp"
+
+#include "app/session/try/experiment_text.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+// a pull goes a few steps of a fifth of the machine's size; farther than this nobody drags
+constexpr int kMostPulls = 200;
+// of the way that is left: closer than this nobody sees [m per m]
+constexpr double kArrived = 1e-12;
+
+Vec3 point_at(const Session& session, const Drag& drag) {
+    const State& state = session.step().state;
+    const auto body = static_cast<std::size_t>(drag.body);
+    return state.r[body] + rotation_matrix(state.p[body]) * drag.point_local;
+}
+
+bool same_pose(const State& a, const State& b) { return a.r == b.r && a.p == b.p && a.theta == b.theta; }
+
+/// Pulls until the point is there or comes no nearer.
+std::string drag_to_the_end(Session& session, const Drag& drag) {
+    std::string said;
+    double left = (point_at(session, drag) - drag.target).norm();
+    const double enough = kArrived * left;
+    for (int pull = 0; pull < kMostPulls && left > enough; ++pull) {
+        said = session.apply(drag);
+        const double now = (point_at(session, drag) - drag.target).norm();
+        if (!(now < left)) { break; }
+        left = now;
+    }
+    return said;
+}
+
+/// What the hand, or a free motion, has led to becomes the start.
+ExperimentResult move(Session& session, const Experiment& experiment) {
+    const int index = session.index();
+    const int held = closed_step(session.story(), index);
+    const State before = session.story().steps()[static_cast<std::size_t>(held)].state;
+    const auto* drag = std::get_if<Drag>(&experiment);
+    const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(experiment);
+    if (!session.in_hand()) {
+        // a driven motion was led along its way
+        return {session.index() != index || said.empty(), said.empty() ? "the motion goes its way" : said};
+    }
+    if (same_pose(before, session.step().state)) {
+        session.apply(LetGo{});
+        return {false, said.empty() ? "nothing moves" : said};
+    }
+    std::string what = "moved along the free motion";
+    if (drag != nullptr) {
+        const Body& body = session.lesson().mechanism.bodies[static_cast<std::size_t>(drag->body)];
+        what = body.name + " dragged to " + vector_text(point_at(session, *drag));
+    }
+    session.apply(Release{});
+    return {true, what + (said.empty() ? "" : ": " + said)};
+}
+
+}  // namespace
+
+ExperimentResult carry_out(Session& session, const std::string& text) {
+    std::string error;
+    const std::optional<Experiment> experiment = read_experiment(text, session, error);
+    if (!experiment) { return {false, error}; }
+    if (std::holds_alternative<Drag>(*experiment) || std::holds_alternative<ShowFreedom>(*experiment)) {
+        return move(session, *experiment);
+    }
+    const std::uint64_t told = session.told();
+    const std::string said = session.apply(*experiment);
+    if (std::holds_alternative<GoTo>(*experiment)) {
+        return {true, "at step " + std::to_string(session.index())};
+    }
+    return {session.told() != told || said.empty(), said};
+}
+
+}  // namespace jw

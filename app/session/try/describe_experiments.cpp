@@ -1,0 +1,134 @@
+#include <algorithm>
+
+#include "app/session/output/describe.hpp"
+#include "app/session/try/possible_experiments.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/text_table.hpp"
+#include "app/session/wording/text_width.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kWidth = 100;
+
+std::string summary_of(const Effect& e) {
+    return count_text(e.rows, "equation") + ", rank " + std::to_string(e.rank) + ", " +
+           count_text(e.dof, "freedom") + ", " + std::to_string(e.redundant()) + " repeated, condition " +
+           number_text(e.condition, 3);
+}
+
+/// One table through all groups, each under its title: as wide as the widest text of any.
+std::vector<TextColumn> columns_for(int widest) {
+    const TextColumn number{true, 10, 0};
+    return {{false, widest, 2}, number, number, number, number, {false, 0, 2}};
+}
+
+std::vector<std::string> cells(const PossibleExperiment& e) {
+    // geometry has no effect yet: it is as it is
+    if (!e.effect) { return {e.text, e.now ? "as it is" : ""}; }
+    const std::string note = e.now ? "as it is" : "";
+    const std::string price = e.free ? "costs no rank" : "";
+    return {
+        e.text,
+        std::to_string(e.effect->rank),
+        std::to_string(e.effect->dof),
+        std::to_string(e.effect->redundant()),
+        number_text(e.effect->condition, 3),
+        note + (note.empty() || price.empty() ? "" : "  ") + price};
+}
+
+int widest_of(const ExperimentGroup& group) {
+    int widest = 0;
+    for (const PossibleExperiment& e : group.experiments) {
+        widest = std::max(widest, displayed_width(e.text));
+    }
+    return widest;
+}
+
+std::string group_text(const ExperimentGroup& group, int widest) {
+    TextRows rows;
+    for (const PossibleExperiment& e : group.experiments) { rows.push_back(cells(e)); }
+    return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
+}
+
+std::string motions_text(const PossibleExperiments& all) {
+    if (all.free_motions.empty()) { return "No free motion: every direction is held.\n"; }
+    std::string text = "Free motions\n";
+    for (const FreeMotionVerdict& v : all.free_motions) {
+        text += "  " + padded(v.text, 12) + (v.finite ? "finite         " : "instantaneous  ") +
+                wrapped(v.motion, kWidth - 29, 29) + '\n';
+    }
+    return text;
+}
+
+std::string repeated_text(const PossibleExperiments& all) {
+    if (all.combinations.empty()) { return "No equation repeats others.\n\n"; }
+    std::string text = "Equations that repeat each other\n";
+    for (const std::string& combination : all.combinations) {
+        text += "  " + wrapped(combination, kWidth - 2, 4) + '\n';
+    }
+    std::string list;
+    for (const std::string& row : all.removable) { list += (list.empty() ? "" : ", ") + row; }
+    const std::string verdict = all.present.redundant() == 1
+                                    ? "Taking out any one of these restores full row rank: "
+                                    : "Taking out any one of these leaves the rank as it is: ";
+    return text + "  " + wrapped(verdict + list, kWidth - 2, 4) + "\n\n";
+}
+
+Json json_of(const Effect& e) {
+    return {
+        {"rows", e.rows},
+        {"rank", e.rank},
+        {"dof", e.dof},
+        {"redundant", e.redundant()},
+        {"condition", number(e.condition)}};
+}
+
+Json json_of(const ExperimentGroup& group) {
+    Json experiments = Json::array();
+    for (const PossibleExperiment& e : group.experiments) {
+        experiments.push_back(
+            {{"try", e.text},
+             {"now", e.now},
+             {"costs_no_rank", e.free},
+             {"effect", e.effect ? json_of(*e.effect) : Json()}});
+    }
+    return {{"title", group.title}, {"experiments", experiments}};
+}
+
+}  // namespace
+
+std::string describe(const PossibleExperiments& all, const Lesson& lesson) {
+    std::string text = lesson.title + '\n' + all.moment + " (step " + std::to_string(all.step) +
+                       "): " + summary_of(all.present) + "\n\n";
+    int widest = widest_of(all.coordinates);
+    for (const ExperimentGroup& group : all.groups) { widest = std::max(widest, widest_of(group)); }
+    text += text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest));
+    for (const ExperimentGroup& group : all.groups) { text += group_text(group, widest); }
+    text += group_text(all.coordinates, widest);
+    return text + repeated_text(all) + motions_text(all);
+}
+
+Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
+    Json groups = Json::array();
+    for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
+    Json motions = Json::array();
+    for (const FreeMotionVerdict& v : all.free_motions) {
+        motions.push_back({{"try", v.text}, {"motion", v.motion}, {"finite", v.finite}});
+    }
+    return {
+        {"format", "jointwise try"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"moment", all.moment},
+        {"step", all.step},
+        {"present", json_of(all.present)},
+        {"groups", groups},
+        {"coordinates", json_of(all.coordinates)},
+        {"combinations", all.combinations},
+        {"removable", all.removable},
+        {"free_motions", motions}};
+}
+
+}  // namespace jw

@@ -1,0 +1,148 @@
+#include <algorithm>
+
+#include "app/session/try/experiment_parts.hpp"
+#include "lessons/exact_text.hpp"
+#include "lessons/typed.hpp"
+
+namespace jw::experiment_text {
+
+namespace {
+
+const Driver& driver_of(const Lesson& lesson, int index) {
+    return lesson.mechanism.drivers.at(static_cast<std::size_t>(index));
+}
+
+/// What a driver prescribes: angles have degrees or radians, lengths metres.
+enum class Kind { angle, length, euler_parameter };
+
+Kind kind_of(const Driver& driver) {
+    if (std::holds_alternative<AngleMeasure>(driver.measure)) { return Kind::angle; }
+    if (std::holds_alternative<ThetaMeasure>(driver.measure)) { return Kind::angle; }
+    const auto* coordinate = std::get_if<CoordinateMeasure>(&driver.measure);
+    return coordinate != nullptr && coordinate->coordinate >= 3 ? Kind::euler_parameter : Kind::length;
+}
+
+/// Goes past the unit: it must follow numbers of an angle and may follow those of a length.
+/// @param per  "" or "/s"
+bool degrees_follow(Words& words, Kind kind, const std::string& per) {
+    if (kind != Kind::angle) {
+        words.take(kind == Kind::length ? "m" + per : "1" + per);
+        return false;
+    }
+    if (words.take("deg" + per) || words.take("°" + per)) { return true; }
+    if (words.take("rad" + per)) { return false; }
+    throw Unreadable("the unit is missing; expected deg" + per + " or rad" + per);
+}
+
+double value(Words& words, Kind kind, const std::string& per, const std::string& what) {
+    const double number = words.number(what);
+    return degrees_follow(words, kind, per) ? radians(number) : number;
+}
+
+/// Numbers up to the next word that is none, all in one unit.
+std::vector<double> values(Words& words, Kind kind, const std::string& what) {
+    std::vector<double> all;
+    const auto is_number = [&] { return words.peek().find_first_of("+-.0123456789") == 0; };
+    do { all.push_back(words.number(what)); } while (is_number());
+    if (degrees_follow(words, kind, "")) { std::ranges::transform(all, all.begin(), radians); }
+    return all;
+}
+
+TimeFunction::Harmonic read_harmonic(Words& words, Kind kind) {
+    TimeFunction::Harmonic h;
+    h.amplitude = value(words, kind, "", "the amplitude");
+    if (words.take("omega")) { h.omega = value(words, Kind::angle, "/s", "omega"); }
+    if (words.take("phase")) { h.phase = value(words, Kind::angle, "", "the phase"); }
+    return h;
+}
+
+TimeFunction::SmoothStep read_step(Words& words, Kind kind) {
+    TimeFunction::SmoothStep step;
+    if (words.take("from")) { step.from = value(words, kind, "", "the value before"); }
+    if (words.take("to")) { step.to = value(words, kind, "", "the value after"); }
+    if (words.take("between")) {
+        step.start = words.number("a time [s]");
+        step.end = words.number("a time [s]");
+        words.take("s");
+    }
+    if (step.end <= step.start) { throw Unreadable("the step ends before it begins"); }
+    return step;
+}
+
+double& coefficient(TimeFunction& function, std::size_t power) {
+    if (function.polynomial.size() <= power) {
+        function.polynomial.resize(std::max<std::size_t>(2, power + 1));
+    }
+    return function.polynomial[power];
+}
+
+void read_clause(Words& words, Kind kind, TimeFunction& function) {
+    static const std::vector<std::string> clauses{"start",      "rate",     "function",
+                                                  "polynomial", "harmonic", "step"};
+    switch (words.name(clauses, "part of a driver's function")) {
+        case 0: coefficient(function, 0) = value(words, kind, "", "the start"); break;
+        case 1: coefficient(function, 1) = value(words, kind, "/s", "the rate"); break;
+        case 2: function = {}; break;
+        case 3: function.polynomial = values(words, kind, "a coefficient"); break;
+        case 4: function.harmonics.push_back(read_harmonic(words, kind)); break;
+        default: function.steps.push_back(read_step(words, kind)); break;
+    }
+}
+
+/// "30 90 deg"
+std::string values_text(const std::vector<double>& numbers, Kind kind, const std::string& per = {}) {
+    std::vector<double> shown = numbers;
+    std::string unit = kind == Kind::length ? " m" + per : "";
+    if (kind == Kind::angle) {
+        const writing::AngleTexts typed = writing::typed_angles(numbers);
+        unit = " " + typed.unit + per;
+        shown = typed.values;
+    }
+    std::string text;
+    for (const double number : shown) { text += (text.empty() ? "" : " ") + writing::number_text(number); }
+    return text + unit;
+}
+
+std::string whole_text(const TimeFunction& f, Kind kind) {
+    std::string text = " function";
+    if (!f.polynomial.empty()) { text += " polynomial " + values_text(f.polynomial, kind); }
+    for (const TimeFunction::Harmonic& h : f.harmonics) {
+        text += " harmonic " + values_text({h.amplitude}, kind) + " omega " +
+                values_text({h.omega}, Kind::angle, "/s") + " phase " + values_text({h.phase}, Kind::angle);
+    }
+    for (const TimeFunction::SmoothStep& s : f.steps) {
+        text += " step from " + values_text({s.from}, kind) + " to " + values_text({s.to}, kind) +
+                " between " + writing::number_text(s.start) + " " + writing::number_text(s.end) + " s";
+    }
+    return text;
+}
+
+}  // namespace
+
+SetDriver read_driver(Words& words, const Lesson& lesson) {
+    const auto index = static_cast<int>(words.name(names_of_drivers(lesson), "driver"));
+    const Driver& driver = driver_of(lesson, index);
+    SetDriver experiment{index, driver.function};
+    do { read_clause(words, kind_of(driver), experiment.function); } while (!words.done());
+    return experiment;
+}
+
+std::string text_of(const SetDriver& experiment, const Lesson& lesson) {
+    const Driver& driver = driver_of(lesson, experiment.driver);
+    const Kind kind = kind_of(driver);
+    const std::string head = "driver " + quoted_name(driver.name, names_of_drivers(lesson));
+    TimeFunction wanted = experiment.function;
+    TimeFunction shifted = driver.function;
+    if (wanted.polynomial.size() >= 2) {
+        const double start = wanted.polynomial[0];
+        const double rate = wanted.polynomial[1];
+        coefficient(shifted, 0) = start;
+        coefficient(shifted, 1) = rate;
+        if (shifted == wanted) {
+            return head + " start " + values_text({start}, kind) + " rate " + values_text({rate}, kind, "/s");
+        }
+    }
+    return head + whole_text(wanted, kind);
+}
+
+}  // namespace jw::experiment_text

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/try/experiments.hpp"
+#include "app/session/wording/words.hpp"
+
+/// Parts of experiment_text.hpp: geometry of joints, functions of drivers.
+namespace jw::experiment_text {
+
+std::vector<std::string> names_of_joints(const Lesson& lesson);
+std::vector<std::string> names_of_drivers(const Lesson& lesson);
+
+/// "1 0 -0.5", exact.
+std::string numbers_text(const Vec3& v);
+
+/// Behind "axis", "point", "length" and "geometry".
+SetGeometry read_axis(Words& words, const Lesson& lesson);
+SetGeometry read_point(Words& words, const Lesson& lesson);
+SetGeometry read_length(Words& words, const Lesson& lesson);
+SetGeometry read_geometry(Words& words, const Lesson& lesson);
+/// The shortest of the four that says the same.
+std::string text_of(const SetGeometry& experiment, const Lesson& lesson);
+
+/// Behind "driver".
+SetDriver read_driver(Words& words, const Lesson& lesson);
+std::string text_of(const SetDriver& experiment, const Lesson& lesson);
+
+}  // namespace jw::experiment_text

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/session/try/session.hpp"
+
+/// Actions as sentences that a person can type: "form hinge drop x", "take out D p1 x". docs/command-line.md
+/// lists them.
+namespace jw {
+
+/// The experiment that `text` asks for. Whether it is possible is found out by whoever carries it out.
+/// @param session  what names, step numbers and "drag ... by" refer to
+/// @return nothing, with what is wrong and what was expected in `error`, if it cannot be understood
+std::optional<Experiment> read_experiment(
+    const std::string& text, const Session& session, std::string& error);
+
+/// The sentence that read_experiment understands as this very experiment, every number exactly, as long as
+/// the lesson is the one that `session` shows.
+/// @param experiment  about joints, drivers and bodies that the lesson has
+std::string text_of(const Experiment& experiment, const Session& session);
+
+}  // namespace jw

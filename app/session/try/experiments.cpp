@@ -1,0 +1,209 @@
+#include "app/session/try/experiments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/wording/labels.hpp"
+#include "lessons/enum_words.hpp"
+
+namespace jw {
+
+namespace {
+
+bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+Edit refused(std::string why) { return {std::nullopt, std::move(why)}; }
+
+const std::string& name_of(const Lesson& lesson, const Addition& addition) {
+    const auto k = static_cast<std::size_t>(addition.index);
+    return addition.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                  : lesson.mechanism.drivers[k].name;
+}
+
+/// Shortest turn from one direction to another.
+Mat3 turn_between(const Vec3& from, const Vec3& to) {
+    const Vec3 a = from.normalized();
+    const Vec3 b = to.normalized();
+    const double cosine = a.dot(b);
+    if (cosine < -1.0 + 1e-12) {
+        const Vec3 side = a.unitOrthogonal();
+        return 2.0 * side * side.transpose() - Mat3::Identity();
+    }
+    const Mat3 v = tilde(a.cross(b));
+    return Mat3::Identity() + v + v * v / (1.0 + cosine);
+}
+
+bool is_finite(const TimeFunction& f) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return std::ranges::all_of(f.polynomial, finite) &&
+           std::ranges::all_of(
+               f.harmonics,
+               [&](const auto& h) { return finite(h.amplitude) && finite(h.omega) && finite(h.phase); }) &&
+           std::ranges::all_of(f.steps, [&](const auto& s) {
+               return finite(s.from) && finite(s.to) && finite(s.start) && finite(s.end) && s.start < s.end;
+           });
+}
+
+bool usable(const JointGeometry& g) {
+    const auto finite = [](const Vec3& v) { return v.allFinite(); };
+    const auto direction = [](const Vec3& v) { return v.allFinite() && v.norm() > 1e-9; };
+    return finite(g.P_i_local) && finite(g.P_j_local) && direction(g.s_i_local) && direction(g.s_j_local) &&
+           direction(g.h_i_local) && direction(g.h_j_local) && direction(g.u_i_local) &&
+           direction(g.u_j_local) && std::isfinite(g.length);
+}
+
+class Editor {
+public:
+    Editor(const Lesson& lesson, const Lesson& written) : lesson_(lesson), written_(written) {}
+
+    Edit operator()(const SetParallelForm& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr) { return refused("there is no such joint"); }
+        if (!joint->type->uses(Role::axes_parallel) && !joint->type->uses(Role::distance_parallel)) {
+            return refused(joint->name + " has no p1 or p2");
+        }
+        joint->parallel_form = a.form;
+        return done(joint->name + ": " + name_of_form(a.form));
+    }
+
+    Edit operator()(const SetScrewAngleForm& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr || !joint->type->uses(Role::screw_angle)) {
+            return refused("only a screw has an angle row");
+        }
+        joint->geometry.screw_angle_form = a.form;
+        return done(joint->name + ": " + label_of(kAngleRows, a.form));
+    }
+
+    Edit operator()(const SetCoordinates& a) {
+        lesson_.coordinates = a.choice;
+        return done(std::string("coordinates ") + name_of_choice(a.choice));
+    }
+
+    Edit operator()(const SetPresent& a) {
+        const std::size_t size = a.what.kind == Addition::Kind::joint ? lesson_.mechanism.joints.size()
+                                                                      : lesson_.mechanism.drivers.size();
+        if (!is_index(a.what.index, size)) { return refused("there is nothing of that number"); }
+        const std::string name = name_of(lesson_, a.what);
+        const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
+        if (is_present == a.present) {
+            return refused(name + (is_present ? " is there" : " is out") + " already");
+        }
+        if (a.present) { return put_back(a.what, name); }
+        std::erase(lesson_.order, a.what);
+        // a motor goes with the joint that it sits on
+        std::erase_if(lesson_.order, [&](const Addition& other) {
+            return a.what.kind == Addition::Kind::joint && joint_driven_by(other) == a.what.index;
+        });
+        return done(name + " taken out");
+    }
+
+    Edit operator()(const SetEquationPresent& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr || !joint->type->uses(a.equation.role)) {
+            return refused("the joint has no such equation");
+        }
+        const auto found = std::ranges::find(joint->without, a.equation);
+        const bool is_present = found == joint->without.end();
+        if (is_present == a.present) { return refused("nothing changes"); }
+        if (a.present) {
+            joint->without.erase(found);
+        } else {
+            joint->without.push_back(a.equation);
+        }
+        const std::string name = joint->name + " · " + name_of_role(a.equation.role, joint->parallel_form);
+        return done(name + (a.present ? ": equation put back" : ": equation taken out"));
+    }
+
+    Edit operator()(const SetGeometry& a) {
+        Joint* const joint = joint_of(a.joint);
+        if (joint == nullptr) { return refused("there is no such joint"); }
+        if (!usable(a.geometry)) { return refused("points must be finite and directions not zero"); }
+        if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
+            return refused("a length must be above 0");
+        }
+        joint->geometry = a.geometry;
+        measure_anew(a.joint);
+        return done(joint->name + " moved");
+    }
+
+    Edit operator()(const SetDriver& a) {
+        if (!is_index(a.driver, lesson_.mechanism.drivers.size())) {
+            return refused("there is no such driver");
+        }
+        if (!is_finite(a.function)) {
+            return refused("numbers of a driver must be finite, a step must have an end");
+        }
+        Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
+        driver.function = a.function;
+        return done(driver.name + " changed");
+    }
+
+    template <class Other>
+    Edit operator()(const Other& /*looking*/) {
+        return refused("");
+    }
+
+private:
+    Joint* joint_of(int index) {
+        return is_index(index, lesson_.mechanism.joints.size())
+                   ? &lesson_.mechanism.joints[static_cast<std::size_t>(index)]
+                   : nullptr;
+    }
+
+    /// What drivers along a joint measure moves with the joint.
+    void measure_anew(int index) {
+        const Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        for (Driver& driver : lesson_.mechanism.drivers) {
+            if (driver.joint != index) { continue; }
+            if (std::holds_alternative<AngleMeasure>(driver.measure)) { driver.measure = angle_of(joint); }
+            if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
+                driver.measure = displacement_of(joint);
+            }
+        }
+    }
+
+    /// The joint that a driver acts along, -1 for anything else.
+    int joint_driven_by(const Addition& addition) const {
+        if (addition.kind == Addition::Kind::joint) { return -1; }
+        return lesson_.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
+    }
+
+    /// Behind whatever the author has before it.
+    Edit put_back(const Addition& what, const std::string& name) {
+        const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
+        if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
+            return refused(name + " drives " + name_of(lesson_, its_joint) + ": put that back first");
+        }
+        const auto rank = [&](const Addition& a) { return std::ranges::find(written_.order, a); };
+        const auto later =
+            std::ranges::find_if(lesson_.order, [&](const Addition& a) { return rank(a) > rank(what); });
+        lesson_.order.insert(later, what);
+        return done(name + " put back");
+    }
+
+    Edit done(std::string what) { return {std::move(lesson_), std::move(what)}; }
+
+    Lesson lesson_;
+    const Lesson& written_;
+};
+
+}  // namespace
+
+JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec3& s_local) {
+    JointGeometry moved = geometry;
+    Vec3& s = in_body_j ? moved.s_j_local : moved.s_i_local;
+    Vec3& h = in_body_j ? moved.h_j_local : moved.h_i_local;
+    Vec3& u = in_body_j ? moved.u_j_local : moved.u_i_local;
+    const Mat3 turn = turn_between(s, s_local);
+    s = s_local.normalized() * s.norm();
+    h = turn * h;
+    u = turn * u;
+    return moved;
+}
+
+Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment) {
+    return std::visit(Editor(lesson, written), experiment);
+}
+
+}  // namespace jw

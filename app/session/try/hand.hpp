@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/session/story/story.hpp"
+#include "core/kinematics/freedoms.hpp"
+#include "core/kinematics/manifold.hpp"
+
+/// A pose that is not in the story: a hand has pulled the bodies, or a free motion is followed.
+namespace jw {
+
+class Hand {
+public:
+    /// Takes hold of what is assembled at a step: of everything before a joint that is not closed yet.
+    /// @param story must outlive this
+    Hand(const Story& story, int index);
+
+    /// A step with the pose of the hand, in the place of the one that was taken hold of.
+    const Step& step() const { return step_; }
+
+    DragOutcome pull(int body, const Vec3& point_local, const Vec3& target);
+
+    /// The pose at `part` (-1 to 1) of the way that free motion `motion` can be followed.
+    /// @return false if there is no such motion
+    bool follow(int motion, double part);
+    /// Of the motion that is followed.
+    const std::optional<FollowedMotion>& followed() const { return followed_; }
+
+private:
+    void show(const State& state);
+
+    Step step_;
+    State start_;
+    std::unique_ptr<System> system_;  ///< chooses rows as it moves
+    std::unique_ptr<Dragger> dragger_;
+    std::optional<FollowedMotion> followed_;
+    int followed_motion_ = -1;
+};
+
+/// The step of the story whose constraints hold at step `index`: the step itself once its joint is closed.
+int closed_step(const Story& story, int index);
+
+}  // namespace jw

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/output/json.hpp"
+#include "app/session/try/session.hpp"
+
+/// What can be tried in a lesson, and what each experiment would do to the equations where the lesson stands.
+namespace jw {
+
+/// Of all equations that are present, at the same pose.
+struct Effect {
+    int rows = 0;
+    int rank = 0;
+    int dof = 0;
+    double condition =
+        0.0;  ///< largest by smallest singular value that counts, (r, ω′), scaled; 0 without rows
+
+    int redundant() const { return rows - rank; }
+};
+
+struct PossibleExperiment {
+    std::string text;   ///< to be typed: "form hinge drop x"
+    bool now = false;   ///< it is so already
+    bool free = false;  ///< taking it out costs no rank
+    std::optional<Effect> effect;
+};
+
+struct FreeMotionVerdict {
+    std::string text;     ///< "follow 1"
+    std::string motion;   ///< in words
+    bool finite = false;  ///< it goes on; else for an instant only
+};
+
+/// Everything about one joint or driver.
+struct ExperimentGroup {
+    std::string title;  ///< "A · revolute · ground – crank"
+    std::vector<PossibleExperiment> experiments;
+};
+
+struct PossibleExperiments {
+    std::string moment;  ///< "after D"
+    int step = 0;
+    Effect present;
+    std::vector<ExperimentGroup> groups;
+    std::vector<std::string> removable;  ///< rows of which any single one may go without a loss of rank
+    std::vector<std::string> combinations;
+    std::vector<FreeMotionVerdict> free_motions;
+    ExperimentGroup coordinates;
+};
+
+/// Of what `session` shows: where a joint is being closed, before it.
+PossibleExperiments possible_experiments_of(const Session& session);
+
+std::string describe(const PossibleExperiments& experiments, const Lesson& lesson);
+Json json_of(const PossibleExperiments& experiments, const Lesson& lesson);
+
+}  // namespace jw

@@ -1,0 +1,317 @@
+#include "app/session/try/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jw {
+
+namespace {
+
+// a person remembers less
+constexpr std::size_t kMostHistory = 200;
+
+/// Where somebody is in a story, so that the same place is found in another telling of it.
+struct Place {
+    Step::Kind kind = Step::Kind::bodies;
+    std::optional<Addition> subject;
+    int nth = 0;  ///< of the steps about the same subject
+    double t = 0.0;
+};
+
+Place place_of(const Story& story, int index) {
+    const Step& step = story.steps()[static_cast<std::size_t>(index)];
+    Place place{step.kind, subject_of(story.lesson(), step), 0, step.t};
+    for (int k = index - 1; k >= 0; --k) {
+        if (subject_of(story.lesson(), story.steps()[static_cast<std::size_t>(k)]) != place.subject) {
+            break;
+        }
+        ++place.nth;
+    }
+    return place;
+}
+
+int nearest_moment(const Story& story, double t) {
+    int nearest = static_cast<int>(story.steps().size()) - 1;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        if (step.kind != Step::Kind::motion || std::abs(step.t - t) >= distance) { continue; }
+        distance = std::abs(step.t - t);
+        nearest = static_cast<int>(k);
+    }
+    return nearest;
+}
+
+/// The step that is nearest to a place in another telling: the same kind of step of the same joint; of a
+/// joint that is gone or not reached, the last step there is.
+int find_place(const Story& story, const Place& place) {
+    const auto size = static_cast<int>(story.steps().size());
+    if (place.kind == Step::Kind::motion) { return nearest_moment(story, place.t); }
+    if (place.kind == Step::Kind::bodies) { return 0; }
+    int nth = 0;
+    int last = -1;
+    for (int k = 0; k < size; ++k) {
+        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        if (subject_of(story.lesson(), step) != place.subject) { continue; }
+        last = k;
+        const bool same = nth++ == place.nth && step.kind == place.kind;
+        const bool done = step.kind == place.kind && place.kind != Step::Kind::iteration;
+        if (same || done) { return k; }
+    }
+    return last >= 0 ? last : std::min(size - 1, story.last_assembled());
+}
+
+/// The start estimates of the bodies (and θ of screws) become those of `state`.
+Lesson started_at(Lesson lesson, const State& state) {
+    Mechanism& mechanism = lesson.mechanism;
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        if (mechanism.bodies[b].fixed) { continue; }
+        mechanism.bodies[b].r = state.r[b];
+        mechanism.bodies[b].p = state.p[b];
+    }
+    const std::vector<int> thetas = mechanism.theta_indices();
+    for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+        if (thetas[k] < 0) { continue; }
+        mechanism.joints[k].geometry.theta_start = state.theta[static_cast<std::size_t>(thetas[k])];
+    }
+    return lesson;
+}
+
+/// Edits of one kind on one thing, as while a slider is dragged, are one change.
+std::size_t gesture_of(const Experiment& experiment) {
+    const std::size_t kind = experiment.index() + 1;
+    if (const auto* a = std::get_if<SetGeometry>(&experiment)) {
+        return kind + 100 * (static_cast<std::size_t>(a->joint) + 1);
+    }
+    if (const auto* a = std::get_if<SetDriver>(&experiment)) {
+        return kind + 100 * (static_cast<std::size_t>(a->driver) + 1);
+    }
+    return 0;
+}
+
+}  // namespace
+
+/// What has been computed of what is shown; each only when asked for.
+struct Session::Cache {
+    std::optional<View> view;
+    std::optional<Picture> picture;
+    std::optional<RankReport> rank;
+    std::optional<PictureStyle> style;  ///< of the whole story
+};
+
+Session::Session(Lesson lesson)
+    : written_(std::make_shared<Lesson>(std::move(lesson))),
+      lesson_(written_),
+      cache_(std::make_unique<Cache>()) {
+    story_ = std::make_unique<Story>(*lesson_);
+    told_anew();
+}
+
+Session::~Session() = default;
+
+const Lesson& Session::lesson() const { return *lesson_; }
+
+const Step& Session::step() const {
+    return hand_ ? hand_->step() : story_->steps()[static_cast<std::size_t>(index_)];
+}
+
+std::string Session::apply(const Experiment& experiment) {
+    if (const auto* a = std::get_if<Drag>(&experiment)) { return drag(*a); }
+    if (std::holds_alternative<Release>(experiment)) { return release(); }
+    if (const auto* a = std::get_if<ShowFreedom>(&experiment)) { return show_freedom(*a); }
+    if (hand_) {
+        hand_.reset();
+        changed();
+    }
+    if (std::holds_alternative<LetGo>(experiment)) { return {}; }
+    if (const auto* a = std::get_if<GoTo>(&experiment)) {
+        gesture_ = 0;
+        const int last = static_cast<int>(story_->steps().size()) - 1;
+        const int next = std::clamp(a->step, 0, last);
+        if (next != index_) {
+            index_ = next;
+            changed();
+        }
+        return {};
+    }
+    if (std::holds_alternative<Undo>(experiment)) { return step_back_in_history(undo_, redo_); }
+    if (std::holds_alternative<Redo>(experiment)) { return step_back_in_history(redo_, undo_); }
+    if (std::holds_alternative<StartOver>(experiment)) {
+        if (!is_changed()) { return "Nothing was changed."; }
+        Past past = present("start over");
+        take_over(written_);
+        undo_.push_back(std::move(past));
+        redo_.clear();
+        gesture_ = 0;
+        return "The lesson is as it was written.";
+    }
+    return edit(experiment);
+}
+
+std::string Session::edit(const Experiment& experiment) {
+    Edit result = edited(*lesson_, *written_, experiment);
+    if (!result.lesson) { return result.what; }
+    const std::size_t gesture = gesture_of(experiment);
+    Past past = present(result.what);
+    take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
+    if (gesture == 0 || gesture != gesture_) {
+        undo_.push_back(std::move(past));
+        if (undo_.size() > kMostHistory) { undo_.erase(undo_.begin()); }
+    }
+    gesture_ = gesture;
+    redo_.clear();
+    return result.what;
+}
+
+std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<Past>& to) {
+    gesture_ = 0;
+    if (from.empty()) { return &from == &undo_ ? "There is nothing to undo." : "There is nothing to redo."; }
+    const Past past = from.back();
+    Past now = present(past.what);
+    take_over(past.lesson);
+    written_ = past.written;
+    from.pop_back();
+    to.push_back(std::move(now));
+    index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
+    changed();
+    return (&from == &undo_ ? "Undone: " : "Done again: ") + past.what;
+}
+
+void Session::replace(Lesson lesson) {
+    Past past = present("the file before");
+    const auto written = std::make_shared<const Lesson>(std::move(lesson));
+    take_over(written);
+    written_ = written;
+    undo_.push_back(std::move(past));
+    redo_.clear();
+    gesture_ = 0;
+}
+
+Session::Past Session::present(std::string what) const {
+    return {lesson_, written_, index_, std::move(what)};
+}
+
+/// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
+void Session::take_over(std::shared_ptr<const Lesson> lesson) {
+    const Place place = place_of(*story_, index_);
+    auto story = std::make_unique<Story>(*lesson);
+    hand_.reset();
+    story_ = std::move(story);
+    lesson_ = std::move(lesson);  // the story before looked into the one before
+    index_ = find_place(*story_, place);
+    told_anew();
+}
+
+void Session::told_anew() {
+    ++told_;
+    cache_->style.reset();
+    changed();
+}
+
+void Session::changed() {
+    ++version_;
+    cache_->view.reset();
+    cache_->picture.reset();
+    cache_->rank.reset();
+}
+
+std::string Session::drag(const Drag& drag) {
+    const auto bodies = lesson_->mechanism.bodies.size();
+    if (drag.body < 0 || static_cast<std::size_t>(drag.body) >= bodies) { return "there is no such body"; }
+    const Body& body = lesson_->mechanism.bodies[static_cast<std::size_t>(drag.body)];
+    if (body.fixed) { return body.name + " is fixed: it has no unknowns."; }
+    gesture_ = 0;
+    if (!hand_ && step().kind == Step::Kind::motion) { return scrub(drag); }
+    if (!hand_) { hand_ = std::make_unique<Hand>(*story_, index_); }
+    const DragOutcome outcome = hand_->pull(drag.body, drag.point_local, drag.target);
+    changed();
+    if (outcome.freedoms == 0) {
+        return "Nothing is free here: the joints and drivers that are present hold every body.";
+    }
+    return outcome.blocked ? "The equations hold " + body.name + " in this direction." : std::string();
+}
+
+/// A driven mechanism goes its way: the hand leads it to the moment where the point is nearest to the target,
+/// found by walking from the present one, so that it does not jump to another part of the path.
+std::string Session::scrub(const Drag& drag) {
+    const auto body = static_cast<std::size_t>(drag.body);
+    const auto distance = [&](int k) {
+        const Step& s = story_->steps()[static_cast<std::size_t>(k)];
+        if (s.kind != Step::Kind::motion) { return std::numeric_limits<double>::infinity(); }
+        return (s.state.r[body] + rotation_matrix(s.state.p[body]) * drag.point_local - drag.target).norm();
+    };
+    const int last = static_cast<int>(story_->steps().size()) - 1;
+    int best = index_;
+    for (const int way : {-1, 1}) {
+        int k = index_;
+        while (k + way >= 0 && k + way <= last && distance(k + way) < distance(k)) { k += way; }
+        if (distance(k) < distance(best)) { best = k; }
+    }
+    if (best != index_) {
+        index_ = best;
+        changed();
+    }
+    return {};
+}
+
+std::string Session::release() {
+    if (!hand_) { return {}; }
+    const State state = hand_->step().state;
+    Past past = present("start estimate moved by hand");
+    take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));
+    undo_.push_back(std::move(past));
+    redo_.clear();
+    return "The pose is the new start estimate.";
+}
+
+std::string Session::show_freedom(const ShowFreedom& experiment) {
+    gesture_ = 0;
+    if (!hand_) { hand_ = std::make_unique<Hand>(*story_, index_); }
+    if (!hand_->follow(experiment.motion, experiment.part)) {
+        hand_.reset();
+        changed();
+        return "There is no such free motion here.";
+    }
+    changed();
+    return {};
+}
+
+std::optional<bool> Session::shown_freedom_is_finite() const {
+    if (!hand_ || !hand_->followed()) { return std::nullopt; }
+    return hand_->followed()->finite;
+}
+
+const View& Session::view() const {
+    if (!cache_->view) {
+        ++views_computed_;
+        cache_->view = view_of(*story_, step(), index_);
+    }
+    return *cache_->view;
+}
+
+const PictureStyle& Session::style() const {
+    if (!cache_->style) { cache_->style = picture_style(*story_); }
+    return *cache_->style;
+}
+
+const Picture& Session::picture() const {
+    if (!cache_->picture) { cache_->picture = picture_of(*story_, style(), step(), index_); }
+    return *cache_->picture;
+}
+
+const RankReport& Session::rank() const {
+    if (!cache_->rank) {
+        const Step& shown = step();
+        cache_->rank = shown.rank ? *shown.rank : rank_of(*shown.system, shown.state, shown.t);
+    }
+    return *cache_->rank;
+}
+
+std::string Session::undo_text() const { return undo_.empty() ? std::string() : undo_.back().what; }
+
+std::string Session::redo_text() const { return redo_.empty() ? std::string() : redo_.back().what; }
+
+int Session::index_of_time(double t) const { return nearest_moment(*story_, t); }
+
+}  // namespace jw

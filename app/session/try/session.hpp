@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "app/session/picture/picture.hpp"
+#include "app/session/try/experiments.hpp"
+#include "app/session/try/hand.hpp"
+#include "app/session/view/view.hpp"
+
+/// A lesson that is being looked at and tried out: what the window and the command line share.
+///
+/// Whatever is tried makes another lesson, which is told anew; so every experiment can be undone, saved as a
+/// lesson file, and goes through the same numerics as a lesson of an author.
+namespace jw {
+
+class Session {
+public:
+    explicit Session(Lesson lesson);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// As it stands, changes included.
+    const Lesson& lesson() const;
+    const Lesson& as_written() const { return *written_; }
+    const Story& story() const { return *story_; }
+
+    /// Index of the step of the story that is shown, or in whose place something moved by hand is shown.
+    int index() const { return index_; }
+    /// What is shown.
+    const Step& step() const;
+    /// Not a step of the story: led by hand, or along a free motion.
+    bool in_hand() const { return hand_ != nullptr; }
+
+    /// @return what was done or why it was not, for people; empty where there is nothing to say
+    std::string apply(const Experiment& experiment);
+
+    /// The file was saved anew. What was tried before stays in the history.
+    void replace(Lesson lesson);
+
+    const View& view() const;
+    const Picture& picture() const;
+    const PictureStyle& style() const;
+    /// Freedoms of what is shown, in the order of RankReport::free_motions.
+    const RankReport& rank() const;
+
+    /// Grows whenever view() or picture() may be another.
+    std::uint64_t version() const { return version_; }
+    /// Grows whenever the lesson is told anew.
+    std::uint64_t told() const { return told_; }
+    /// How often numbers were computed for a view: nothing may be while nothing changes.
+    std::uint64_t views_computed() const { return views_computed_; }
+
+    bool is_changed() const { return lesson_ != written_; }
+    /// What undo (redo) would take back (do again), empty if there is nothing.
+    std::string undo_text() const;
+    std::string redo_text() const;
+
+    /// Whether the free motion that is shown goes on or was there for an instant only; see
+    /// core/kinematics/freedoms.hpp. Nothing if none is shown.
+    std::optional<bool> shown_freedom_is_finite() const;
+
+    /// Index of the step of the story that is nearest to time `t` of the motion; the last step without one.
+    int index_of_time(double t) const;
+
+private:
+    /// One entry of the history: what it was before.
+    struct Past {
+        std::shared_ptr<const Lesson> lesson;
+        std::shared_ptr<const Lesson> written;  ///< another one where the file was saved anew since
+        int index = 0;
+        std::string what;
+    };
+    struct Cache;
+
+    std::string edit(const Experiment& experiment);
+    std::string drag(const Drag& drag);
+    std::string scrub(const Drag& drag);
+    std::string release();
+    std::string show_freedom(const ShowFreedom& experiment);
+    std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
+    Past present(std::string what) const;
+    void take_over(std::shared_ptr<const Lesson> lesson);
+    void told_anew();
+    void changed();
+
+    std::shared_ptr<const Lesson> written_;
+    std::shared_ptr<const Lesson> lesson_;
+    std::unique_ptr<Story> story_;
+    int index_ = 0;
+    std::unique_ptr<Hand> hand_;
+    std::vector<Past> undo_;
+    std::vector<Past> redo_;
+    std::size_t gesture_ = 0;  ///< kind and subject of the last edit: a slider that is dragged is one change
+    std::uint64_t version_ = 1;
+    std::uint64_t told_ = 0;
+    mutable std::uint64_t views_computed_ = 0;
+    mutable std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace jw

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/session/story/story.hpp"
+#include "core/kinematics/kinematic_residuals.hpp"
+
+/// Every number of a system at one moment, in the coordinates that were asked for.
+namespace jw {
+
+struct Inspection {
+    std::string moment;  ///< "step 7", "t = 0.25 s", "as given"
+    int step = -1;       ///< -1 unless a step was asked for
+    CoordinateChoice choice = CoordinateChoice::omega_local;
+    std::shared_ptr<const System> system;
+    State state;
+    Motion velocity;  ///< that γ belongs to
+    double t = 0.0;
+    VectorX phi;
+    SparseRows jacobian;
+    VectorX nu;
+    VectorX gamma;
+    VectorX singular_values;            ///< of `jacobian` as it stands; empty where `rank` has no spectrum
+    double singular_value_error = 0.0;  ///< none of them is off by more than this
+    bool sound = true;                  ///< false: they did not pass their check
+    KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
+    RankReport rank;                    ///< kinematic, whatever the coordinates
+};
+
+/// Whether singular values and free motions are computed.
+enum class Spectrum {
+    of_small,  ///< up to kMostColumnsWithSpectrum columns (large_rank.hpp)
+    always,    ///< whatever that takes: a minute for 500 bodies
+};
+
+/// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
+bool is_shown_dense(const Inspection& inspection);
+
+/// At a step of the story; γ belongs to the file's velocities before the motion and to the motion's in it.
+/// @throws std::out_of_range if there is no such step
+Inspection inspect_step(
+    const Story& story, int index, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
+
+/// The state of the file, all joints and drivers present, nothing assembled; γ belongs to the file's
+/// velocities.
+Inspection inspect_as_given(
+    const Lesson& lesson, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
+
+/// Assembled, and followed through the motion to time `t`.
+/// @throws PoseNotReached
+Inspection inspect_time(
+    const Lesson& lesson, double t, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
+
+/// The numerics could not find a pose; `what()` says why.
+class PoseNotReached : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Why a story ended at its step `failed`, with the lesson's file name; to be thrown.
+PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
+/// The same of a motion.
+PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure);
+
+}  // namespace jw

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/session/view/series.hpp"
+
+/// What the sets over time have in common; used by series.cpp and series_of_rows.cpp only.
+namespace jw::series {
+
+/// Times and steps of the motion, with marks where rows were chosen anew and where a change point was passed.
+SeriesSet over_time(const Story& story);
+
+/// Steps of the motion at which a pose was reached.
+std::vector<int> motion_steps(const Story& story);
+
+/// Indices of all series.
+std::vector<int> all_of(const SeriesSet& set);
+
+}  // namespace jw::series

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/session/view/inspection.hpp"
+#include "core/quantity/names.hpp"
+
+/// Position, velocity and acceleration analysis over a sweep of time, as a table of numbers.
+namespace jw {
+
+enum class Analysis { position, velocity, acceleration };
+
+struct SweepPlan {
+    Analysis analysis = Analysis::position;
+    double from = 0.0;   ///< [s]
+    double to = 1.0;     ///< [s], >= from
+    double step = 0.01;  ///< [s], > 0; the last interval may be shorter
+    /// Columns besides those of the analysis.
+    std::vector<NamedQuantity> quantities = {};
+};
+
+struct SweepRow {
+    std::vector<double> values;  ///< one per column
+    bool unique = true;          ///< velocities (and accelerations) are determined by the equations
+    bool consistent = true;      ///< no equation contradicts the others
+    bool change_point = false;
+    KinematicResiduals residuals;  ///< as far as the analysis goes; the rest is of no meaning
+};
+
+struct Sweep {
+    std::vector<std::string> columns;  ///< "time_s", "crank.x", "crank.e0", "crank.omega_local.x", ...
+    std::vector<SweepRow> rows;
+    std::string failure;  ///< empty, or why the sweep ended early
+    /// Empty, or which equations contradict each other in velocities or accelerations, where that is so
+    /// first.
+    std::string contradiction;
+};
+
+/// The times of a plan.
+std::vector<double> times_of(const SweepPlan& plan);
+
+/// @throws PoseNotReached if the mechanism cannot be put together
+Sweep solve_sweep(
+    const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress = {});
+
+}  // namespace jw

@@ -1,0 +1,204 @@
+#include "app/session/view/view.hpp"
+
+#include "app/session/story/sentences.hpp"
+#include "app/session/view/quantities.hpp"
+#include "app/session/view/view_equations.hpp"
+#include "app/session/wording/explanations.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "core/equations/assembler.hpp"
+
+namespace jw {
+
+namespace {
+
+MatrixView matrix_of(
+    const Step& step, CoordinateChoice choice, const RankReport& report, int joint, int driver) {
+    const System& system = *step.system;
+    MatrixView view;
+    view.choice = choice;
+    with_choice(choice, [&](auto c) {
+        Assembler<decltype(c)> assembler(system);
+        assembler.assemble_phi_and_jacobian(step.state, step.t);
+        view.values = assembler.jacobian();
+    });
+    for (int row = 0; row < static_cast<int>(view.values.rows()); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const auto k = static_cast<std::size_t>(origin.index);
+        MatrixView::Row entry{row_owner(system, row), short_row_label(system, row), false, false};
+        if (origin.kind == RowOrigin::Kind::constraint) {
+            entry.subject = system.constraints()[k].joint == joint;
+        } else if (origin.kind == RowOrigin::Kind::driver) {
+            entry.subject = system.drivers()[k].driver == driver;
+        }
+        view.rows.push_back(std::move(entry));
+    }
+    for (const RedundantRow& r : report.redundant_rows) {
+        view.rows[static_cast<std::size_t>(r.row)].redundant = report.assembled;
+    }
+    for (const ColumnName& name : column_names(system, choice)) {
+        view.columns.push_back({name.owner, name.symbol});
+    }
+    return view;
+}
+
+RankView rank_view_of(const Step& step, const RankReport& report) {
+    const System& system = *step.system;
+    RankView view;
+    view.rows = report.rows;
+    view.columns = report.columns;
+    view.rank = report.rank;
+    view.dof = report.dof;
+    view.mobility_by_counting = report.mobility_by_counting;
+    if (step.rank_before) {
+        view.rank_before = step.rank_before->rank;
+        view.rows_before = step.rank_before->rows;
+    }
+    view.has_spectrum = report.has_spectrum;
+    view.singular_values.assign(report.singular_values.begin(), report.singular_values.end());
+    view.threshold = report.threshold;
+    view.residual = report.residual;
+    view.assembled = report.assembled;
+    view.near_singular = report.near_singular;
+    view.singular_value_error = report.singular_value_error;
+    view.decided = report.decided;
+    view.doubts = doubts_of(system, report);
+    for (const RedundantRow& r : report.redundant_rows) {
+        view.redundant_rows.push_back(row_label(system, r.row));
+        view.combinations.push_back(combination_text(system, r));
+    }
+    view.free_motions = free_motion_texts(system, report.free_motions);
+    return view;
+}
+
+std::vector<NewtonRow> newton_rows_of(const Step& step) {
+    std::vector<NewtonRow> rows;
+    for (const PositionEvent& event : step.events) {
+        if (std::holds_alternative<WrongBranch>(event)) {
+            if (!rows.empty()) { rows.back().note = "wrong branch, left"; }
+            continue;
+        }
+        const auto& newton = std::get<NewtonStep>(event);
+        NewtonRow row;
+        row.iteration = newton.iteration;
+        row.phi_norm = newton.phi_norm;
+        row.largest_row = row_label(*step.system, newton.largest_row);
+        row.largest_value = newton.largest_value;
+        row.stepped = newton.rank > 0;  // neither when closed nor when given up
+        row.delta_norm = newton.delta_norm;
+        row.turn_deg = newton.turn * kDegreesPerRadian;
+        row.fraction = newton.fraction;
+        row.rank = newton.rank;
+        if (newton.converged) {
+            row.note = "closed";
+        } else if (newton.fraction < 1.0) {
+            row.note = "step limited";
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<BodyMotion> body_motions_of(const Step& step) {
+    std::vector<BodyMotion> motions;
+    for (const int body : step.system->moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        const Mat3 A = rotation_matrix(step.state.p[b]);
+        BodyMotion motion;
+        motion.body = step.system->mechanism().bodies[b].name;
+        motion.r = step.state.r[b];
+        motion.p = step.state.p[b];
+        motion.r_dot = step.velocity.r_dot[b];
+        motion.r_ddot = step.acceleration.r_dot[b];
+        motion.omega = A * step.velocity.omega_local[b];
+        motion.omega_dot = A * step.acceleration.omega_local[b];
+        motions.push_back(std::move(motion));
+    }
+    return motions;
+}
+
+std::string author_text_of(const Lesson& lesson, const Step& step) {
+    const StepTexts& texts = lesson.step_texts;
+    if (step.kind == Step::Kind::bodies) {
+        return lesson.text + (lesson.text.empty() || texts.bodies.empty() ? "" : " ") + texts.bodies;
+    }
+    if (step.kind == Step::Kind::motion) {
+        std::string text = texts.motion;
+        for (const StepTexts::AtTime& at : texts.times) {
+            if (at.from <= step.t) { text = at.text; }
+        }
+        return text;
+    }
+    const Addition subject = *subject_of(lesson, step);
+    const auto k = static_cast<std::size_t>(subject.index);
+    return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
+}
+
+std::string velocity_note_of(const Step& step) {
+    if (step.kind != Step::Kind::motion) { return {}; }
+    const auto contradiction = [&](const LinearVerdict& verdict, const char* what) {
+        return "The rows contradict each other: no " + std::string(what) + " satisfies " +
+               row_label(*step.system, verdict.worst_row) + ".";
+    };
+    if (!step.velocity_verdict.consistent) { return contradiction(step.velocity_verdict, "velocity"); }
+    if (!step.acceleration_verdict.consistent) {
+        return contradiction(step.acceleration_verdict, "acceleration");
+    }
+    if (!step.velocity_verdict.unique) {
+        return "Velocities are not unique: of all that satisfy the equations, those nearest to the ones "
+               "before are shown.";
+    }
+    return {};
+}
+
+}  // namespace
+
+View view_of(const Story& story, int index, ViewParts parts) {
+    return view_of(story, story.steps()[static_cast<std::size_t>(index)], index, parts);
+}
+
+View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
+    const Lesson& lesson = story.lesson();
+    const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+
+    int joint = -1;
+    int driver = -1;
+    if (const auto subject = subject_of(lesson, step)) {
+        (subject->kind == Addition::Kind::joint ? joint : driver) = subject->index;
+    }
+    const int shown_joint = step.kind == Step::Kind::motion ? story.featured_joint() : joint;
+
+    const System* before =
+        index > 0 ? story.steps()[static_cast<std::size_t>(index) - 1].system.get() : nullptr;
+
+    View view;
+    view.kind = step.kind;
+    view.step = index;
+    view.steps = static_cast<int>(story.steps().size());
+    view.t = step.t;
+    view.lesson_title = lesson.title;
+    view.source =
+        shown_joint >= 0 && step.kind != Step::Kind::motion
+            ? std::string(lesson.mechanism.joints[static_cast<std::size_t>(shown_joint)].type->source)
+            : lesson.source;
+    view.title = title_of(lesson, step);
+    view.sentence = sentence_of(lesson, step, report);
+    view.author_text = author_text_of(lesson, step);
+    if (shown_joint >= 0) {
+        view.equations = equations_of_joint(
+            step, shown_joint, choices_of_joint(*step.system, shown_joint, step.state, before),
+            report.assembled ? &report : nullptr);
+    } else if (driver >= 0) {
+        view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
+    }
+    if (parts == ViewParts::all) { view.matrix = matrix_of(step, lesson.coordinates, report, joint, driver); }
+    view.rank = rank_view_of(step, report);
+    view.newton = newton_rows_of(step);
+    view.bodies = body_motions_of(step);
+    if (step.kind == Step::Kind::motion) { view.quantities = quantities_of(step); }
+    view.velocity_note = velocity_note_of(step);
+    view.failure = failure_text(step);
+    return view;
+}
+
+}  // namespace jw

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/view/quantities.hpp"
+#include "app/session/view/view_equations.hpp"
+
+/// What a step shows, as plain values: the terminal, the JSON, the panels and the pictures all come from
+/// here, so a number shown in two places is computed once. Formula markup as in labels.hpp.
+namespace jw {
+
+struct MatrixView {
+    struct Row {
+        std::string owner;       ///< joint, driver or body (normalisation)
+        std::string label;       ///< "p1 y"
+        bool redundant = false;  ///< repeats others
+        bool subject = false;    ///< belongs to the joint or driver of the step
+    };
+    struct Column {
+        std::string owner;   ///< body, or joint for θ
+        std::string symbol;  ///< "x", "e₀", "ω′x", "θ"
+    };
+    CoordinateChoice choice = CoordinateChoice::omega_local;
+    std::vector<Row> rows;
+    std::vector<Column> columns;
+    MatrixX values;  ///< Φq [rows x columns]
+};
+
+struct RankView {
+    int rows = 0;
+    int columns = 0;
+    int rank = 0;
+    int dof = 0;
+    int mobility_by_counting = 0;
+    int rank_before = -1;  ///< -1: nothing to compare with
+    int rows_before = 0;
+    bool has_spectrum = true;             ///< false: the next and the last list were not computed
+    std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
+    double threshold = 0.0;
+    double residual = 0.0;
+    bool assembled = true;
+    bool near_singular = false;
+    double singular_value_error = 0.0;        ///< none of them is off by more than this
+    bool decided = true;                      ///< false: the rank cannot be told; `doubts` says why
+    std::vector<std::string> doubts;          ///< what is not proved, one sentence each; mostly empty
+    std::vector<std::string> redundant_rows;  ///< labels
+    std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
+    std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
+};
+
+struct NewtonRow {
+    int iteration = 0;
+    double phi_norm = 0.0;
+    std::string largest_row;  ///< label
+    double largest_value = 0.0;
+    bool stepped = false;  ///< the members below are meaningless without
+    double delta_norm = 0.0;
+    double turn_deg = 0.0;  ///< largest turn of a body in the full step
+    double fraction = 1.0;  ///< of the full step taken
+    int rank = 0;
+    std::string note;  ///< "closed", "step limited", "wrong branch, left", may be empty
+};
+
+struct BodyMotion {
+    std::string body;
+    Vec3 r = Vec3::Zero();          ///< [m]
+    Vec4 p{1.0, 0.0, 0.0, 0.0};     ///< (e0, e1, e2, e3)
+    Vec3 r_dot = Vec3::Zero();      ///< [m/s]
+    Vec3 r_ddot = Vec3::Zero();     ///< [m/s²]
+    Vec3 omega = Vec3::Zero();      ///< global [rad/s]
+    Vec3 omega_dot = Vec3::Zero();  ///< global [rad/s²]
+};
+
+struct View {
+    Step::Kind kind = Step::Kind::bodies;
+    int step = 0;   ///< index into the story
+    int steps = 0;  ///< how many the story has
+    double t = 0.0;
+    std::string lesson_title;
+    std::string source;       ///< of the joint's type where there is one, else of the lesson
+    std::string title;        ///< "Joint C · revolute · coupler – rocker"
+    std::string sentence;     ///< what happened, with the real numbers
+    std::string author_text;  ///< may be empty
+    std::vector<EquationGroup> equations;
+    MatrixView matrix;
+    RankView rank;
+    std::vector<NewtonRow> newton;  ///< of this solve, up to this step
+    std::vector<BodyMotion> bodies;
+    std::vector<QuantityMotion> quantities;  ///< motion only
+    std::string velocity_note;               ///< "not unique: ..." or empty
+    std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
+};
+
+/// Text and JSON show no matrix: of a large system it is most of the work.
+enum class ViewParts { all, without_matrix };
+
+/// @param index of the step in the story
+View view_of(const Story& story, int index, ViewParts parts = ViewParts::all);
+
+/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+View view_of(const Story& story, const Step& step, int index, ViewParts parts = ViewParts::all);
+
+}  // namespace jw

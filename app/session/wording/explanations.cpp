@@ -1,0 +1,127 @@
+#include "app/session/wording/explanations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+std::string branch_text(const System& system, const WrongBranch& wrong) {
+    const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
+    const std::string joint = "joint " + system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
+    switch (wrong.kind) {
+        case WrongBranch::Kind::anti_parallel:
+            return "the axes sᵢ and sⱼ of " + joint + " point in opposite directions (cosine " +
+                   number_text(wrong.measure, 3) + ")";
+        case WrongBranch::Kind::half_turn:
+            return "the side vectors of " + joint + " are half a turn away from where they started";
+        case WrongBranch::Kind::screw_angle: break;
+    }
+    return "θ of " + joint + " is half a turn off the angle between its bodies";
+}
+
+std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms) {
+    std::string text = row_label(system, redundant.row) + " = ";
+    if (redundant.terms.empty()) { return text + "0: it says nothing here"; }
+    for (std::size_t k = 0; k < redundant.terms.size(); ++k) {
+        if (k == most_terms) { return text + " + " + std::to_string(redundant.terms.size() - k) + " more"; }
+        const RedundantRow::Term& term = redundant.terms[k];
+        const double size = std::abs(term.coefficient);
+        const bool negative = term.coefficient < 0.0;
+        text += k == 0 ? (negative ? "−" : "") : (negative ? " − " : " + ");
+        if (std::abs(size - 1.0) > 1e-9) { text += number_text(size, 3) + " "; }
+        text += row_label(system, term.row);
+    }
+    return text;
+}
+
+std::string free_motion_text(const System& system, const FreeMotion& motion) {
+    constexpr double kNothing = 1e-9;  // rounding of the elimination that made the basis
+    const std::vector<ColumnName> names = column_names(system, CoordinateChoice::omega_local);
+    std::vector<std::string> owners;
+    bool only_turns = true;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (std::abs(motion(static_cast<Eigen::Index>(k))) < kNothing) { continue; }
+        if (std::ranges::find(owners, names[k].owner) == owners.end()) { owners.push_back(names[k].owner); }
+        only_turns = only_turns && names[k].coordinate.starts_with("omega");
+    }
+    std::string text;
+    for (const std::string& owner : owners) {
+        std::string entries;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const double value = motion(static_cast<Eigen::Index>(k));
+            if (names[k].owner != owner || std::abs(value) < kNothing) { continue; }
+            entries += (entries.empty() ? "" : ", ") + names[k].symbol + " " + number_text(value, 3);
+        }
+        text += (text.empty() ? "" : "; ") + owner + ": " + entries;
+    }
+    if (owners.size() == 1 && only_turns) { return text + " (it turns on its own)"; }
+    return text;
+}
+
+std::string undecided_text(const RankReport& report) {
+    if (report.decided) { return {}; }
+    if (!report.sound) {
+        return "The rank cannot be told: the singular values do not pass their check and may be off by " +
+               small_text(report.singular_value_error) + ".";
+    }
+    const auto last = static_cast<Eigen::Index>(report.rank) - 1;
+    const bool may_vanish =
+        last >= 0 &&
+        report.singular_values(last) - report.pose_error - report.singular_value_error <= report.threshold;
+    const Eigen::Index doubtful = may_vanish ? last : last + 1;
+    return "The rank cannot be told: a singular value of " + small_text(report.singular_values(doubtful)) +
+           " may be zero or not, since the pose (largest |Φ| " + small_text(report.residual) +
+           ") decides it only to " + small_text(std::max(report.threshold, report.pose_error)) + ".";
+}
+
+std::vector<std::string> doubts_of(const System& system, const RankReport& report) {
+    std::vector<std::string> doubts;
+    if (!report.decided) { doubts.push_back(undecided_text(report)); }
+    for (const RedundantRow& row : report.redundant_rows) {
+        if (row.misfit <= row.bound) { continue; }
+        doubts.push_back(
+            "The combination for " + row_label(system, row.row) + " misses by " + small_text(row.misfit) +
+            ", where rounding explains " + small_text(row.bound) + ".");
+    }
+    for (std::size_t k = 0; k < report.free_motion_proofs.size(); ++k) {
+        const FreeMotionProof& proof = report.free_motion_proofs[k];
+        if (proof.holds()) { continue; }
+        doubts.push_back(
+            "Free motion " + std::to_string(k + 1) + " changes the equations by " +
+            small_text(proof.residual) + ", where rounding explains " + small_text(proof.bound) + ".");
+    }
+    return doubts;
+}
+
+std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions) {
+    std::vector<std::string> texts;
+    std::vector<bool> held(system.mechanism().bodies.size(), false);
+    const auto hold = [&](int body) { held[static_cast<std::size_t>(body)] = true; };
+    for (const Constraint& c : system.constraints()) {
+        hold(c.body_i);
+        hold(c.body_j);
+    }
+    for (const DriverConstraint& d : system.drivers()) {
+        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_i);
+        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_j);
+    }
+    std::string free;
+    for (const int body : system.moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        if (!held[b]) { free += (free.empty() ? "" : ", ") + system.mechanism().bodies[b].name; }
+    }
+    for (const FreeMotion& motion : motions) {
+        const bool of_free_body = std::ranges::any_of(system.moving_bodies(), [&](int body) {
+            return !held[static_cast<std::size_t>(body)] &&
+                   !motion.segment<6>(system.body_column(body, 3)).isZero();
+        });
+        if (!of_free_body) { texts.push_back(free_motion_text(system, motion)); }
+    }
+    if (!free.empty()) { texts.push_back(free + ": all six, nothing holds it yet"); }
+    return texts;
+}
+
+}  // namespace jw

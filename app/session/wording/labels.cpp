@@ -1,0 +1,247 @@
+#include "app/session/wording/labels.hpp"
+
+#include <array>
+
+#include "lessons/equation_labels.hpp"
+
+namespace jw {
+
+namespace {
+
+std::string combined(const std::string& name, const std::string& body) {
+    return "@Φ^{(" + name + ")} ≡ " + body;
+}
+
+/// Marks of each primitive; the count in the superscript is that of independent equations, as on the slides.
+std::string formula_of(Role role, const Joint& joint) {
+    const bool pair = joint.parallel_form == ParallelForm::pair;
+    switch (role) {
+        case Role::same_point: return combined("s,3", "@r_i + @A_i @s′_i^P − @A_j @s′_j^P − @r_j = @0");
+        case Role::axes_parallel:
+            return pair ? combined("n1,1", "@a_i^T @s_j = 0,  @b_i^T @s_j = 0")
+                        : combined("p1,2", "~s_i @s_j = @0");
+        case Role::distance_parallel:
+            return pair ? combined("n2,1", "@a_i^T @d = 0,  @b_i^T @d = 0")
+                        : combined("p2,2", "~s_i @d = @0");
+        case Role::axes_perpendicular: return combined("n1,1", "@s_i^T @s_j = 0");
+        case Role::distance_perpendicular: return combined("n2,1", "@s_i^T @d = 0");
+        case Role::distance_perpendicular_j: return combined("n2,1", "@s_j^T @d = 0");
+        case Role::sides_perpendicular: return combined("n1,1", "@h_i^T @h_j = 0");
+        case Role::length: return combined("d,1", "@d^T @d − L^2 = 0");
+        case Role::screw_advance: return combined("r,1", "(d − d^0) − α (θ − θ^0) = 0");
+        case Role::screw_angle: break;
+    }
+    switch (joint.geometry.screw_angle_form) {
+        case ScrewAngleForm::cosine: return combined("θ,1", "@u_i^T @u_j − cos θ = 0");
+        case ScrewAngleForm::sine: return combined("θ,1", "(@u_i × @u_j)^T @s_i − sin θ = 0");
+        case ScrewAngleForm::rotation: break;
+    }
+    return combined("θ,1", "(@u_i × @u_j)^T @s_i cos θ − @u_i^T @u_j sin θ = 0");
+}
+
+const char* unit_of_role(Role role) {
+    switch (traits_of(role).dimension) {
+        case Dimension::none: return "-";
+        case Dimension::length: return "m";
+        case Dimension::square: break;
+    }
+    return "m²";
+}
+
+const Constraint& constraint_of(const System& system, const RowOrigin& origin) {
+    return system.constraints()[static_cast<std::size_t>(origin.index)];
+}
+
+std::string subscript(char c) {
+    switch (c) {
+        case 'i': return "ᵢ";
+        case 'j': return "ⱼ";
+        case '0': return "₀";
+        case '1': return "₁";
+        case '2': return "₂";
+        case '3': return "₃";
+        default: return std::string("_") + c;
+    }
+}
+
+std::string superscript(const std::string& text) {
+    if (text == "T") { return "ᵀ"; }
+    if (text == "P") { return "ᴾ"; }
+    if (text == "B") { return "ᴮ"; }
+    if (text == "0") { return "⁰"; }
+    if (text == "2") { return "²"; }
+    return text;
+}
+
+}  // namespace
+
+const char* axis_name(int component) {
+    constexpr std::array names{"x", "y", "z"};
+    return names[static_cast<std::size_t>(component)];
+}
+
+const char* name_of_choice(CoordinateChoice choice) {
+    switch (choice) {
+        case CoordinateChoice::true_euler_parameters: return "rp";
+        case CoordinateChoice::modified_euler_parameters: return "rp-modified";
+        case CoordinateChoice::omega_local: return "omega-local";
+        case CoordinateChoice::omega_global: break;
+    }
+    return "omega-global";
+}
+
+const char* name_of_form(ParallelForm form) {
+    switch (form) {
+        case ParallelForm::rule: return "rule";
+        case ParallelForm::drop_x: return "drop x";
+        case ParallelForm::drop_y: return "drop y";
+        case ParallelForm::drop_z: return "drop z";
+        case ParallelForm::all_three: return "all three";
+        case ParallelForm::pair: break;
+    }
+    return "pair";
+}
+
+std::string name_of_role(Role role, ParallelForm form) { return primitive_name(role, form); }
+
+std::string plain_of(const std::string& markup) {
+    std::string text;
+    for (std::size_t k = 0; k < markup.size(); ++k) {
+        const char c = markup[k];
+        if (c == '@') { continue; }
+        if (c == '~') {
+            text += markup[++k];
+            text += "\u0303";
+        } else if ((c == '_' || c == '^') && k + 1 < markup.size()) {
+            std::string group(1, markup[k + 1]);
+            if (markup[k + 1] == '{') {
+                const std::size_t end = markup.find('}', k);
+                group = markup.substr(k + 2, end - k - 2);
+                k = end;
+            } else {
+                ++k;
+            }
+            text += c == '_' ? (group.size() == 1 ? subscript(group[0]) : group) : superscript(group);
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
+EquationText equation_text(const System& system, const Constraint& constraint) {
+    const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(constraint.joint)];
+    EquationText text;
+    text.primitive = name_of_role(constraint.role, joint.parallel_form);
+    text.formula = formula_of(constraint.role, joint);
+    text.plain = plain_of(text.formula);
+    text.unit = unit_of_role(constraint.role);
+    return text;
+}
+
+EquationText driver_text(const Driver& driver) {
+    EquationText text;
+    text.primitive = "driver";
+    text.unit = "-";
+    if (std::holds_alternative<AngleMeasure>(driver.measure) ||
+        std::holds_alternative<ThetaMeasure>(driver.measure)) {
+        text.formula = combined("drive,1", "θ − f(t) = 0");
+        text.unit = "rad";
+    } else if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
+        text.formula = combined("drive,1", "@s_i^T @d − f(t) = 0");
+        text.unit = "m";
+    } else if (std::holds_alternative<SquaredDistanceMeasure>(driver.measure)) {
+        text.formula = combined("drive,1", "@d^T @d − f(t)^2 = 0");
+        text.unit = "m²";
+    } else {
+        const int k = std::get<CoordinateMeasure>(driver.measure).coordinate;
+        const std::string symbol = k < 3 ? axis_name(k) : "e_" + std::to_string(k - 3);
+        text.formula = combined("drive,1", symbol + " − f(t) = 0");
+        text.unit = k < 3 ? "m" : "-";
+    }
+    text.plain = plain_of(text.formula);
+    return text;
+}
+
+std::string component_name(const Constraint& constraint, int component) {
+    return component_name(constraint.equations, component);
+}
+
+std::string short_row_label(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint: {
+            const Constraint& c = constraint_of(system, origin);
+            const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+            const std::string component = component_name(c, origin.component);
+            return name_of_role(c.role, joint.parallel_form) + (component.empty() ? "" : " " + component);
+        }
+        case RowOrigin::Kind::driver: return "f(t)";
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return "pᵀp";
+}
+
+std::string row_owner(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const Mechanism& mechanism = system.mechanism();
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint:
+            return mechanism.joints[static_cast<std::size_t>(constraint_of(system, origin).joint)].name;
+        case RowOrigin::Kind::driver: {
+            const DriverConstraint& d = system.drivers()[static_cast<std::size_t>(origin.index)];
+            return mechanism.drivers[static_cast<std::size_t>(d.driver)].name;
+        }
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return mechanism.bodies[static_cast<std::size_t>(origin.index)].name;
+}
+
+std::string row_label(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const Mechanism& mechanism = system.mechanism();
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint: {
+            const Constraint& c = constraint_of(system, origin);
+            const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
+            const std::string component = component_name(c, origin.component);
+            return joint.name + " · " + name_of_role(c.role, joint.parallel_form) +
+                   (component.empty() ? "" : " · " + component);
+        }
+        case RowOrigin::Kind::driver: {
+            const DriverConstraint& d = system.drivers()[static_cast<std::size_t>(origin.index)];
+            return mechanism.drivers[static_cast<std::size_t>(d.driver)].name;
+        }
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return mechanism.bodies[static_cast<std::size_t>(origin.index)].name + " · pᵀp − 1";
+}
+
+std::vector<ColumnName> column_names(const System& system, CoordinateChoice choice) {
+    std::vector<ColumnName> names;
+    const Mechanism& mechanism = system.mechanism();
+    const bool euler = choice == CoordinateChoice::true_euler_parameters ||
+                       choice == CoordinateChoice::modified_euler_parameters;
+    const bool local = choice == CoordinateChoice::omega_local;
+    for (const int body : system.moving_bodies()) {
+        const std::string& owner = mechanism.bodies[static_cast<std::size_t>(body)].name;
+        for (int k = 0; k < 3; ++k) { names.push_back({owner, axis_name(k), axis_name(k)}); }
+        for (int k = 0; euler && k < 4; ++k) {
+            names.push_back({owner, "e" + std::to_string(k), "e" + subscript(static_cast<char>('0' + k))});
+        }
+        for (int k = 0; !euler && k < 3; ++k) {
+            names.push_back(
+                {owner, std::string(local ? "omega_local." : "omega.") + axis_name(k),
+                 std::string(local ? "ω′" : "ω") + axis_name(k)});
+        }
+    }
+    const std::vector<int> thetas = mechanism.theta_indices();
+    for (const int theta : system.active_thetas()) {
+        for (std::size_t k = 0; k < thetas.size(); ++k) {
+            if (thetas[k] == theta) { names.push_back({mechanism.joints[k].name, "theta", "θ"}); }
+        }
+    }
+    return names;
+}
+
+}  // namespace jw

@@ -1,0 +1,59 @@
+#include "app/session/wording/quantity_text.hpp"
+
+#include <array>
+
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+bool is_shown_in_degrees(const Quantity& quantity) {
+    return dimension_of(quantity) == UnitRate{Unit::radian, 0};
+}
+
+}  // namespace
+
+std::string unit_text(UnitRate dimension, int derivative, bool in_degrees) {
+    constexpr std::array per_time{"", "/s", "/s²", "/s³"};
+    const std::string per = per_time[static_cast<std::size_t>(dimension.per_s + derivative)];
+    const bool is_angle = dimension.unit == Unit::radian;
+    const std::string symbol(in_degrees && is_angle ? "deg" : symbol_of(dimension.unit));
+    return symbol.empty() && !per.empty() ? "1" + per : symbol + per;
+}
+
+std::string unit_text(const Quantity& quantity, int derivative) {
+    const std::string text = unit_text(dimension_of(quantity), derivative, is_shown_in_degrees(quantity));
+    return text.empty() ? "-" : text;
+}
+
+double factor_of_unit(const Quantity& quantity) {
+    return is_shown_in_degrees(quantity) ? kDegreesPerRadian : 1.0;
+}
+
+std::string absence_text(Absence absence) {
+    switch (absence) {
+        case Absence::none: return "";
+        case Absence::no_masses: return "there are no masses and forces here";
+        case Absence::no_acceleration: return "no accelerations are known here";
+        case Absence::no_derivative: return "it has no such derivative";
+        case Absence::not_unique: return "it is not unique: equations repeat each other and leave it open";
+        case Absence::not_there: return "its joint or driver takes no part here";
+        case Absence::no_motion_of_it: return "the pose is no moment of the motion by masses and forces";
+        case Absence::rank_lost: return "the rows have lost rank, so there is no condition";
+        case Absence::singular: break;
+    }
+    return "it has a corner here, and no rate";
+}
+
+std::string column_of_before(const std::string& today) {
+    if (today == "energy.kinetic") { return "kinetic_J"; }
+    if (today == "energy.potential") { return "potential_J"; }
+    for (const std::string dot : {"", "_dot", "_ddot"}) {
+        const std::string end = ".angle" + dot;
+        if (today.ends_with(end)) { return today.substr(0, today.size() - end.size()) + ".theta" + dot; }
+    }
+    return today;
+}
+
+}  // namespace jw
