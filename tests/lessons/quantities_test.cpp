@@ -4,6 +4,8 @@
 
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
+#include "lessons/exact_text.hpp"
+#include "lessons/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/moved_along.hpp"
@@ -39,6 +41,33 @@ std::vector<NamedQuantity> every_quantity(const Mechanism& mechanism) {
         for (int k = 0; k <= derivatives_of(quantity); ++k) { list.push_back({quantity, k}); }
     }
     return list;
+}
+
+/// Name of the quantity that a driver prescribes.
+std::string name_of_target(const Mechanism& mechanism, const Driver& driver) {
+    const MeasureQuantity target{driver.measure, driver.body_i, driver.body_j, driver.joint, -1};
+    return name_of(target, 0, mechanism);
+}
+
+/// `text` of a written lesson, its drivers with the name of a quantity in place of the keys for one.
+std::string with_named_targets(const std::string& text, const Mechanism& mechanism) {
+    const std::set<std::string> replaced{"joint", "bodies", "point_i", "point_j",
+                                         "at",    "to",     "body",    "coordinate"};
+    std::istringstream lines(text);
+    std::string out;
+    std::size_t next = 0;
+    bool in_driver = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("[")) { in_driver = line == "[[driver]]"; }
+        const std::string key = line.substr(0, line.find(' '));
+        if (in_driver && replaced.contains(key)) { continue; }
+        if (in_driver && key == "quantity") {
+            line = "quantity = " + writing::string_text(name_of_target(mechanism, mechanism.drivers[next++]));
+        }
+        out += line + '\n';
+    }
+    CHECK(next == mechanism.drivers.size());
+    return out;
 }
 
 /// Every name is that of one quantity only, and is read back as it.
@@ -193,6 +222,53 @@ TEST_CASE("Names of before are read as those of today", "[lessons][quantities]")
     CHECK(today("nobody.x") == "nothing");
     CHECK(today("j.point[1 2].x") == "nothing");
     CHECK(today("j.angle[0 0 0].i[1 0 0]") == "nothing");
+}
+
+TEST_CASE("A driver's target by name is the one by keys", "[lessons][quantities]") {
+    std::set<std::size_t> measures;
+    std::vector<Lesson> lessons = shipped_lessons();
+    for (unsigned seed = 0; seed < 200; ++seed) { lessons.push_back(random_lesson(seed)); }
+    for (const Lesson& lesson : lessons) {
+        INFO(lesson.title);
+        const std::string by_keys = lesson_text(lesson);
+        const ReadResult read = read_lesson(with_named_targets(by_keys, lesson.mechanism), "by-name.toml");
+        INFO(read.report());
+        REQUIRE(read.lesson.has_value());
+        CHECK(lesson_text(*read.lesson) == by_keys);
+        for (const Driver& driver : lesson.mechanism.drivers) { measures.insert(driver.measure.index()); }
+    }
+    CHECK(measures.size() == std::variant_size_v<Measure>);
+}
+
+TEST_CASE("A quantity that no driver can prescribe is refused", "[lessons][quantities]") {
+    const std::string joints =
+        "[[joint]]\nname = \"pin\"\ntype = \"cylindrical\"\nbodies = [\"base\", \"arm\"]\nat = [0, 0, 0]\n"
+        "axis = [0, 0, 1]\n";
+    const auto report_of = [&](const std::string& quantity) {
+        std::string text = test::with_two_bodies(joints);
+        text.insert(text.find("name = \"base\"\n"), "fixed = true\n");
+        text += "[[driver]]\nname = \"motor\"\nquantity = \"" + quantity + "\"\npolynomial" +
+                (quantity.find("angle") == std::string::npos ? "" : "_deg") + " = [1, 2]\n";
+        return read_lesson(text, "test.toml").report();
+    };
+    for (const char* const right :
+         {"pin.angle", "pin.displacement", "arm.x", "arm.e3", "base.distance[0 0 0].arm[1 0 0]"}) {
+        CHECK(report_of(right) == "");
+    }
+    const auto says = [&](const std::string& quantity, const std::string& words) {
+        const std::string report = report_of(quantity);
+        INFO(report);
+        CHECK(report.find("test.toml:18:12: error: ") != std::string::npos);
+        CHECK(report.find(words) != std::string::npos);
+    };
+    says("pin.angle_dot", "no driver can prescribe 'pin.angle_dot'; expected the angle or displacement");
+    says("energy.sum", "needs masses and forces");
+    says("arm.omega.z", "no driver can prescribe 'arm.omega.z'");
+    says("base.x", "body 'base' is fixed; expected one that moves");
+    says("arm.distance[0 0 0].arm[1 0 0]", "belong to one body");
+    says("pen.angle", "is no quantity; expected NAME.WHAT");
+    says("pin.speed", "is no quantity of joint 'pin'");
+    says("speed", "one of");
 }
 
 TEST_CASE("Distances and angles between bodies are what geometry says", "[lessons][quantities]") {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kFramesOfBench = 200;
 constexpr int kRepeats = 5;
 
-struct Instant {
+struct BenchInstant {
     double t = 0.0;
     State state;
     Motion velocity;
@@ -34,7 +34,7 @@ private:
 };
 
 /// Newton's tolerance costs digits near singular poses: one step more.
-Instant corrected(Kinematics<OmegaLocal>& kinematics, const MotionFrame& frame) {
+BenchInstant corrected(Kinematics<OmegaLocal>& kinematics, const MotionFrame& frame) {
     kinematics.set_state(frame.state, frame.t);
     const State state = frame.change_point ? frame.state : kinematics.corrected_state();
     kinematics.set_state(state, frame.t);
@@ -43,10 +43,10 @@ Instant corrected(Kinematics<OmegaLocal>& kinematics, const MotionFrame& frame) 
 }
 
 /// The motion at equal intervals; empty if it cannot be followed.
-std::vector<Instant> moments_of(System system, const State& start, const MotionPlan& plan) {
+std::vector<BenchInstant> moments_of(System system, const State& start, const MotionPlan& plan) {
     MotionTracker tracker(system, start, plan.from);
     Kinematics<OmegaLocal> kinematics(system);
-    std::vector<Instant> moments;
+    std::vector<BenchInstant> moments;
     for (int k = 0; k <= kFramesOfBench; ++k) {
         const double t = plan.from + (plan.to - plan.from) * k / kFramesOfBench;
         if (!tracker.advance_to(t)) { return {}; }
@@ -77,13 +77,13 @@ double difference(const System& system, const Motion& a, const Motion& b) {
 /// Errors of moments against the reference, relative to the largest motion on the way.
 class Errors {
 public:
-    Errors(const System& system, const std::vector<Instant>& reference) : system_(&system) {
-        for (const Instant& moment : reference) {
+    Errors(const System& system, const std::vector<BenchInstant>& reference) : system_(&system) {
+        for (const BenchInstant& moment : reference) {
             velocity_size_ = std::max(velocity_size_, size_of(system, moment.velocity));
             acceleration_size_ = std::max(acceleration_size_, size_of(system, moment.acceleration));
         }
     }
-    void take(KinematicsRun& run, const Instant& found, const Instant& reference) const {
+    void take(KinematicsRun& run, const BenchInstant& found, const BenchInstant& reference) const {
         const auto worst = [](double before, double now) { return std::max(before, now); };
         run.position = worst(run.position, movement(*system_, found.state, reference.state));
         run.velocity =
@@ -100,7 +100,7 @@ private:
 };
 
 template <class C>
-KinematicsRun dense(System system, const std::vector<Instant>& moments) {
+KinematicsRun dense(System system, const std::vector<BenchInstant>& moments) {
     NewtonStepper<C> newton(system);
     Kinematics<C> kinematics(system);
     const Errors errors(system, moments);
@@ -134,7 +134,7 @@ KinematicsRun dense(System system, const std::vector<Instant>& moments) {
 }
 
 /// As motions are followed, with all that is checked on the way.
-KinematicsRun by_graph(System system, const std::vector<Instant>& moments) {
+KinematicsRun by_graph(System system, const std::vector<BenchInstant>& moments) {
     const Errors errors(system, moments);
     KinematicsRun run;
     run.coordinates = "graph";
@@ -159,7 +159,7 @@ KinematicsRun by_graph(System system, const std::vector<Instant>& moments) {
 }
 
 void add_dense_runs(
-    const System& system, const std::vector<Instant>& moments, const std::string& rows,
+    const System& system, const std::vector<BenchInstant>& moments, const std::string& rows,
     std::vector<KinematicsRun>& runs) {
     for (KinematicsRun run :
          {dense<OmegaLocal>(system, moments), dense<OmegaGlobal>(system, moments),
@@ -176,7 +176,7 @@ std::optional<KinematicsScene> bench_kinematics(const Lesson& lesson, const std:
     const Story story(lesson, poses_only());
     if (story.failure() != nullptr) { return std::nullopt; }
     const Step& start = story.steps().back();
-    const std::vector<Instant> moments = moments_of(*start.system, start.state, *lesson.motion);
+    const std::vector<BenchInstant> moments = moments_of(*start.system, start.state, *lesson.motion);
     if (moments.empty()) { return std::nullopt; }
 
     KinematicsScene scene{
