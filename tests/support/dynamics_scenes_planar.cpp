@@ -45,8 +45,8 @@ std::string numbered(const char* word, int k, int n) {
 Lesson simple_pendulum() {
     DynamicScene scene(
         "The simple pendulum", kLibrary + "A01",
-        R"(A ball of 1 kg on a light rod of 1 m, let go at the height of its pin. Its path is known to as many digits as
-one likes, and energy must stay what it was: the first test of every integrator.)");
+        R"(A ball of 1 kg on a light rod of 1 m, released level with its pin. Its path is known to any number of digits,
+and its energy must stay constant: the first test of every integrator.)");
     const int ball = scene.add(
         {.name = "ball",
          .r = Vec3(-1, 0, 0),
@@ -55,7 +55,7 @@ one likes, and energy must stay what it was: the first test of every integrator.
          .shapes = {Rod{Vec3::Zero(), kX, 0.02}, Sphere{Vec3::Zero(), 0.09}}});
     scene.hinge("pin", {0, Vec3::Zero()}, {ball, kX}, kZ);
     scene.say("Five equations, one freedom. The pin can only carry the ball, not drive it.");
-    scene.lesson.step_texts.bodies = "The ball at its start. Its frame stands at the centre of mass.";
+    scene.lesson.step_texts.bodies = "The ball at the start. Its frame is at the centre of mass.";
     scene.look_of_ground({Cylinder{Vec3(0, 0, -0.12), Vec3(0, 0, 0.12), 0.03}});
     scene.lesson.camera = from_the_front();
     scene.plan().loads.gravity = -kGravity * kY;
@@ -65,16 +65,17 @@ one likes, and energy must stay what it was: the first test of every integrator.
     scene.claim(5, 5, 1);
     scene.prove(
         0.0, "pin.force.y", 0.009800199800199803, 1e-9,
-        "Level and at rest the ball falls with g m l² / (m l² + J): the pin carries m g J / (m l² + J).");
+        "Level and at rest, acceleration g m l² / (m l² + J): the pin carries m g J / (m l² + J).");
     scene.prove(
         0.5922563931794198, "ball.y", -1.0, 1e-9,
-        "A quarter of the period, K(sin 45 deg) sqrt((m l² + J) / (m g l)): it hangs.");
+        "A quarter of the period, K(sin 45 deg) sqrt((m l² + J) / (m g l)): the ball is lowest.");
     scene.prove(
         0.5922563931794198, "pin.force.y", 29.410399600399604, 1e-6,
-        "There ω² = 2 m g l / (m l² + J), and the pin carries m g + m l ω².");
-    scene.prove(1.1845127863588396, "ball.x", 1.0, 1e-9, "Half a period: as high on the other side.");
-    scene.prove(2.369025572717679, "ball.x", -1.0, 1e-9, "A whole period: where it began.");
-    scene.prove(10.0, "energy.sum", 0.0, 1e-5, "It began at rest in the height of its pin.");
+        "At the lowest point ω² = 2 m g l / (m l² + J), and the pin carries m g + m l ω².");
+    scene.prove(
+        1.1845127863588396, "ball.x", 1.0, 1e-9, "Half a period: at the same height on the other side.");
+    scene.prove(2.369025572717679, "ball.x", -1.0, 1e-9, "A whole period: back at the start.");
+    scene.prove(10.0, "energy.sum", 0.0, 1e-5, "It started at rest, level with its pin.");
     return scene.lesson;
 }
 
@@ -84,9 +85,9 @@ Lesson n_four_bar(int n) {
         n == 1 ? "A four-bar falls through its line" : std::to_string(n) + " four-bars fall through one line",
         kLibrary + "A02",
         windows +
-            R"( of rods of 1 m and 1 kg, turning at 1 rad/s. Twice in every turn all rods lie in one line:
-there the mechanism could go on as a parallelogram or fold, and its equations lose rank. As a parallelogram it is
-one pendulum, so where it must be is known.)");
+            R"( of rods of 1 m and 1 kg, starting at 1 rad/s. Twice in every turn all rods lie in one line:
+there the mechanism could continue as a parallelogram or fold, and its equations lose rank. A parallelogram moves like
+one pendulum, so the exact motion is known.)");
     const MassProperties along_y{1.0, Vec3::Zero(), Vec3(1.0 / 12.0, 1e-3, 1.0 / 12.0).asDiagonal()};
     const MassProperties along_x{1.0, Vec3::Zero(), Vec3(1e-3, 1.0 / 12.0, 1.0 / 12.0).asDiagonal()};
     const Vec3 up = 0.5 * kY;
@@ -117,12 +118,11 @@ one pendulum, so where it must be is known.)");
         const int rod = add_rod(k);
         scene.hinge("right " + std::to_string(k), {coupler, right}, {rod, up}, kZ);
         if (k == 1) {
-            scene.say(
-                "A window closes: three of the five equations repeat what the parallel axes have said.");
+            scene.say("A window closes: three of the five equations repeat what parallel axes imply.");
         }
         before = rod;
     }
-    scene.lesson.step_texts.bodies = "Upright rods and couplers; all rods turn to the right at 1 rad/s.";
+    scene.lesson.step_texts.bodies = "Upright rods, level couplers; all rods turn to the right at 1 rad/s.";
     scene.lesson.camera = from_the_front();
     scene.plan().loads.gravity = -kGravity * kY;
     scene.plan().duration = 10.0;
@@ -133,14 +133,14 @@ one pendulum, so where it must be is known.)");
     if (n > 4) { return scene.lesson; }  // those of the benchmarks are compared by their ends
     scene.prove(
         0.0, "rod 0.r_ddot.y", -0.5, 1e-9,
-        "Upright nothing turns it faster: the middle falls with ω² l / 2.");
+        "Upright, there is no angular acceleration: the rod's centre accelerates down at ω² l / 2.");
     scene.prove(
         0.0, "pin 0.force.y", 13.715, 1e-9,
-        "Half a coupler, (9.81 - 1) / 2 N, and a rod whose middle falls with 0.5 m/s², 9.81 - 0.5 N.");
+        "Half a coupler, (9.81 - 1) / 2 N, and a rod whose centre falls at 0.5 m/s², 9.81 - 0.5 N.");
     const double energy = 0.5 * ((n + 1.0) / 3.0 + n) + kGravity * (0.5 * (n + 1.0) + n);
     scene.prove(
         10.0, "energy.sum", energy, 1e-5,
-        "That of the start: (rods / 3 + couplers) m l² ω² / 2 + (rods / 2 + couplers) m g l.");
+        "The initial value: (rods / 3 + couplers) m l² ω² / 2 + (rods / 2 + couplers) m g l.");
     return scene.lesson;
 }
 
@@ -175,8 +175,8 @@ struct Placed {
 Lesson andrews_mechanism() {
     DynamicScene scene(
         "Andrews' squeezing mechanism", kLibrary + "A03; test set for initial value problems",
-        R"(Seven bodies of a few grams in the plane, a spring of 4530 N/m, and a motor of 0.033 N m that turns the crank
-two and a half times in 30 ms. Three loops meet in one point, E. Steps must follow the error here, and many
+        R"(Seven bodies of 4 to 71 g in the plane, a spring of 4530 N/m, and a motor of 0.033 N m that turns the crank two
+and a half times in 30 ms. Three loops meet at one point, E. The step size must follow the error, and many
 digits are known.)");
     const Andrews a;
     const auto plane = [](double x, double y) { return Vec3(x, y, 0.0); };
@@ -232,7 +232,7 @@ digits are known.)");
     scene.hinge("A7", {0, a.A}, {k7, A7}, kZ);
     scene.hinge("H", {k7, H7}, {k6, H6}, kZ);
     scene.hinge("E6", {k2, E2}, {k6, E6}, kZ);
-    scene.say("The third loop: four bodies meet in E, and one freedom is left.");
+    scene.say("The third loop: four bodies meet at E, and one freedom is left.");
     scene.lesson.camera = from_the_front();
     scene.look_of_ground(
         {Cylinder{a.A - 0.003 * kZ, a.A + 0.003 * kZ, 0.0012},
@@ -253,18 +253,19 @@ digits are known.)");
     scene.plan().point = BodyPoint{k1, F1};
     scene.plan().point_at_end = Vec3(-0.005208504722, 0.004676695260, 0.0);
     scene.claim(
-        50, 41, 1, "20 equations in the plane for 21 freedoms; out of it 30 equations, of which 21 count.");
-    const std::string test_set = "The reference of the test set, in 16 digits.";
+        50, 41, 1,
+        "In the plane 20 equations for 21 freedoms; out of it 30 equations, 21 of them independent.");
+    const std::string test_set = "The reference of the test set, to 16 digits.";
     scene.prove(0.03, "O.angle", 15.81077119629904, 1e-7, test_set);
     scene.prove(0.03, "B.angle", 0.04082224013073101, 1e-7, test_set);
     scene.prove(0.03, "A5.angle", 0.5244099658805304, 1e-7, test_set);
     scene.prove(0.03, "A7.angle", 1.048080741042263, 1e-7, test_set);
     scene.prove(
         0.0, "energy.potential", 1.4357963991616702, 1e-9,
-        "The spring alone: 4530 N/m (52.6725 - 77.85)² mm² / 2 from the coordinates of its ends.");
+        "The spring alone: 4530 N/m (52.6725 - 77.85)² mm² / 2, from the coordinates of its ends.");
     scene.prove(
         0.03, "energy.sum", 1.9595884070100098, 1e-7,
-        "And 0.033 N m times what the crank has turned, by the reference from -0.0617139 to 15.8107712 rad.");
+        "Plus 0.033 N m times the turn of the crank, in the reference from -0.0617139 to 15.8107712 rad.");
     return scene.lesson;
 }
 

@@ -37,8 +37,8 @@ Lesson falling_bricard() {
     DynamicScene scene(
         "Bricard's linkage falls", kLibrary + "A04; Bricard 1897",
         R"(Five rods of 1 kg and the ground, edges of a cube: six hinges, thirty equations for thirty freedoms, and yet it
-falls. One equation repeats the others, but none of them more than another: who leaves one out once and for all
-may divide by zero later.)");
+falls. One equation is redundant, but no particular one: a method that drops one for good may divide by zero
+later.)");
     const std::array<Vec3, 6> points{Vec3(0, 0, 0),  Vec3(1, 0, 0),  Vec3(1, -1, 0),
                                      Vec3(1, -1, 1), Vec3(0, -1, 1), Vec3(0, 0, 1)};
     const std::array<Vec3, 6> axes{kY, kZ, kX, kY, kZ, kX};
@@ -61,7 +61,7 @@ may divide by zero later.)");
     scene.hinge("F", {before, end_before}, {0, points[5]}, axes[5]);
     scene.say(
         "The ring closes. Counting says that nothing can move; the rank says that one freedom is left.");
-    scene.lesson.step_texts.bodies = "Five rods, each with its frame in its middle. The sixth is the ground.";
+    scene.lesson.step_texts.bodies = "Five rods, each with its frame at its centre. The ground is the sixth.";
     scene.look_of_ground(link_shapes(points[5], points[0], kRadius, axes[0]));
     scene.lesson.camera = y_is_up(Vec3(0.9, 0.5, 1.0));
     scene.plan().loads.gravity = -kGravity * kY;
@@ -71,16 +71,16 @@ may divide by zero later.)");
     scene.claim(30, 29, 1, "One equation repeats the others.");
     scene.prove(
         10.0, "energy.sum", -29.43, 1e-4,
-        "At rest at the start, the middles at heights of 0, -0.5, -1, -1 and -0.5 m: -3 m g.");
+        "At rest at the start, with centres at heights of 0, -0.5, -1, -1 and -0.5 m: -3 m g.");
     return scene.lesson;
 }
 
 Lesson flyball_governor() {
     DynamicScene scene(
         "A stiff flyball governor", kLibrary + "A05",
-        R"(The balls want out, the springs hold them: 800 000 N/m and 40 000 N s/m. What is seen is a slow dance of the
-slider; what the equations know besides are motions that die in a tenth of a millisecond. Explicit methods must
-follow these, whatever the tolerance. Implicit ones step over them.)");
+        R"(The balls pull outwards, the springs hold them: 800 000 N/m and 40 000 N s/m. What one sees is a slow motion of
+the slider; the equations also contain motions that decay in a tenth of a millisecond. Explicit methods must
+resolve these at any tolerance. Implicit ones step over them.)");
     const double turn = 2.0 * std::numbers::pi;
     constexpr double kSlope = 30.0 * std::numbers::pi / 180.0;
     const int shaft = scene.add(
@@ -99,7 +99,7 @@ follow these, whatever the tolerance. Implicit ones step over them.)");
          .shapes = {Box{Vec3::Constant(0.1)}}});
     scene.hinge("bearing", {0, Vec3::Zero()}, {shaft, -0.5 * kZ}, kZ);
     scene.slide("guide", {shaft, Vec3::Zero()}, {slider, Vec3::Zero()}, kZ);
-    scene.say("The slider turns with the shaft and is free along it; only the springs carry it.");
+    scene.say("The slider turns with the shaft and slides freely along it; only the springs carry it.");
     // frames of the rods stand at their pins, x along the rod: the centre of mass is near the ball
     const MassProperties bar = [] {
         MassProperties mass = box_mass(0.3, Vec3(1.0, 0.01, 0.01));
@@ -128,7 +128,7 @@ follow these, whatever the tolerance. Implicit ones step over them.)");
         scene.plan().loads.springs.push_back({slider, rod, on_slider, 0.5 * kX, 8e5, 0.5, 4e4});
     }
     scene.lesson.step_texts.bodies =
-        "Shaft, slider and two rods with a ball of 5 kg at the end, all turning once a second.";
+        "Shaft, slider and two rods with a ball of 5 kg at the end, all turning once per second.";
     scene.look_of_ground({Cylinder{Vec3(0, 0, -0.06), Vec3(0, 0, -0.01), 0.2}});
     CameraWish& camera = scene.lesson.camera;
     camera.from = Vec3(0.35, -1.0, 0.3).normalized();
@@ -139,13 +139,14 @@ follow these, whatever the tolerance. Implicit ones step over them.)");
     scene.plan().point_at_end = Vec3(0.0408888676, -0.0287767355, 0.619622917061);
     scene.claim(20, 20, 4, "The shaft turns, the slider slides, each rod swings.");
     scene.prove(
-        0.0, "slider.r_ddot.z", -9.81, 1e-6, "The springs have their free length: it begins to fall freely.");
+        0.0, "slider.r_ddot.z", -9.81, 1e-6,
+        "The springs have their free length: the slider starts in free fall.");
     const std::string swing =
-        "Lagrange about the pin: (m c g cos θ - ω² (0.05 m c sin θ + I sin θ cos θ)) / I.";
+        "Lagrange's equation about the pin: (m c g cos θ - ω² (0.05 m c sin θ + I sin θ cos θ)) / I.";
     scene.prove(0.0, "right pin.angle_ddot", -9.512279275630721, 1e-6, swing);
     scene.prove(0.0, "left pin.angle_ddot", 9.512279275630721, 1e-6, swing);
-    scene.prove(0.0, "energy.sum_dot", 0.0, 1e-6, "The dampers do not move yet, nothing drives.");
-    scene.prove(10.0, "bearing.torque.z", 0.0, 1e-6, "The bearing is free: nothing holds the shaft back.");
+    scene.prove(0.0, "energy.sum_dot", 0.0, 1e-6, "The dampers do not move yet, and nothing drives.");
+    scene.prove(10.0, "bearing.torque.z", 0.0, 1e-6, "The bearing turns freely: no torque about its axis.");
     return scene.lesson;
 }
 
@@ -153,14 +154,14 @@ Lesson chain(ChainJoint joint, int n) {
     const bool hinges = joint == ChainJoint::revolute;
     const std::string count = std::to_string(n);
     DynamicScene scene(
-        "A chain of " + count + (hinges ? " hinged links" : " links on balls"),
+        "A chain of " + count + (hinges ? " hinged links" : " links with ball joints"),
         "slides 24-25; open chains for scaling",
         count + " rods of 1 m and 1 kg in a row, from the origin along x. " +
-            (hinges ? R"(The hinges stand across each other,
-z, y, z, y; every other pair of rods turns at 1 rad/s about y when they are let go.)"
-                    : R"(The whole chain turns at
-1 rad/s about y when it is let go.)") +
-            " A tree without a loop: what a step\ncosts must grow no faster than the number of rods.");
+            (hinges ? R"(The hinge axes alternate,
+z, y, z, y; every other pair of rods starts with 1 rad/s about y.)"
+                    : R"(The whole chain starts
+with 1 rad/s about y.)") +
+            " A tree without loops: the cost\nof a step must grow no faster than the number of rods.");
     const std::array<const char*, 4> colours{"vermilion", "orange", "blue", "green"};
     int before = 0;
     // velocity of the joint that comes next
@@ -214,18 +215,18 @@ z, y, z, y; every other pair of rods turns at 1 rad/s about y when they are let 
     }
     scene.prove(
         0.0, (hinges ? "hinge 1" : "ball 1") + std::string(".force.x"), -pull, 1e-9,
-        "In a row, gravity across: along the row there is only ω² times the way, added from rod to rod.");
+        "The row is normal to gravity: along it there is only ω² times the distance, summed over the rods.");
     scene.prove(
         2.0, "energy.sum", kinetic, 1e-5,
-        "All in the height of the first joint at the start: what moves, m v² / 2 + J ω² / 2.");
+        "At the start all rods are level with the first joint: kinetic energy only, m v² / 2 + J ω² / 2.");
     return scene.lesson;
 }
 
 Lesson falling_slider_crank() {
     DynamicScene scene(
         "The spatial slider-crank, let go", "slides 6-8, 10, 24-25; book ch. 7",
-        R"(The slider-crank of the loops without its motor: let go with the pin at the height of the shaft, the weight of
-the rod turns the wheel to and fro. Every joint is of another type, nothing is redundant, and no energy is lost.)");
+        R"(The spatial slider-crank without its motor: it is released with the pin level with the shaft, and the weight of
+the rod turns the wheel back and forth. All four joint types differ, nothing is redundant, no energy is lost.)");
     const Vec3 centre(0, 0.3, 0.6);
     const Vec3 pin = 0.3 * kY;
     const Vec3 from_rail = centre + pin - 0.15 * kZ;
@@ -264,7 +265,7 @@ the rod turns the wheel to and fro. Every joint is of another type, nothing is r
     scene.ball("ball", {wheel, pin}, {rod, 1.2 * kX});
     scene.slide("rail", {0, 0.15 * kZ}, {slide, Vec3::Zero()}, kX);
     scene.cross("cross", {slide, Vec3::Zero()}, {rod, Vec3::Zero()}, kY, kZ);
-    scene.say("Seventeen equations, one freedom, and the forces that keep it follow from λ.");
+    scene.say("Seventeen equations, one freedom. The constraint forces follow from λ.");
     scene.look_of_ground(
         {Box{Vec3(1.7, 0.9, 0.04), Vec3(0.6, 0.1, -0.04)}, Box{Vec3(0.95, 0.05, 0.05), Vec3(0.95, 0, 0.15)},
          Box{Vec3(0.04, 0.04, 0.17), Vec3(1.4, 0, 0.06)}, Box{Vec3(0.04, 0.04, 0.17), Vec3(0.5, 0, 0.06)},
@@ -277,17 +278,18 @@ the rod turns the wheel to and fro. Every joint is of another type, nothing is r
     scene.prove(
         5.0, "energy.sum", 16.92225, 1e-5,
         "At rest at the start: 9.81 (2 0.6 + 1 (0.6 + 0.15) / 2 + 1 0.15) J for wheel, rod and slide.");
-    scene.prove(2.0, "rail.force.x", 0.0, 1e-9, "A rail without friction does not push along itself.");
-    scene.prove(2.0, "shaft.torque.x", 0.0, 1e-9, "Nor does a shaft turn its wheel.");
+    scene.prove(2.0, "rail.force.x", 0.0, 1e-9, "A rail without friction exerts no force along itself.");
+    scene.prove(
+        2.0, "shaft.torque.x", 0.0, 1e-9, "A shaft without friction exerts no torque about its axis.");
     return scene.lesson;
 }
 
 Lesson spinning_top() {
     DynamicScene scene(
         "A heavy top on its tip", "slides 18-19, 24-25; book ch. 11",
-        R"(A top of 0.5 kg spins at 150 rad/s, leaning by 30 deg. It does not fall: it nods and goes round, once in a
-little more than two seconds. What stays is energy and two parts of its angular momentum, and elliptic functions
-know where it is.)");
+        R"(A top of 0.5 kg spins at 150 rad/s, inclined by 30 deg. It does not fall: it nutates, and precesses once in
+a little more than two seconds. Energy and two components of angular momentum stay constant, and elliptic functions
+give its motion.)");
     const Vec4 p = euler_parameters_of(kY, 30.0 * std::numbers::pi / 180.0);
     constexpr double kHeight = 0.1;
     const int top = scene.add(
@@ -301,7 +303,7 @@ know where it is.)");
              Rod{-kHeight * kZ, 0.06 * kZ, 0.006}, Cylinder{-0.012 * kZ, 0.012 * kZ, 0.07},
              Cylinder{-0.03 * kZ, -0.012 * kZ, 0.04}, Sphere{Vec3(0.06, 0, 0.012), 0.009}}});
     scene.ball("tip", {0, Vec3::Zero()}, {top, -kHeight * kZ});
-    scene.say("The tip stays where it is. Three freedoms: spin, nod and the way round.");
+    scene.say("The tip stays where it is. Three freedoms: spin, nutation, precession.");
     scene.lesson.step_texts.bodies = "The top, with a mark on its rim that shows how it spins.";
     scene.look_of_ground({Cylinder{Vec3(0, 0, -0.05), Vec3(0, 0, -0.006), 0.03}});
     scene.lesson.camera.from = Vec3(0.4, -1.0, 0.45).normalized();
@@ -310,24 +312,26 @@ know where it is.)");
     scene.plan().point = BodyPoint{top, 0.06 * kZ};
     scene.claim(3, 3, 3);
     const std::string nod =
-        "cos θ nods between cos 30 deg and the other root of its cubic, elliptically; here half a nod is "
-        "over.";
+        "cos θ oscillates between cos 30 deg and the other root of its cubic as an elliptic function; here "
+        "half a nutation is over.";
     scene.prove(0.11995278905529522, "top.z", 0.08039054178981717, 1e-7, nod);
     scene.prove(
-        0.23990557811059043, "top.z", 0.08660254037844388, 1e-7, "A whole nod: as high as at the start.");
+        0.23990557811059043, "top.z", 0.08660254037844388, 1e-7,
+        "A whole nutation: as high as at the start.");
     scene.prove(
-        4.0, "top.omega_local.z", 150.0, 1e-4, "Round, and no torque about its axis: the spin stays.");
+        4.0, "top.omega_local.z", 150.0, 1e-4,
+        "Symmetric, and no torque about its axis: the spin stays constant.");
     scene.prove(
         4.0, "energy.sum", 13.924785460556267, 1e-5,
-        "That of the start: 0.0012 150² / 2 + 0.5 9.81 0.1 cos 30 deg.");
+        "The initial value: 0.0012 150² / 2 + 0.5 9.81 0.1 cos 30 deg.");
     return scene.lesson;
 }
 
 Lesson free_asymmetric_body() {
     DynamicScene scene(
         "The box that turns over", "slides 18-19; book ch. 11; Poinsot 1834",
-        R"(A box floats and turns about its middle axis, a little off. No force, no joint, and yet it turns over again and
-again: about the axis of the middle moment no rotation is steady. Energy and angular momentum stay what they were.)");
+        R"(A box floats and turns almost about its intermediate principal axis. No force, no joint, and yet it turns over
+again and again: rotation about that axis is unstable. Energy and angular momentum stay constant.)");
     const Vec3 edges(0.3, 0.2, 0.06);
     const int box = scene.add(
         {.name = "box",
@@ -343,14 +347,14 @@ again: about the axis of the middle moment no rotation is steady. Energy and ang
     scene.plan().point = BodyPoint{box, Vec3(0, 0.17, 0)};
     scene.claim(0, 0, 6);
     // that of Euler's equations for L² > 2 T J2: ω' = (a cn, b sn, c dn)
-    const std::string half = "Half a period 4 K(k) / λ of Euler's equations: it has turned over.";
+    const std::string half = "Half of the period 4 K(k) / λ of Euler's equations: it has turned over.";
     const std::string whole = "A whole period: it turns as at the start.";
     scene.prove(4.094782471218922, "box.omega_local.x", -0.02, 1e-4, half);
     scene.prove(4.094782471218922, "box.omega_local.y", -6.0, 1e-4, half);
     scene.prove(4.094782471218922, "box.omega_local.z", 0.02, 1e-4, half);
     scene.prove(8.189564942437844, "box.omega_local.y", 6.0, 1e-4, whole);
     scene.prove(
-        20.0, "energy.kinetic", 0.14040289333333333, 1e-7, "No force: that of the start, ω'ᵀ J' ω' / 2.");
+        20.0, "energy.kinetic", 0.14040289333333333, 1e-7, "No force: the initial value, ω'ᵀ J' ω' / 2.");
     return scene.lesson;
 }
 
