@@ -9,9 +9,9 @@
 
 #include <imgui.h>
 
-#include "app/host/browser.hpp"
-#include "app/host/timeline_bar.hpp"
-#include "app/host/widgets.hpp"
+#include "app/host/parts/browser.hpp"
+#include "app/host/parts/timeline_bar.hpp"
+#include "app/host/ui/widgets.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "lessons/reader.hpp"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/host/catalogue.hpp"
-#include "app/host/scene_hand.hpp"
-#include "app/host/tabs.hpp"
-#include "app/host/ui.hpp"
-#include "app/host/unsaved.hpp"
+#include "app/host/lesson/catalogue.hpp"
+#include "app/host/lesson/unsaved.hpp"
+#include "app/host/parts/scene_hand.hpp"
+#include "app/host/tabs/tabs.hpp"
+#include "app/host/ui/ui.hpp"
 #include "render/fonts.hpp"
 
 struct ImGuiContext;

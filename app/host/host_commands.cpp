@@ -8,8 +8,8 @@
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/host/timeline_bar.hpp"
-#include "app/host/widgets.hpp"
+#include "app/host/parts/timeline_bar.hpp"
+#include "app/host/ui/widgets.hpp"
 #include "app/session/output/pace.hpp"
 #include "lessons/reader.hpp"
 

@@ -3,12 +3,12 @@
 
 #include <imgui.h>
 
-#include "app/host/browser.hpp"
 #include "app/host/host.hpp"
-#include "app/host/menu.hpp"
-#include "app/host/tabs.hpp"
-#include "app/host/timeline_bar.hpp"
-#include "app/host/widgets.hpp"
+#include "app/host/parts/browser.hpp"
+#include "app/host/parts/menu.hpp"
+#include "app/host/parts/timeline_bar.hpp"
+#include "app/host/tabs/tabs.hpp"
+#include "app/host/ui/widgets.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/parts.hpp"

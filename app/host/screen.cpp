@@ -5,8 +5,8 @@
 
 #include <imgui.h>
 
-#include "app/host/frame_files.hpp"
-#include "app/host/frame_painter.hpp"
+#include "app/host/frames/frame_files.hpp"
+#include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"

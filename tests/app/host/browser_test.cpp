@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/host/browser.hpp"
+#include "app/host/parts/browser.hpp"
 #include "lessons/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"

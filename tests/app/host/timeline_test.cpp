@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/host/timeline_bar.hpp"
+#include "app/host/parts/timeline_bar.hpp"
 #include "app/session/output/pace.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
