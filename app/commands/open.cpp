@@ -6,6 +6,7 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
+#include "app/host/lesson/timeline.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <imgui.h>
 
+#include "app/host/lesson/timeline.hpp"
 #include "app/host/parts/browser.hpp"
-#include "app/host/parts/timeline_bar.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/try/carry_out.hpp"
@@ -29,35 +27,6 @@ constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
 
 }  // namespace
-
-std::optional<int> step_at(const Story& story, const std::string& at) {
-    const auto last = static_cast<int>(story.steps().size()) - 1;
-    double number = 0.0;
-    const bool is_time = at.starts_with("t=");
-    const char* const begin = at.data() + (is_time ? 2 : 0);
-    const char* const end = at.data() + at.size();
-    const auto [stop, error] = std::from_chars(begin, end, number);
-    if (error == std::errc() && stop == end && std::isfinite(number)) {
-        if (!is_time) {
-            const double index = number - 1.0;
-            const bool fits = index >= 0.0 && index <= last && index == std::floor(index);
-            return fits ? std::optional<int>(static_cast<int>(index)) : std::nullopt;
-        }
-        std::optional<int> nearest;
-        double distance = std::numeric_limits<double>::infinity();
-        for (int k = 0; k <= last; ++k) {
-            const Step& step = story.steps()[static_cast<std::size_t>(k)];
-            if (step.kind != Step::Kind::motion || std::abs(step.t - number) >= distance) { continue; }
-            distance = std::abs(step.t - number);
-            nearest = k;
-        }
-        return nearest;
-    }
-    for (const Stretch& stretch : stretches_of(story)) {
-        if (stretch.name == at) { return stretch.first; }
-    }
-    return std::nullopt;
-}
 
 Host::Host(HostSetup setup)
     : setup_(std::move(setup)),
@@ -95,12 +64,10 @@ bool Host::open(
     path_ = path;
     recent_.add(path);
     state_.browser = false;
-    state_.playing = false;
+    state_.playback.stop();
     state_.pointed_at = {};
     state_.experiment_joint = -1;
     state_.experiment_driver = 0;
-    state_.freedom = -1;
-    step_waited_ = 0.0;
     picture_of_ = 0;
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
@@ -177,9 +144,7 @@ void Host::frame(double seconds) {
     was_moving_ = is_moving();
 }
 
-bool Host::is_moving() const {
-    return shows_lesson() && (hand_.is_busy() || state_.playing || state_.freedom >= 0);
-}
+bool Host::is_moving() const { return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving()); }
 
 void Host::take_events() {
     ImGuiIO& io = ImGui::GetIO();

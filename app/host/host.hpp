@@ -31,10 +31,6 @@ struct HostSetup {
     int height = 720;
 };
 
-/// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
-/// @return index of the step, or nothing if `at` is none of these
-std::optional<int> step_at(const Story& story, const std::string& at);
-
 class Host {
 public:
     explicit Host(HostSetup setup);
@@ -132,7 +128,6 @@ private:
     void draw_messages(const Ui& ui);
     void carry_out(Requests requests);
     void carry_out(Command command);
-    int last_step() const;
     void play_or_pause();
     void let_go();
     void change_tone();
@@ -140,11 +135,8 @@ private:
     void show_or_leave_browser();
     void forget_what_is_pointed_at();
     void go_to(int step);
-    void go_to_joint(int direction);
     void apply(const Experiment& experiment);
     void advance(double seconds);
-    void advance_play(double seconds);
-    void advance_freedom(double seconds);
     void next_freedom();
     void save_lesson();
     void save_csv();
@@ -192,7 +184,6 @@ private:
     std::uint64_t picture_ghosts_ = 0;
     bool picture_has_ghosts_ = false;
 
-    double step_waited_ = 0.0;
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames that ImGui needs to come to rest
     std::string message_;

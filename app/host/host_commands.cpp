@@ -1,16 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <new>
-#include <numbers>
 
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/host/parts/timeline_bar.hpp"
+#include "app/host/lesson/timeline.hpp"
 #include "app/host/ui/widgets.hpp"
-#include "app/session/output/pace.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::host {
@@ -22,13 +19,10 @@ using render::StandardView;
 constexpr double kTurn = 0.15;  // [rad] per key
 constexpr double kZoom = 1.2;
 constexpr double kMessageSeconds = 6.0;
-constexpr double kFreedomSeconds = 3.0;  // there and back
 // an open file is looked at this often
 constexpr double kIdle = 0.5;
 // between two looks at a measurement: fast enough to be watched, and it costs next to nothing
 constexpr double kMeasuring = 0.25;
-// between two frames of something that moves: no display shows more
-constexpr double kMoving = 1.0 / 60.0;
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
@@ -70,7 +64,7 @@ void Host::apply(const Experiment& experiment) {
     }
     if (session_->version() != version) { settle_ = 2; }
     if (session_->told() != told) {
-        state_.freedom = -1;
+        state_.playback.leave_freedom();
         forget_what_is_pointed_at();
         fitted_ = session_->told();
     }
@@ -83,38 +77,24 @@ void Host::forget_what_is_pointed_at() {
 }
 
 void Host::go_to(int step) {
-    step_waited_ = 0.0;
-    state_.freedom = -1;
+    state_.playback.begin_step();
     apply(GoTo{step});
-}
-
-void Host::go_to_joint(int direction) {
-    const std::vector<Stretch> stretches = stretches_of(session_->story());
-    const int now = session_->index();
-    int target = direction > 0 ? stretches.back().last : 0;
-    for (const Stretch& s : stretches) {
-        if (direction > 0 && s.first > now) {
-            target = s.first;
-            break;
-        }
-        if (direction < 0 && s.first < now) { target = s.first; }
-    }
-    go_to(target);
 }
 
 void Host::carry_out(Command command) {
     settle_ = 2;
     if (needs_lesson(command) && !shows_lesson()) { return; }
     switch (command) {
-        case Command::next: state_.playing = false; return go_to(session_->index() + 1);
-        case Command::back: state_.playing = false; return go_to(session_->index() - 1);
+        case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
+        case Command::back: state_.playback.pause(); return go_to(session_->index() - 1);
         case Command::play: return play_or_pause();
-        case Command::next_joint: return go_to_joint(1);
-        case Command::previous_joint: return go_to_joint(-1);
+        case Command::next_joint: return go_to(step_of_next_joint(session_->story(), session_->index(), 1));
+        case Command::previous_joint:
+            return go_to(step_of_next_joint(session_->story(), session_->index(), -1));
         case Command::first: return go_to(0);
-        case Command::last: return go_to(last_step());
-        case Command::faster: state_.speed = std::min(4.0, 2.0 * state_.speed); return;
-        case Command::slower: state_.speed = std::max(0.25, 0.5 * state_.speed); return;
+        case Command::last: return go_to(last_step(session_->story()));
+        case Command::faster: return state_.playback.faster();
+        case Command::slower: return state_.playback.slower();
         case Command::tab_step: state_.tab = Tab::step; return;
         case Command::tab_experiments: state_.tab = Tab::experiments; return;
         case Command::tab_plot: state_.tab = Tab::plot; return;
@@ -161,17 +141,14 @@ void Host::carry_out(Command command) {
     }
 }
 
-int Host::last_step() const { return static_cast<int>(session_->story().steps().size()) - 1; }
-
 void Host::play_or_pause() {
-    state_.playing = !state_.playing;
-    if (state_.playing && session_->index() == last_step()) { go_to(0); }
-    step_waited_ = 0.0;
+    state_.playback.play_or_pause();
+    if (state_.playback.plays() && session_->index() == last_step(session_->story())) { go_to(0); }
 }
 
 void Host::let_go() {
     task_ = Task::none;
-    state_.freedom = -1;
+    state_.playback.leave_freedom();
     file_errors_.clear();
     apply(LetGo{});
 }
@@ -189,7 +166,7 @@ void Host::change_text(float by) {
 
 void Host::show_or_leave_browser() {
     if (state_.browser && !session_) { return; }
-    state_.playing = false;
+    state_.playback.pause();
     if (state_.browser) {
         state_.browser = false;
     } else {
@@ -214,9 +191,7 @@ void Host::use_panel_keys(bool on) {
 void Host::next_freedom() {
     const auto count = static_cast<int>(session_->rank().free_motions.size());
     if (count == 0) { return say("Nothing is free here: there is no motion to follow."); }
-    state_.playing = false;
-    state_.freedom = (state_.freedom + 1) % count;
-    state_.freedom_time = 0.0;
+    state_.playback.follow((state_.playback.freedom() + 1) % count);
     apply(LetGo{});
 }
 
@@ -230,35 +205,11 @@ void Host::advance(double seconds) {
         }
     }
     if (!shows_lesson()) { return; }
-    if (state_.playing) { advance_play(seconds); }
-    if (state_.freedom >= 0) { advance_freedom(seconds); }
-}
-
-void Host::advance_play(double seconds) {
-    const int last = static_cast<int>(session_->story().steps().size()) - 1;
-    step_waited_ += seconds * state_.speed;
-    double due = seconds_of_step(session_->story(), session_->view());
-    int step = session_->index();
-    while (step < last && step_waited_ >= due) {
-        step_waited_ -= due;
-        ++step;
-        // moments of a motion are equally long; whatever else comes is waited for from its beginning
-        if (session_->step().kind != Step::Kind::motion) {
-            step_waited_ = 0.0;
-            break;
-        }
-    }
-    if (step != session_->index()) { apply(GoTo{step}); }
-    if (step == last) { state_.playing = false; }
-}
-
-void Host::advance_freedom(double seconds) {
-    state_.freedom_time += seconds * state_.speed;
-    const double turn = 2.0 * std::numbers::pi * state_.freedom_time / kFreedomSeconds;
-    const std::string refused = session_->apply(ShowFreedom{state_.freedom, std::sin(turn)});
-    settle_ = 2;
-    if (!refused.empty()) {
-        state_.freedom = -1;
+    if (const auto step = state_.playback.step_after(seconds, *session_)) { apply(GoTo{*step}); }
+    if (const auto pose = state_.playback.freedom_after(seconds)) {
+        settle_ = 2;
+        const std::string refused = session_->apply(*pose);
+        if (!refused.empty()) { state_.playback.leave_freedom(); }
         say(refused);
     }
 }
@@ -267,13 +218,8 @@ double Host::seconds_to_change() const {
     if (!events_.empty() || settle_ > 0 || task_ != Task::none) { return 0.0; }
     double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
     if (!shows_lesson()) { return due; }
-    if (state_.freedom >= 0) { return kMoving; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
-    if (state_.playing) {
-        const double step = seconds_of_step(session_->story(), session_->view());
-        due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));
-    }
-    return due;
+    return std::min(due, state_.playback.seconds_to_change(*session_));
 }
 
 double Host::seconds_to_wait() const { return std::min(seconds_to_change(), kIdle); }
@@ -296,7 +242,7 @@ bool Host::look_at_file() {
     file_errors_.clear();
     session_->replace(*read.lesson);
     forget_what_is_pointed_at();
-    state_.freedom = -1;
+    state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
     say("The file was saved anew: this is the same step of it.");
     return true;

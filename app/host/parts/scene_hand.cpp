@@ -139,7 +139,7 @@ void SceneHand::move(const LessonUi& ui, const render::Rect& viewport) {
         const Vec3 held = picture::frame_of(ui.session.step().state, body_).point(point_local_);
         const Vec3 target = render::point_at_depth(
             camera_, viewport, static_cast<double>(mouse.x), static_cast<double>(mouse.y), held);
-        ui.state.playing = false;
+        ui.state.playback.pause();
         ui.requests.add(Drag{body_, point_local_, target});
         return;
     }

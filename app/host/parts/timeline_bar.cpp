@@ -20,15 +20,6 @@ using panels::Canvas;
 using panels::Point;
 namespace theme = panels::theme;
 
-std::string name_of_stretch(const Story& story, const Step& step) {
-    if (step.kind == Step::Kind::motion) { return "motion"; }
-    const std::optional<Addition> subject = subject_of(story.lesson(), step);
-    if (!subject) { return "bodies"; }
-    const auto k = static_cast<std::size_t>(subject->index);
-    const Mechanism& mechanism = story.lesson().mechanism;
-    return subject->kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
-}
-
 /// What a step is, told apart by shape as well: a square adds, a dot iterates, a ring is closed, × failed.
 void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
     const float size = canvas.px(present ? 9.0F : 6.0F);
@@ -100,7 +91,7 @@ void scrub(
     ImGui::InvisibleButton("timeline", {std::max(1.0F, box.width), std::max(1.0F, box.height)});
     const float x = ImGui::GetIO().MousePos.x;
     if (ImGui::IsItemActive()) {
-        ui.state.playing = false;
+        ui.state.playback.pause();
         ui.requests.add(GoTo{scale.step_at(x)});
     }
     if (!ImGui::IsItemHovered()) { return; }
@@ -122,12 +113,8 @@ void scrub(
 }
 
 void speed_button(const LessonUi& ui) {
-    const std::string label = short_speed(ui.state.speed) + "##speed";
-    if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) {
-        constexpr double speeds[] = {0.25, 0.5, 1.0, 2.0, 4.0};
-        const auto* const next = std::ranges::find_if(speeds, [&](double s) { return s > ui.state.speed; });
-        ui.state.speed = next == std::end(speeds) ? speeds[0] : *next;
-    }
+    const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
+    if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) { ui.state.playback.next_speed(); }
     if (ImGui::IsItemHovered()) { ImGui::SetTooltip("Speed  (, and .)"); }
 }
 
@@ -137,23 +124,6 @@ std::string short_speed(double speed) {
     if (speed == 0.25) { return "¼ ×"; }
     if (speed == 0.5) { return "½ ×"; }
     return std::to_string(static_cast<int>(speed)) + " ×";
-}
-
-std::vector<Stretch> stretches_of(const Story& story) {
-    std::vector<Stretch> stretches;
-    for (std::size_t k = 0; k < story.steps().size(); ++k) {
-        const Step& step = story.steps()[k];
-        const auto index = static_cast<int>(k);
-        const bool moves = step.kind == Step::Kind::motion;
-        const bool same = k > 0 && story.steps()[k - 1].additions == step.additions &&
-                          (story.steps()[k - 1].kind == Step::Kind::motion) == moves;
-        if (same) {
-            stretches.back().last = index;
-        } else {
-            stretches.push_back({index, index, name_of_stretch(story, step), step.kind});
-        }
-    }
-    return stretches;
 }
 
 TimelineScale::TimelineScale(const std::vector<Stretch>& stretches, float left, float width)
@@ -212,7 +182,7 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::back, "<", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::play, ui.state.playing ? "Pause" : "Play", ui.px(62.0F));
+    command_button(ui, Command::play, ui.state.playback.plays() ? "Pause" : "Play", ui.px(62.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::next, ">", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));

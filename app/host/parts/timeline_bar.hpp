@@ -1,20 +1,10 @@
 #pragma once
 
+#include "app/host/lesson/timeline.hpp"
 #include "app/host/ui/ui.hpp"
 
 /// The bar at the bottom: play, step, speed, and the whole lesson as one line to jump and scrub on.
 namespace jw::host {
-
-/// A run of steps that belong together.
-struct Stretch {
-    int first = 0;
-    int last = 0;
-    std::string name;  ///< of the joint or driver; "bodies", "motion"
-    Step::Kind kind = Step::Kind::bodies;
-};
-
-/// The story cut into its additions and the motion.
-std::vector<Stretch> stretches_of(const Story& story);
 
 /// Where each stretch lies on a line: motion may have hundreds of steps and a joint five, so a stretch gets
 /// room for its name and shares of the rest.

@@ -133,14 +133,12 @@ void freedoms(const LessonUi& ui) {
     const System& system = *ui.session.step().system;
     for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
-        const bool plays = ui.state.freedom == static_cast<int>(k);
+        const bool plays = ui.state.playback.freedom() == static_cast<int>(k);
         if (toggle_button(ui, plays ? "Stop" : "Move", plays, ui.px(52.0F))) {
             if (plays) {
                 ui.requests.add(Command::let_go);
             } else {
-                ui.state.freedom = static_cast<int>(k);
-                ui.state.freedom_time = 0.0;
-                ui.state.playing = false;
+                ui.state.playback.follow(static_cast<int>(k));
             }
         }
         ImGui::SameLine();

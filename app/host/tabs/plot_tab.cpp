@@ -111,7 +111,7 @@ void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const
         // the timeline follows
         const int point = panels::point_near(shown, *at);
         if (point >= 0) {
-            ui.state.playing = false;
+            ui.state.playback.pause();
             ui.requests.add(GoTo{shown.steps[static_cast<std::size_t>(point)]});
         }
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/host/lesson/playback.hpp"
 #include "app/host/ui/commands.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/canvas.hpp"
@@ -28,17 +29,11 @@ struct UiState {
     bool dark = false;
     float text_scale = 1.0F;
 
-    Pointable pointed_at;     ///< what the pointer is over, in panels or in 3D
-    std::string pointed_tip;  ///< said beside the pointer, may be empty
-
+    Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
     std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
     bool panel_keys = false;    ///< the keyboard moves among the widgets of the panel
 
-    bool playing = false;
-    double speed = 1.0;
-
-    int freedom = -1;  ///< the free motion that is animated
-    double freedom_time = 0.0;
+    Playback playback;
 
     int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
     int experiment_driver = 0;

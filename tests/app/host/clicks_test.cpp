@@ -49,11 +49,11 @@ void attempt(Person& person, Seen& seen, const std::string& what, const Do& act)
     compare(before, person.session().lesson(), seen);
     if (index != person.session().index()) { seen.insert("step"); }
     // what moves by itself would move what is looked for next
-    if (person.host().state().freedom >= 0) {
+    if (person.host().state().playback.freedom() >= 0) {
         seen.insert("freedom");
         person.ask(Command::let_go);
     }
-    if (person.host().state().playing) { person.ask(Command::play); }
+    if (person.host().state().playback.plays()) { person.ask(Command::play); }
     if (person.host().state().tab != state.tab) { seen.insert("tab"); }
     if (person.host().state().browser) {
         seen.insert("browser");

@@ -25,10 +25,11 @@ std::string all_of(Person& person) {
     const char* const copied = ImGui::GetClipboardText();
     std::ostringstream out;
     out << host.session()->index() << ' ' << host.session()->told() << ' ' << host.session()->in_hand() << ' '
-        << static_cast<int>(ui.tab) << ui.browser << ui.help << ui.dark << ui.playing << ' ' << ui.text_scale
-        << ' ' << ui.speed << ' ' << ui.freedom << ' ' << c.eye.transpose() << ' ' << c.target.transpose()
-        << ' ' << static_cast<int>(host.task()) << host.wants_to_close() << person.folder().files()
-        << host.message() << (copied == nullptr ? "" : copied);
+        << static_cast<int>(ui.tab) << ui.browser << ui.help << ui.dark << ui.playback.plays() << ' '
+        << ui.text_scale << ' ' << ui.playback.speed() << ' ' << ui.playback.freedom() << ' '
+        << c.eye.transpose() << ' ' << c.target.transpose() << ' ' << static_cast<int>(host.task())
+        << host.wants_to_close() << person.folder().files() << host.message()
+        << (copied == nullptr ? "" : copied);
     // every person has a folder of their own
     std::string text = out.str();
     const std::string folder = person.folder().path().string();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/host/lesson/timeline.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
