@@ -170,7 +170,7 @@ void fit(GLFWwindow* window, Host& host) {
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window, &width, &height);
-    if (width > 0 && height > 0 && (width != host.width() || height != host.height())) {
+    if (width > 0 && height > 0 && (width != host.layout().width || height != host.layout().height)) {
         host.resize(width, height);
     }
 }

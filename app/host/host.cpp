@@ -18,10 +18,6 @@ namespace jw::host {
 
 namespace {
 
-using panels::Box;
-
-constexpr float kBarHeight = 56.0F;
-constexpr float kTabsHeight = 36.0F;
 // a window manager may ask for less than the window offers: there the picture is cut
 constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
@@ -68,12 +64,12 @@ bool Host::open(
     state_.pointed_at = {};
     state_.experiment_joint = -1;
     state_.experiment_driver = 0;
-    picture_of_ = 0;
+    shown_.forget_session();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
-    settle_ = 2;
+    rouse();
     return true;
 }
 
@@ -81,66 +77,44 @@ void Host::show_browser() {
     state_.browser = true;
     state_.search.clear();
     entries_ = refreshed_catalogue();
-    settle_ = 2;
+    rouse();
 }
 
 void Host::resize(int width, int height) {
-    width_ = std::max(kSmallestWidth, width);
-    height_ = std::max(kSmallestHeight, height);
-    load_fonts();
-    set_layout();
+    width = std::max(kSmallestWidth, width);
+    height = std::max(kSmallestHeight, height);
+    load_fonts(panels::scale_of(width, height) * state_.text_scale);
+    layout_ = window_layout(width, height, fonts_.scale());
     if (session_ && hand_.is_own()) { fit_camera(true); }
-    settle_ = 2;
+    rouse();
 }
 
-void Host::load_fonts() {
-    // eighths: a window that is being resized does not build fonts for every pixel
-    const float wanted = std::clamp(panels::scale_of(width_, height_) * state_.text_scale, 0.5F, 3.0F);
-    const float scale = std::max(0.5F, std::floor(wanted * 8.0F + 0.01F) / 8.0F);
-    if (scale == scale_) { return; }
+void Host::load_fonts(float scale) {
+    if (fonts_.fit(scale)) { return; }
     ImGui::SetCurrentContext(context_);
-    try {
-        fonts_ = render::load_fonts(scale);
-    } catch (const std::runtime_error& error) {
-        if (fonts_version_ == 0) { throw; }
-        // the letters that are there stay
-        return say(std::string("The text stays as large as it is: ") + error.what());
-    }
-    scale_ = scale;
-    ++fonts_version_;
-    set_style(ImGui::GetStyle(), scale, state_.dark);
+    say(fonts_.load(scale));
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark);
 }
-
-void Host::set_layout() {
-    Box window{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
-    const float bar = std::round(kBarHeight * scale_);
-    bar_ = {0.0F, window.height - bar, window.width, bar};
-    window.height -= bar;
-    layout_ = panels::layout_in(window, scale_, std::round(kTabsHeight * scale_));
-}
-
-double Host::scene_size() const { return std::max(1e-9, session_->style().bounds.diagonal()); }
 
 void Host::fit_camera(bool at_once) {
-    fitted_ = session_->told();
     hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
 }
 
 void Host::frame(double seconds) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+    io.DisplaySize = {static_cast<float>(layout_.width), static_cast<float>(layout_.height)};
     if (!session_ && entries_.empty() && !state_.browser) { show_browser(); }
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
     settle_ = events_.empty() ? std::max(0, settle_ - 1) : 2;
     take_events();
-    if (std::exchange(new_text_scale_, false)) { resize(width_, height_); }
+    if (std::exchange(new_text_scale_, false)) { resize(layout_.width, layout_.height); }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();
     advance(seconds);
     // what was drawn in a hurry is drawn well when it rests
-    if (was_moving_ && !is_moving()) { settle_ = 2; }
+    if (was_moving_ && !is_moving()) { rouse(); }
     was_moving_ = is_moving();
 }
 

@@ -9,10 +9,12 @@
 
 #include "app/host/lesson/catalogue.hpp"
 #include "app/host/lesson/unsaved.hpp"
+#include "app/host/parts/notice.hpp"
 #include "app/host/parts/scene_hand.hpp"
 #include "app/host/tabs/tabs.hpp"
+#include "app/host/ui/scaled_fonts.hpp"
 #include "app/host/ui/ui.hpp"
-#include "render/fonts.hpp"
+#include "app/host/ui/window_layout.hpp"
 
 struct ImGuiContext;
 
@@ -50,12 +52,10 @@ public:
 
     /// Size of the picture in pixels of the framebuffer.
     void resize(int width, int height);
-    int width() const { return width_; }
-    int height() const { return height_; }
 
     void push(const InputEvent& event) { events_.push(event); }
     /// Number of what is drawn at a pixel; whoever draws knows. Without it 3D cannot be pointed at.
-    void set_picker(Picker picker) { pick_ = std::move(picker); }
+    void set_picker(Picker picker) { hand_.set_picker(std::move(picker)); }
 
     /// One frame: events, interface, what was asked for, and what moves by itself.
     /// @param seconds since the last frame
@@ -82,17 +82,15 @@ public:
     const Session* session() const { return session_.get(); }
     const UiState& state() const { return state_; }
     const render::Camera& camera() const { return hand_.camera(); }
-    const panels::FrameLayout& layout() const { return layout_; }
+    const WindowLayout& layout() const { return layout_; }
     /// The picture with what is pointed at lit up; empty without a lesson.
     const Picture& picture();
-    /// Grows with every change of picture().
-    std::uint64_t picture_version() const { return picture_version_; }
-    /// Counts the poses shown, over all lessons opened: what is highlighted does not count.
-    std::uint64_t pose_version() const { return pose_version_; }
+    /// The versions of picture(), as it was made last.
+    const ShownPicture& shown() const { return shown_; }
 
     std::vector<CatalogueEntry>& catalogue() { return entries_; }
     /// Grows when the font atlas was built anew: its texture must be too.
-    int fonts_version() const { return fonts_version_; }
+    int fonts_version() const { return fonts_.version(); }
 
     /// The next frame is due at once.
     void rouse() { settle_ = 2; }
@@ -106,13 +104,12 @@ public:
 
     /// Something to be read at the foot of the picture for a while.
     void say(const std::string& message);
-    const std::string& message() const { return message_; }
+    const std::string& message() const { return notice_.text(); }
     const std::string& file_errors() const { return file_errors_; }
 
 private:
-    void load_fonts();
+    void load_fonts(float scale);
     void show_browser();
-    void set_layout();
     void fit_camera(bool at_once);
     void take_events();
     void act_on(const InputEvent& event);
@@ -122,8 +119,6 @@ private:
     bool act_in_panel(const InputEvent& event);
     void use_panel_keys(bool on);
     void draw_interface();
-    /// Everything that is lit now.
-    Emphasis emphasis() const;
     void draw_lesson(const LessonUi& ui);
     void draw_messages(const Ui& ui);
     void carry_out(Requests requests);
@@ -146,18 +141,12 @@ private:
     std::vector<std::filesystem::path> copies_of_others() const;
     /// "four-bar-2.png": a name in the folder for pictures that is not taken.
     std::filesystem::path free_name(const std::string& suffix) const;
-    double scene_size() const;
     double seconds_to_change() const;
 
     HostSetup setup_;
     ImGuiContext* context_;
-    render::Fonts fonts_;
-    int fonts_version_ = 0;
-    float scale_ = 0.0F;
-    int width_ = 0;
-    int height_ = 0;
-    panels::Box bar_;
-    panels::FrameLayout layout_;
+    ScaledFonts fonts_;
+    WindowLayout layout_;
 
     RecentLessons recent_;
     UnsavedCopy unsaved_;
@@ -165,29 +154,19 @@ private:
     std::filesystem::path path_;
     std::filesystem::file_time_type saved_{};
     std::unique_ptr<Session> session_;
-    std::uint64_t fitted_ = 0;  ///< telling that the camera was composed for
 
     UiState state_;
     SceneHand hand_;
     Tabs tabs_;
-    Picker pick_;
     InputQueue events_;
     std::vector<panels::HotSpot> spots_;
     bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins
 
-    Picture picture_;
-    std::uint64_t picture_version_ = 0;
-    std::uint64_t pose_version_ = 0;
-    std::uint64_t picture_of_ = 0;  ///< version of the session that picture_ shows
-    Pointable picture_link_;
-    std::vector<int> picture_rows_;
-    std::uint64_t picture_ghosts_ = 0;
-    bool picture_has_ghosts_ = false;
+    ShownPicture shown_;
 
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames that ImGui needs to come to rest
-    std::string message_;
-    double message_left_ = 0.0;
+    Notice notice_;
     std::string file_errors_;
     Task task_ = Task::none;
     bool close_ = false;

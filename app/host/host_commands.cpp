@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <new>
 
 #include <imgui.h>
@@ -14,11 +13,6 @@ namespace jw::host {
 
 namespace {
 
-using render::StandardView;
-
-constexpr double kTurn = 0.15;  // [rad] per key
-constexpr double kZoom = 1.2;
-constexpr double kMessageSeconds = 6.0;
 // an open file is looked at this often
 constexpr double kIdle = 0.5;
 // between two looks at a measurement: fast enough to be watched, and it costs next to nothing
@@ -43,7 +37,7 @@ Tab tab_after(Tab tab) {
 void Host::carry_out(Requests requests) {
     if (requests.lit_rows != state_.lit_rows) {
         state_.lit_rows = std::move(requests.lit_rows);
-        settle_ = 2;
+        rouse();
     }
     for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
@@ -62,11 +56,10 @@ void Host::apply(const Experiment& experiment) {
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
         say(std::string("This could not be done: ") + (memory ? "out of memory" : error.what()));
     }
-    if (session_->version() != version) { settle_ = 2; }
+    if (session_->version() != version) { rouse(); }
     if (session_->told() != told) {
         state_.playback.leave_freedom();
         forget_what_is_pointed_at();
-        fitted_ = session_->told();
     }
 }
 
@@ -82,7 +75,7 @@ void Host::go_to(int step) {
 }
 
 void Host::carry_out(Command command) {
-    settle_ = 2;
+    rouse();
     if (needs_lesson(command) && !shows_lesson()) { return; }
     switch (command) {
         case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
@@ -108,19 +101,19 @@ void Host::carry_out(Command command) {
         case Command::play_freedom: return next_freedom();
         case Command::let_go: return let_go();
         case Command::fit: return fit_camera(false);
-        case Command::view_front: return hand_.show(StandardView::front);
-        case Command::view_back: return hand_.show(StandardView::back);
-        case Command::view_left: return hand_.show(StandardView::left);
-        case Command::view_right: return hand_.show(StandardView::right);
-        case Command::view_top: return hand_.show(StandardView::top);
-        case Command::view_bottom: return hand_.show(StandardView::bottom);
-        case Command::view_free: return hand_.show(StandardView::isometric);
-        case Command::turn_left: return hand_.turn(-kTurn, 0.0);
-        case Command::turn_right: return hand_.turn(kTurn, 0.0);
-        case Command::turn_up: return hand_.turn(0.0, -kTurn);
-        case Command::turn_down: return hand_.turn(0.0, kTurn);
-        case Command::zoom_in: return hand_.zoom(kZoom, layout_.scene, scene_size());
-        case Command::zoom_out: return hand_.zoom(1.0 / kZoom, layout_.scene, scene_size());
+        case Command::view_front:
+        case Command::view_back:
+        case Command::view_left:
+        case Command::view_right:
+        case Command::view_top:
+        case Command::view_bottom:
+        case Command::view_free:
+        case Command::turn_left:
+        case Command::turn_right:
+        case Command::turn_up:
+        case Command::turn_down:
+        case Command::zoom_in:
+        case Command::zoom_out: return hand_.carry_out(command, layout_.scene, *session_);
         case Command::dark: return change_tone();
         case Command::larger_text: return change_text(kTextStep);
         case Command::smaller_text: return change_text(-kTextStep);
@@ -155,8 +148,8 @@ void Host::let_go() {
 
 void Host::change_tone() {
     state_.dark = !state_.dark;
-    set_style(ImGui::GetStyle(), scale_, state_.dark);
-    ++picture_version_;
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark);
+    shown_.redraw();
 }
 
 void Host::change_text(float by) {
@@ -196,18 +189,12 @@ void Host::next_freedom() {
 }
 
 void Host::advance(double seconds) {
-    if (hand_.advance(seconds)) { settle_ = 2; }
-    if (message_left_ > 0.0) {
-        message_left_ -= seconds;
-        if (message_left_ <= 0.0) {
-            message_.clear();
-            settle_ = 2;
-        }
-    }
+    if (hand_.advance(seconds)) { rouse(); }
+    if (notice_.advance(seconds)) { rouse(); }
     if (!shows_lesson()) { return; }
     if (const auto step = state_.playback.step_after(seconds, *session_)) { apply(GoTo{*step}); }
     if (const auto pose = state_.playback.freedom_after(seconds)) {
-        settle_ = 2;
+        rouse();
         const std::string refused = session_->apply(*pose);
         if (!refused.empty()) { state_.playback.leave_freedom(); }
         say(refused);
@@ -216,7 +203,7 @@ void Host::advance(double seconds) {
 
 double Host::seconds_to_change() const {
     if (!events_.empty() || settle_ > 0 || task_ != Task::none) { return 0.0; }
-    double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
+    double due = notice_.seconds_left();
     if (!shows_lesson()) { return due; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     return std::min(due, state_.playback.seconds_to_change(*session_));
@@ -234,7 +221,7 @@ bool Host::look_at_file() {
     saved_ = written;
     ImGui::SetCurrentContext(context_);
     const ReadResult read = read_lesson_file(path_);
-    settle_ = 2;
+    rouse();
     if (!read.lesson) {
         file_errors_ = read.report();
         return true;
@@ -250,9 +237,8 @@ bool Host::look_at_file() {
 
 void Host::say(const std::string& message) {
     if (message.empty()) { return; }
-    message_ = message;
-    message_left_ = kMessageSeconds;
-    settle_ = 2;
+    notice_.say(message);
+    rouse();
 }
 
 void Host::done(const std::string& message) {

@@ -116,7 +116,7 @@ void Screen::fit_to_host() {
         s.fonts_version = host_->fonts_version();
     }
     const auto fits = [&](const std::unique_ptr<render::RenderTargets>& t) {
-        return t && t->size().width == host_->width() && t->size().height == host_->height();
+        return t && t->size().width == host_->layout().width && t->size().height == host_->layout().height;
     };
     const bool quick = s.software && host_->is_moving();
     std::unique_ptr<render::RenderTargets>& wanted = quick ? s.moving : s.still;
@@ -124,7 +124,8 @@ void Screen::fit_to_host() {
         s.still.reset();
         s.moving.reset();
         s.targets = nullptr;
-        wanted = std::make_unique<render::RenderTargets>(gl_, host_->width(), host_->height(), quick ? 1 : 4);
+        wanted = std::make_unique<render::RenderTargets>(
+            gl_, host_->layout().width, host_->layout().height, quick ? 1 : 4);
     }
     if (s.targets != wanted.get()) { s.drawn.reset(); }
     s.targets = wanted.get();
@@ -151,7 +152,7 @@ void Screen::draw_scene() {
         return;
     }
     const Picture& picture = host_->picture();
-    const Drawn now{host_->picture_version(), host_->camera(), host_->layout().scene, host_->state().dark};
+    const Drawn now{host_->shown().version(), host_->camera(), host_->layout().scene, host_->state().dark};
     if (s.drawn == now) { return; }
     s.targets->begin_3d(
         render::toned(render::palette::kPaper, now.dark ? render::Tone::dark : render::Tone::light));
@@ -172,8 +173,8 @@ int Screen::pick(float x, float y) {
     fit_to_host();
     s.ids.update(
         host_->session()->picture().scene, host_->camera(), host_->layout().scene, s.targets->size(),
-        host_->pose_version());
-    const double scale = static_cast<double>(host_->height()) / 720.0;
+        host_->shown().pose_version());
+    const double scale = static_cast<double>(host_->layout().height) / 720.0;
     return s.ids.nearest_id(static_cast<double>(x), static_cast<double>(y), kPickRadius * scale);
 }
 

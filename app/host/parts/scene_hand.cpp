@@ -1,5 +1,6 @@
 #include "app/host/parts/scene_hand.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kTurnPerPixel = 0.006;
 constexpr double kCloserPerNotch = 1.15;
+constexpr double kTurnPerKey = 0.15;  // [rad]
+constexpr double kCloserPerKey = 1.2;
 constexpr double kTurnSeconds = 0.3;
 constexpr float kClick = 3.0F;  // pixels: less is a click, not a drag
 
@@ -62,20 +65,42 @@ void SceneHand::turn(double dx, double dy) {
     own_ = false;
 }
 
-void SceneHand::zoom(double factor, const render::Rect& viewport, double size) {
-    const double x = viewport.x + 0.5 * viewport.width;
-    const double y = viewport.y + 0.5 * viewport.height;
+void SceneHand::zoom(
+    double factor, const render::Rect& viewport, double x, double y, const Session& session) {
+    const double size = std::max(1e-9, session.style().bounds.diagonal());
     camera_ = render::zoomed(camera_, viewport, factor, x, y, size);
     turned_ = 1.0;
     own_ = false;
 }
 
-void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double size, const Picker& pick) {
+void SceneHand::carry_out(Command command, const render::Rect& viewport, const Session& session) {
+    using render::StandardView;
+    const double x = viewport.x + 0.5 * viewport.width;
+    const double y = viewport.y + 0.5 * viewport.height;
+    switch (command) {
+        case Command::view_front: return show(StandardView::front);
+        case Command::view_back: return show(StandardView::back);
+        case Command::view_left: return show(StandardView::left);
+        case Command::view_right: return show(StandardView::right);
+        case Command::view_top: return show(StandardView::top);
+        case Command::view_bottom: return show(StandardView::bottom);
+        case Command::view_free: return show(StandardView::isometric);
+        case Command::turn_left: return turn(-kTurnPerKey, 0.0);
+        case Command::turn_right: return turn(kTurnPerKey, 0.0);
+        case Command::turn_up: return turn(0.0, -kTurnPerKey);
+        case Command::turn_down: return turn(0.0, kTurnPerKey);
+        case Command::zoom_in: return zoom(kCloserPerKey, viewport, x, y, session);
+        case Command::zoom_out: return zoom(1.0 / kCloserPerKey, viewport, x, y, session);
+        default: return;
+    }
+}
+
+void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool reachable) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool over =
         viewport.contains(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)) &&
         !io.WantCaptureMouse;
-    if (over && mode_ == Mode::idle) { point_at(ui, viewport, pick); }
+    if (over && reachable && mode_ == Mode::idle) { point_at(ui); }
     if (mode_ == Mode::idle) {
         if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) { press(ui, viewport, io.KeyShift); }
         const bool right =
@@ -83,11 +108,9 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double 
         if (over && right) { press(ui, viewport, true); }
         if (over && io.MouseWheel != 0.0F) {
             const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
-            camera_ = render::zoomed(
-                camera_, viewport, factor, static_cast<double>(io.MousePos.x),
-                static_cast<double>(io.MousePos.y), size);
-            turned_ = 1.0;
-            own_ = false;
+            zoom(
+                factor, viewport, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
+                ui.session);
         }
         return;
     }
@@ -103,10 +126,10 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, double 
     move(ui, viewport);
 }
 
-void SceneHand::point_at(const LessonUi& ui, const render::Rect& /*viewport*/, const Picker& pick) {
+void SceneHand::point_at(const LessonUi& ui) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ui.state.pointed_at || !pick) { return; }
-    ui.state.pointed_at = pointable_of(pick(mouse.x, mouse.y));
+    if (ui.state.pointed_at || !pick_) { return; }
+    ui.state.pointed_at = pointable_of(pick_(mouse.x, mouse.y));
 }
 
 void SceneHand::press(const LessonUi& ui, const render::Rect& viewport, bool right) {

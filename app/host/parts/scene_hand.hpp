@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "app/host/ui/ui.hpp"
 #include "render/camera.hpp"
@@ -20,13 +21,14 @@ public:
 
     /// The story's own view; at once, or turning there.
     void show(const render::Camera& camera, bool at_once);
-    void show(render::StandardView view);
-    /// By keys: parts of a turn and of the distance.
-    void turn(double dx, double dy);
-    void zoom(double factor, const render::Rect& viewport, double size);
+    /// The commands of keys: a standard view, parts of a turn and of the distance. Others do nothing.
+    void carry_out(Command command, const render::Rect& viewport, const Session& session);
 
+    /// Without it nothing in 3D can be pointed at.
+    void set_picker(Picker picker) { pick_ = std::move(picker); }
     /// What the mouse does in one frame.
-    void handle(const LessonUi& ui, const render::Rect& viewport, double size, const Picker& pick);
+    /// @param reachable  nothing lies over the picture: what is drawn there can be pointed at
+    void handle(const LessonUi& ui, const render::Rect& viewport, bool reachable);
     /// Lets a turning camera go on. @return true while it turns
     bool advance(double seconds);
     /// The view turns, or something is held.
@@ -36,12 +38,16 @@ public:
 private:
     enum class Mode { idle, orbit, pan, drag };
 
-    void point_at(const LessonUi& ui, const render::Rect& viewport, const Picker& pick);
+    void show(render::StandardView view);
+    void turn(double dx, double dy);
+    void zoom(double factor, const render::Rect& viewport, double x, double y, const Session& session);
+    void point_at(const LessonUi& ui);
     void press(const LessonUi& ui, const render::Rect& viewport, bool right);
     void move(const LessonUi& ui, const render::Rect& viewport);
     void release(const LessonUi& ui);
     void turn_to(const render::Camera& camera);
 
+    Picker pick_;
     render::Camera camera_;
     render::Camera from_;
     render::Camera to_;

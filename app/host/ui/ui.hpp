@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/host/lesson/playback.hpp"
+#include "app/host/lesson/shown_picture.hpp"
 #include "app/host/ui/commands.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/canvas.hpp"
@@ -31,7 +32,9 @@ struct UiState {
 
     Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
     std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
-    bool panel_keys = false;    ///< the keyboard moves among the widgets of the panel
+    Lit lit() const { return {pointed_at, lit_rows}; }
+
+    bool panel_keys = false;  ///< the keyboard moves among the widgets of the panel
 
     Playback playback;
 

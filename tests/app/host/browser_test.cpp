@@ -43,8 +43,8 @@ TEST_CASE("A lesson is searched for, chosen and opened with the keyboard alone")
 
 TEST_CASE("A card that is clicked is opened, and is the newest of the lessons opened before") {
     Person person("");
-    const auto width = static_cast<float>(person.host().width());
-    const auto height = static_cast<float>(person.host().height());
+    const auto width = static_cast<float>(person.host().layout().width);
+    const auto height = static_cast<float>(person.host().layout().height);
     const std::vector<Widget> cards = widgets_in(person, {20.0F, 100.0F, width - 60.0F, 60.0F});
     REQUIRE(cards.size() >= 3);
     person.click(cards[1].x, std::min(cards[1].y + 40.0F, height));

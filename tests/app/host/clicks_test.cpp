@@ -142,8 +142,8 @@ Seen try_all(const std::filesystem::path& lesson, bool thorough) {
         if (thorough) { use_all(person, seen, column, nullptr, true); }
     }
     if (!thorough) { return seen; }
-    const auto width = static_cast<float>(person.host().width());
-    const auto height = static_cast<float>(person.host().height());
+    const auto width = static_cast<float>(person.host().layout().width);
+    const auto height = static_cast<float>(person.host().layout().height);
     use_all(person, seen, {0.0F, height - 54.0F, width, 50.0F}, nullptr, thorough);
     use_all(person, seen, person.host().layout().tabs, nullptr, thorough);
     return seen;

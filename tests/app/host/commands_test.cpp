@@ -105,7 +105,7 @@ std::vector<std::string> keys_of(const CommandInfo& info) {
 
 /// Opens the menu and clicks the n-th entry of a group.
 void choose_in_menu(Person& person, host::Group group, int entry) {
-    const auto height = static_cast<float>(person.host().height());
+    const auto height = static_cast<float>(person.host().layout().height);
     const Widget button = [&] {
         const unsigned wanted = id_of("timeline bar", {"Menu"});
         for (const Widget& w : widgets_in(person, {1080.0F, height - 50.0F, 200.0F, 40.0F})) {

@@ -90,9 +90,9 @@ TEST_CASE("Pointing at a vector in the picture lights up the rows that it is in"
     }
     CHECK(rows > 0);
     CHECK(lit_in(person->host().picture()) != at_rest);
-    const std::uint64_t version = person->host().picture_version();
+    const std::uint64_t version = person->host().shown().version();
     person->point(scene.x + 2.0F, scene.y + 2.0F);
-    CHECK(person->host().picture_version() > version);
+    CHECK(person->host().shown().version() > version);
     CHECK(lit_in(person->host().picture()) == at_rest);
 }
 

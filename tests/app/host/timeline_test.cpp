@@ -100,7 +100,7 @@ TEST_CASE("It plays to the end, pauses where it is, and begins anew from the end
 
 TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
     Person person(kMovingFourBar);
-    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    const float y = static_cast<float>(person.host().layout().height) - 20.0F;
     std::vector<int> seen;
     for (float x = 240.0F; x <= 1080.0F; x += 70.0F) {
         person.click(x, y);
@@ -120,7 +120,7 @@ TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
 
 TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
     Person person(kMovingFourBar);
-    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    const float y = static_cast<float>(person.host().layout().height) - 20.0F;
     person.host().push(host::InputEvent::pointer(300.0F, y));
     person.host().push(host::InputEvent::button(0, true));
     person.host().push(host::InputEvent::pointer(700.0F, y));
