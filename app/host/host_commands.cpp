@@ -6,17 +6,15 @@
 
 #include "app/host/host.hpp"
 #include "app/host/lesson/timeline.hpp"
+#include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
-#include "lessons/reader.hpp"
+#include "app/session/output/export.hpp"
+#include "app/session/picture/picture_camera.hpp"
 
 namespace jw::host {
 
 namespace {
 
-// an open file is looked at this often
-constexpr double kIdle = 0.5;
-// between two looks at a measurement: fast enough to be watched, and it costs next to nothing
-constexpr double kMeasuring = 0.25;
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
@@ -32,6 +30,23 @@ Tab tab_after(Tab tab) {
     return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
 }
 
+/// Puts a text into the clipboard. @return `said`
+std::string copied(const std::string& text, std::string said) {
+    ImGui::SetClipboardText(text.c_str());
+    return said;
+}
+
+std::string copied(Command command, const View& view) {
+    if (command == Command::copy_matrix) {
+        return copied(matrix_latex(view.matrix, MatrixStyle::labelled), "Φq copied as LaTeX.");
+    }
+    if (command == Command::copy_matrix_csv) { return copied(matrix_csv(view.matrix), "Φq copied as CSV."); }
+    if (view.equations.empty()) { return "There is no equation at this step."; }
+    std::string text;
+    for (const EquationGroup& group : view.equations) { text += equation_latex(group) + '\n'; }
+    return copied(text, "The equations copied as LaTeX.");
+}
+
 }  // namespace
 
 void Host::carry_out(Requests requests) {
@@ -41,7 +56,7 @@ void Host::carry_out(Requests requests) {
     }
     for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
-    if (requests.copy) { copy(*requests.copy, "Copied."); }
+    if (requests.copy) { say(copied(*requests.copy, "Copied.")); }
     if (requests.open) { open(*requests.open); }
 }
 
@@ -59,14 +74,8 @@ void Host::apply(const Experiment& experiment) {
     if (session_->version() != version) { rouse(); }
     if (session_->told() != told) {
         state_.playback.leave_freedom();
-        forget_what_is_pointed_at();
+        state_.forget_pointed();
     }
-}
-
-/// What was pointed at need not be there in another lesson.
-void Host::forget_what_is_pointed_at() {
-    state_.pointed_at = {};
-    state_.lit_rows.clear();
 }
 
 void Host::go_to(int step) {
@@ -81,9 +90,8 @@ void Host::carry_out(Command command) {
         case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
         case Command::back: state_.playback.pause(); return go_to(session_->index() - 1);
         case Command::play: return play_or_pause();
-        case Command::next_joint: return go_to(step_of_next_joint(session_->story(), session_->index(), 1));
-        case Command::previous_joint:
-            return go_to(step_of_next_joint(session_->story(), session_->index(), -1));
+        case Command::next_joint: return go_to(next_joint(session_->story(), session_->index(), 1));
+        case Command::previous_joint: return go_to(next_joint(session_->story(), session_->index(), -1));
         case Command::first: return go_to(0);
         case Command::last: return go_to(last_step(session_->story()));
         case Command::faster: return state_.playback.faster();
@@ -94,7 +102,7 @@ void Host::carry_out(Command command) {
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
         case Command::next_tab: state_.tab = tab_after(state_.tab); return;
-        case Command::panel_keys: return use_panel_keys(!state_.panel_keys);
+        case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
         case Command::undo: return apply(Undo{});
         case Command::redo: return apply(Redo{});
         case Command::start_over: return apply(StartOver{});
@@ -119,15 +127,15 @@ void Host::carry_out(Command command) {
         case Command::smaller_text: return change_text(-kTextStep);
         case Command::lessons: return show_or_leave_browser();
         case Command::reload:
-            saved_ = {};
+            file_.distrust();
             look_at_file();
             return;
-        case Command::save_picture: task_ = Task::save_picture; return;
-        case Command::record: task_ = Task::record; return;
+        case Command::save_picture: task_ = DrawingTask::save_picture; return;
+        case Command::record: task_ = DrawingTask::record; return;
         case Command::save_lesson: return save_lesson();
         case Command::copy_equation:
         case Command::copy_matrix:
-        case Command::copy_matrix_csv: return copy_view(command);
+        case Command::copy_matrix_csv: return say(copied(command, session_->view()));
         case Command::save_csv: return save_csv();
         case Command::help: state_.help = !state_.help; return;
         case Command::quit: close_ = true; return;
@@ -140,9 +148,9 @@ void Host::play_or_pause() {
 }
 
 void Host::let_go() {
-    task_ = Task::none;
+    task_ = DrawingTask::none;
     state_.playback.leave_freedom();
-    file_errors_.clear();
+    notice_.blame("");
     apply(LetGo{});
 }
 
@@ -160,25 +168,9 @@ void Host::change_text(float by) {
 void Host::show_or_leave_browser() {
     if (state_.browser && !session_) { return; }
     state_.playback.pause();
-    if (state_.browser) {
-        state_.browser = false;
-    } else {
-        show_browser();
-    }
-}
-
-void Host::use_panel_keys(bool on) {
-    ImGuiIO& io = ImGui::GetIO();
-    state_.panel_keys = on;
-    if (on) {
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        if (state_.tab == Tab::step) { state_.tab = Tab::experiments; }
-        ImGui::SetWindowFocus(area_of(state_.tab));
-        say("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
-    } else {
-        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-        ImGui::SetWindowFocus(nullptr);
-    }
+    state_.browser = !state_.browser;
+    if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+    rouse();
 }
 
 void Host::next_freedom() {
@@ -188,62 +180,19 @@ void Host::next_freedom() {
     apply(LetGo{});
 }
 
-void Host::advance(double seconds) {
-    if (hand_.advance(seconds)) { rouse(); }
-    if (notice_.advance(seconds)) { rouse(); }
-    if (!shows_lesson()) { return; }
-    if (const auto step = state_.playback.step_after(seconds, *session_)) { apply(GoTo{*step}); }
-    if (const auto pose = state_.playback.freedom_after(seconds)) {
-        rouse();
-        const std::string refused = session_->apply(*pose);
-        if (!refused.empty()) { state_.playback.leave_freedom(); }
-        say(refused);
-    }
+void Host::fit_camera(bool at_once) {
+    hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
 }
 
-double Host::seconds_to_change() const {
-    if (!events_.empty() || settle_ > 0 || task_ != Task::none) { return 0.0; }
-    double due = notice_.seconds_left();
-    if (!shows_lesson()) { return due; }
-    if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
-    return std::min(due, state_.playback.seconds_to_change(*session_));
+void Host::save_lesson() {
+    const Saved saved = host::save_lesson(free_name(pictures_, file_.path(), "-changed.toml"), *session_);
+    if (saved.done) { unsaved_.saved(*session_); }
+    say(saved.said);
 }
 
-double Host::seconds_to_wait() const { return std::min(seconds_to_change(), kIdle); }
-
-bool Host::is_due(double seconds_since) const { return seconds_since >= seconds_to_change(); }
-
-bool Host::look_at_file() {
-    std::error_code error;
-    if (path_.empty()) { return false; }
-    const auto written = std::filesystem::last_write_time(path_, error);
-    if (error || written == saved_) { return false; }
-    saved_ = written;
-    ImGui::SetCurrentContext(context_);
-    const ReadResult read = read_lesson_file(path_);
-    rouse();
-    if (!read.lesson) {
-        file_errors_ = read.report();
-        return true;
-    }
-    file_errors_.clear();
-    session_->replace(*read.lesson);
-    forget_what_is_pointed_at();
-    state_.playback.leave_freedom();
-    if (hand_.is_own()) { fit_camera(true); }
-    say("The file was saved anew: this is the same step of it.");
-    return true;
-}
-
-void Host::say(const std::string& message) {
-    if (message.empty()) { return; }
-    notice_.say(message);
-    rouse();
-}
-
-void Host::done(const std::string& message) {
-    task_ = Task::none;
-    say(message);
+void Host::save_csv() {
+    const std::string suffix = std::string("-") + tabs_.plot.name() + ".csv";
+    say(save_text(free_name(pictures_, file_.path(), suffix), tabs_.plot.csv(*session_)).said);
 }
 
 }  // namespace jw::host

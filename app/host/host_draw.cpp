@@ -13,23 +13,24 @@ namespace jw::host {
 
 void Host::draw_interface() {
     Requests requests;
-    spots_.clear();
+    std::vector<panels::HotSpot> spots;
     const Emphasis lit = session_ ? emphasis_of(*session_, state_.lit()) : Emphasis();
     const panels::Canvas canvas = panels::Canvas(ImGui::GetBackgroundDrawList(), fonts_.fonts())
-                                      .pointed(lit, spots_)
+                                      .pointed(lit, spots)
                                       .in(state_.dark ? render::Tone::dark : render::Tone::light);
     const Ui ui{state_, canvas, requests};
     if (shows_lesson()) {
-        draw_lesson({ui, *session_, hand_.camera()});
+        draw_lesson({ui, *session_, hand_.camera()}, spots);
     } else {
-        browser(ui, layout_.whole, entries_, session_ != nullptr);
+        browser(ui, layout_.whole, shelf_, session_ != nullptr);
     }
-    draw_messages(ui);
+    const panels::Box room = shows_lesson() ? panels::box_of(layout_.scene) : layout_.whole;
+    notice_.draw(ui, room, session_ != nullptr);
     help_overlay(ui, layout_.whole);
     carry_out(std::move(requests));
 }
 
-void Host::draw_lesson(const LessonUi& ui) {
+void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots) {
     const View& view = session_->view();
     panels::draw_annotations(ui.canvas, picture(), hand_.camera(), layout_.scene);
     panels::draw_title(ui.canvas, layout_.title, view);
@@ -41,7 +42,7 @@ void Host::draw_lesson(const LessonUi& ui) {
     // what is under the pointer now is lit in the next frame
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help;
-    const Pointed pointed = reachable ? pointed_at(spots_, {mouse.x, mouse.y}) : Pointed{};
+    const Pointed pointed = reachable ? pointed_at(spots, {mouse.x, mouse.y}) : Pointed{};
     const Pointable before = state_.pointed_at;
     if (!hand_.is_dragging()) { state_.pointed_at = pointed.first(); }
     hand_.handle(ui, layout_.scene, reachable);
@@ -50,13 +51,6 @@ void Host::draw_lesson(const LessonUi& ui) {
     const Pointable link = hand_.is_dragging() ? Pointable() : state_.pointed_at;
     const std::string tip = tip_of(*session_, pointed, link);
     if (!tip.empty() && reachable) { ImGui::SetTooltip("%s", panels::with_minus_signs(tip).c_str()); }
-}
-
-void Host::draw_messages(const Ui& ui) {
-    const panels::Box room = shows_lesson() ? panels::box_of(layout_.scene) : layout_.whole;
-    const std::string kept =
-        session_ && !file_errors_.empty() ? "The file has mistakes; the last good lesson stays.\n" : "";
-    draw_notices(ui, room, notice_.text(), kept + file_errors_);
 }
 
 const Picture& Host::picture() {

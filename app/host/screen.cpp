@@ -76,7 +76,7 @@ struct Screen::Surface {
         : scene(gl),
           ids(gl, scene.meshes()),
           panels(gl),
-          fonts_version(host.fonts_version()),
+          fonts_version(host.fonts().version()),
           software(is_software(gl)) {}
 
     render::SceneRenderer scene;
@@ -102,7 +102,7 @@ Screen::Screen(const render::GlFunctions& gl, Host& host)
 Screen::~Screen() {
     host_->set_picker({});
     // the textures go with this
-    for (CatalogueEntry& entry : host_->catalogue()) { entry.thumbnail = nullptr; }
+    for (CatalogueEntry& entry : host_->shelf().entries()) { entry.thumbnail = nullptr; }
     if (!surface_->recording) { return; }
     try {
         finish_recording();
@@ -111,9 +111,9 @@ Screen::~Screen() {
 
 void Screen::fit_to_host() {
     Surface& s = *surface_;
-    if (s.fonts_version != host_->fonts_version()) {
+    if (s.fonts_version != host_->fonts().version()) {
         s.panels.reload_fonts();
-        s.fonts_version = host_->fonts_version();
+        s.fonts_version = host_->fonts().version();
     }
     const auto fits = [&](const std::unique_ptr<render::RenderTargets>& t) {
         return t && t->size().width == host_->layout().width && t->size().height == host_->layout().height;
@@ -164,7 +164,7 @@ void Screen::draw_scene() {
 
 bool Screen::is_complete() const {
     const auto missing = [](const CatalogueEntry& e) { return e.thumbnail == nullptr && e.error.empty(); };
-    return host_->shows_lesson() || std::ranges::none_of(host_->catalogue(), missing);
+    return host_->shows_lesson() || std::ranges::none_of(host_->shelf().entries(), missing);
 }
 
 int Screen::pick(float x, float y) {
@@ -180,7 +180,7 @@ int Screen::pick(float x, float y) {
 
 void Screen::draw_one_thumbnail() {
     Surface& s = *surface_;
-    std::vector<CatalogueEntry>& entries = host_->catalogue();
+    std::vector<CatalogueEntry>& entries = host_->shelf().entries();
     for (CatalogueEntry& entry : entries) {
         if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }
         const ReadResult read = read_lesson_file(entry.path);
@@ -213,10 +213,10 @@ void Screen::draw_one_thumbnail() {
 
 void Screen::carry_out_task() {
     // given up by the person: what is there is whole
-    if (surface_->recording && host_->task() != Host::Task::record) { finish_recording(); }
-    if (host_->task() == Host::Task::none) { return; }
+    if (surface_->recording && host_->task() != DrawingTask::record) { finish_recording(); }
+    if (host_->task() == DrawingTask::none) { return; }
     try {
-        if (host_->task() == Host::Task::save_picture) {
+        if (host_->task() == DrawingTask::save_picture) {
             const std::filesystem::path path = host_->task_path();
             render::write_file_atomically(path, render::encode_png(read()));
             host_->done("Saved " + path.string());

@@ -38,7 +38,7 @@ std::vector<Stretch> stretches_of(const Story& story) {
 
 int last_step(const Story& story) { return static_cast<int>(story.steps().size()) - 1; }
 
-int step_of_next_joint(const Story& story, int step, int direction) {
+int next_joint(const Story& story, int step, int direction) {
     int target = direction > 0 ? last_step(story) : 0;
     for (const Stretch& s : stretches_of(story)) {
         if (direction > 0 && s.first > step) { return s.first; }

@@ -25,7 +25,7 @@ int last_step(const Story& story);
 
 /// First step of the next stretch after `step` (`direction` 1), or of the one before it (-1); at the ends the
 /// last step and the first.
-int step_of_next_joint(const Story& story, int step, int direction);
+int next_joint(const Story& story, int step, int direction);
 
 /// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
 /// @return index of the step, or nothing if `at` is none of these

@@ -50,6 +50,13 @@ void UnsavedCopy::begin_anew() {
     complained_ = false;
 }
 
+std::vector<fs::path> UnsavedCopy::others() const {
+    if (folder_.empty()) { return {}; }
+    std::vector<fs::path> copies = unsaved_copies(folder_);
+    std::erase(copies, path_);
+    return copies;
+}
+
 void UnsavedCopy::take_away() {
     std::error_code ignored;
     if (!path_.empty()) { fs::remove(path_, ignored); }

@@ -30,7 +30,8 @@ public:
 
     /// Empty where there is no copy.
     const std::filesystem::path& path() const { return path_; }
-    const std::filesystem::path& folder() const { return folder_; }
+    /// Copies of sessions before this one, newest first.
+    std::vector<std::filesystem::path> others() const;
 
 private:
     void take_away();

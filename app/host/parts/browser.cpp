@@ -63,14 +63,15 @@ std::string headline(const std::string& chapter) {
 }
 
 /// One card at the cursor of ImGui, the name of its chapter above if it is the first; a click opens it.
-void card(const Ui& ui, const CatalogueEntry& entry, int index, float width, bool first_of_chapter) {
+void card(const Ui& ui, LessonShelf& shelf, int index, float width, bool first_of_chapter) {
+    const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float above = ui.px(kChapterHeight);
     const float height = std::round(kPictureShape * width) + ui.px(kWordsHeight);
     const Box box{at.x, at.y + above, width, height};
     ImGui::PushID(index);
     if (ImGui::InvisibleButton("card", {box.width, above + box.height})) {
-        ui.state.chosen_lesson = index;
+        shelf.choose(index);
         ui.requests.open = entry.path.string();
     }
     const bool hovered = ImGui::IsItemHovered();
@@ -89,22 +90,21 @@ void card(const Ui& ui, const CatalogueEntry& entry, int index, float width, boo
             canvas.text(
                 {at.x, at.y + ui.px(4.0F)}, canvas.fonts().bold, theme::kInk, headline(entry.chapter));
         }
-        draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, ui.state.chosen_lesson == index, hovered);
+        draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, shelf.chosen() == index, hovered);
     }
     ImGui::PopID();
 }
 
-void search_field(const Ui& ui, float width) {
+void search_field(LessonShelf& shelf, float width) {
     std::array<char, 128> text{};
-    ui.state.search.copy(text.data(), text.size() - 1);
+    shelf.search().copy(text.data(), text.size() - 1);
     ImGui::SetNextItemWidth(width);
     if (ImGui::InputTextWithHint("##search", "search title, chapter, text", text.data(), text.size())) {
-        ui.state.search = text.data();
-        ui.state.chosen_lesson = -1;
+        shelf.search_for(text.data());
     }
 }
 
-void head(const Ui& ui, const Box& box, bool has_lesson) {
+void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
     const Canvas& canvas = ui.canvas;
     canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.bottom() - 1.0F, box.width, 1.0F}, theme::kLine);
@@ -115,7 +115,7 @@ void head(const Ui& ui, const Box& box, bool has_lesson) {
     const float width = ui.px(460.0F);
     Area area(
         ui, "lessons head", {box.right() - width, box.y + ui.px(6.0F), width, box.height - ui.px(8.0F)});
-    search_field(ui, ui.px(270.0F));
+    search_field(shelf, ui.px(270.0F));
     ImGui::SameLine();
     command_button(ui, Command::help, "?", ui.px(26.0F));
     if (!has_lesson) { return; }
@@ -125,21 +125,12 @@ void head(const Ui& ui, const Box& box, bool has_lesson) {
 
 }  // namespace
 
-void move_choice(UiState& state, const std::vector<CatalogueEntry>& entries, int by) {
-    const std::vector<int> found = found_in(entries, state.search);
-    if (found.empty()) { return; }
-    const auto now = std::ranges::find(found, state.chosen_lesson);
-    const int at = now == found.end() ? (by > 0 ? -1 : 0) : static_cast<int>(now - found.begin());
-    const int next = std::clamp(at + by, 0, static_cast<int>(found.size()) - 1);
-    state.chosen_lesson = found[static_cast<std::size_t>(next)];
-}
-
-void browser(const Ui& ui, const Box& window, const std::vector<CatalogueEntry>& entries, bool has_lesson) {
+void browser(const Ui& ui, const Box& window, LessonShelf& shelf, bool has_lesson) {
     Box rest = window;
     ui.canvas.fill(rest, theme::kShade);
-    head(ui, panels::cut_top(rest, ui.px(62.0F)), has_lesson);
+    head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
     Area area(ui, "lessons", panels::shrunk(rest, ui.px(20.0F), ui.px(2.0F)), true);
-    const std::vector<int> found = found_in(entries, ui.state.search);
+    const std::vector<int> found = shelf.found();
     if (found.empty()) { return note(ui, "No lesson has all of these words."); }
     const float gap = ui.px(kCardGap);
     const float room = ImGui::GetContentRegionAvail().x;
@@ -149,11 +140,41 @@ void browser(const Ui& ui, const Box& window, const std::vector<CatalogueEntry>&
     const std::string* chapter = nullptr;
     int column = 0;
     for (const int k : found) {
-        const CatalogueEntry& entry = entries[static_cast<std::size_t>(k)];
+        const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(k)];
         if (column > 0) { ImGui::SameLine(0.0F, gap); }
-        card(ui, entry, k, width, chapter == nullptr || *chapter != entry.chapter);
+        card(ui, shelf, k, width, chapter == nullptr || *chapter != entry.chapter);
         chapter = &entry.chapter;
         column = (column + 1) % columns;
+    }
+}
+
+bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests) {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (event.kind == InputEvent::Kind::text) {
+        // letters search, wherever the keyboard is; the field takes its own
+        const bool letter = event.character > ' ' && event.character < 127 && event.character != '?';
+        if (!letter || typing) { return typing; }
+        shelf.search_for(shelf.search() + static_cast<char>(event.character));
+        return true;
+    }
+    switch (event.key) {
+        case Key::left:
+        case Key::up: shelf.move_choice(-1); return true;
+        case Key::right:
+        case Key::down: shelf.move_choice(1); return true;
+        case Key::backspace:
+            if (!typing) { shelf.erase_letter(); }
+            return true;
+        case Key::escape:
+            if (shelf.search().empty()) { requests.add(Command::lessons); }
+            shelf.clear_search();
+            return true;
+        case Key::enter:
+            if (const CatalogueEntry* entry = shelf.chosen_or_first()) {
+                requests.open = entry->path.string();
+            }
+            return true;
+        default: return false;
     }
 }
 

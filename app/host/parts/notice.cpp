@@ -56,6 +56,15 @@ double Notice::seconds_left() const {
     return text_.empty() ? std::numeric_limits<double>::infinity() : seconds_left_;
 }
 
+void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
+    float bottom = scene.bottom() - ui.px(10.0F);
+    const Canvas canvas(ImGui::GetForegroundDrawList(), ui.canvas);
+    if (!text_.empty()) { bottom = draw_sheet(canvas, scene, bottom, text_, false); }
+    if (mistakes_.empty()) { return; }
+    const std::string kept = has_lesson ? "The file has mistakes; the last good lesson stays.\n" : "";
+    draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
+}
+
 void draw_badge(const Ui& ui, const Box& scene) {
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
@@ -66,13 +75,6 @@ void draw_badge(const Ui& ui, const Box& scene) {
     canvas.fill(badge, theme::kWarningShade, canvas.px(5.0F));
     canvas.outline(badge, theme::kSubjectMark, panels::hairline(canvas), canvas.px(5.0F));
     canvas.text({badge.x + canvas.px(10.0F), badge.y + canvas.px(4.0F)}, font, theme::kInk, text);
-}
-
-void draw_notices(const Ui& ui, const Box& scene, const std::string& notice, const std::string& mistakes) {
-    float bottom = scene.bottom() - ui.px(10.0F);
-    const Canvas canvas(ImGui::GetForegroundDrawList(), ui.canvas);
-    if (!notice.empty()) { bottom = draw_sheet(canvas, scene, bottom, notice, false); }
-    if (!mistakes.empty()) { draw_sheet(canvas, scene, bottom, mistakes, true); }
 }
 
 }  // namespace jw::host

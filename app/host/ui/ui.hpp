@@ -33,6 +33,11 @@ struct UiState {
     Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
     std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
     Lit lit() const { return {pointed_at, lit_rows}; }
+    /// Another lesson follows, or the lesson as it was changed: what was pointed at need not be there.
+    void forget_pointed() {
+        pointed_at = {};
+        lit_rows.clear();
+    }
 
     bool panel_keys = false;  ///< the keyboard moves among the widgets of the panel
 
@@ -40,9 +45,6 @@ struct UiState {
 
     int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
     int experiment_driver = 0;
-
-    std::string search;      ///< in the browser
-    int chosen_lesson = -1;  ///< index into the catalogue
 };
 
 /// What was asked for in one frame.

@@ -42,7 +42,7 @@ void attempt(Person& person, Seen& seen, const std::string& what, const Do& act)
     const int index = person.session().index();
     const host::UiState state = person.host().state();
     act();
-    if (person.host().task() != host::Host::Task::none) { person.host().done(""); }
+    if (person.host().task() != host::DrawingTask::none) { person.host().done(""); }
     const std::string fault = fault_of(person.host());
     INFO(person.session().lesson().file_name << ", tab " << static_cast<int>(state.tab) << ": " << what);
     REQUIRE(fault == "");

@@ -28,7 +28,7 @@ std::string all_of(Person& person) {
         << static_cast<int>(ui.tab) << ui.browser << ui.help << ui.dark << ui.playback.plays() << ' '
         << ui.text_scale << ' ' << ui.playback.speed() << ' ' << ui.playback.freedom() << ' '
         << c.eye.transpose() << ' ' << c.target.transpose() << ' ' << static_cast<int>(host.task())
-        << host.wants_to_close() << person.folder().files() << host.message()
+        << host.wants_to_close() << person.folder().files() << host.notice().text()
         << (copied == nullptr ? "" : copied);
     // every person has a folder of their own
     std::string text = out.str();
@@ -188,7 +188,7 @@ TEST_CASE("Letters that somebody types into the search are no commands") {
     person.click(field.x, field.y);
     person.type("dark");
     CHECK(person.host().state().dark == dark);
-    CHECK(person.host().state().search == "dark");
+    CHECK(person.host().shelf().search() == "dark");
 }
 
 }  // namespace jw::test

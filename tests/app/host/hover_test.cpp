@@ -124,8 +124,8 @@ TEST_CASE("A saved picture is what is on the screen, and p writes it into the fo
     REQUIRE(std::filesystem::exists(file));
     // more than one colour
     CHECK(std::ranges::adjacent_find(image.rgb, std::not_equal_to<>()) != image.rgb.end());
-    CHECK(person->host().message().find("four-bar-step-2.png") != std::string::npos);
-    CHECK(person->host().task() == host::Host::Task::none);
+    CHECK(person->host().notice().text().find("four-bar-step-2.png") != std::string::npos);
+    CHECK(person->host().task() == host::DrawingTask::none);
 }
 
 TEST_CASE("Windows of any size show the lesson, light and dark, with large text and small") {

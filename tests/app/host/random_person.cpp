@@ -163,7 +163,7 @@ void RandomPerson::open_something() {
 
 void RandomPerson::do_tasks() {
     host::Host& host = person_->host();
-    if (host.task() == host::Host::Task::none) { return; }
+    if (host.task() == host::DrawingTask::none) { return; }
     host.done("as " + host.task_path().filename().string());
 }
 
