@@ -25,6 +25,21 @@ TEST_CASE("All words of a search must be found, in any case") {
     }
 }
 
+TEST_CASE("A lesson that is gone when the lessons are looked at again is not chosen any more") {
+    const TemporaryFolder folder;
+    folder.write("a.toml", "format = 1");
+    const auto last = folder.write("b.toml", "format = 1");
+    host::LessonShelf shelf(folder.path(), {});
+    shelf.refresh({});
+    shelf.move_choice(2);
+    REQUIRE(shelf.chosen() == 1);
+    std::filesystem::remove(last);
+    shelf.refresh({});
+    CHECK(shelf.chosen() == -1);
+    REQUIRE(shelf.chosen_or_first() != nullptr);
+    CHECK(shelf.chosen_or_first()->path.filename() == "a.toml");
+}
+
 TEST_CASE("A lesson is searched for, chosen and opened with the keyboard alone") {
     Person person("");
     REQUIRE(person.host().state().browser);
