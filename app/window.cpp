@@ -1,5 +1,6 @@
 #include "app/window.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <stdexcept>
@@ -26,6 +27,8 @@ constexpr int kSmallestWidth = 640;
 constexpr int kSmallestHeight = 400;
 // between two copies of what is tried and not saved [s]
 constexpr double kKeeping = 1.0;
+// between two looks at the open file [s]
+constexpr double kLooking = 0.5;
 // before the next frame, after one that could not be drawn [s]
 constexpr double kAfterFailure = 0.25;
 
@@ -170,7 +173,7 @@ void fit(GLFWwindow* window, Host& host) {
     int width = 0;
     int height = 0;
     glfwGetFramebufferSize(window, &width, &height);
-    if (width > 0 && height > 0 && (width != host.width() || height != host.height())) {
+    if (width > 0 && height > 0 && (width != host.layout().width || height != host.layout().height)) {
         host.resize(width, height);
     }
 }
@@ -211,7 +214,7 @@ void run(GLFWwindow* window, Host& host, host::GuardedScreen& screen) {
     std::string title;
     while (glfwWindowShouldClose(window) == GLFW_FALSE && !host.wants_to_close()) {
         // a driver that has just failed is given time
-        const double wait = drawn ? host.seconds_to_wait() : kAfterFailure;
+        const double wait = drawn ? std::min(host.seconds_to_change(), kLooking) : kAfterFailure;
         if (wait > 0.0) {
             glfwWaitEventsTimeout(wait);
         } else {
@@ -225,7 +228,7 @@ void run(GLFWwindow* window, Host& host, host::GuardedScreen& screen) {
             host.keep_unsaved();
         }
         const double seconds = std::chrono::duration<double>(now - before).count();
-        if (!host.is_due(seconds)) { continue; }
+        if (seconds < host.seconds_to_change()) { continue; }
         before = now;
         host.frame(seconds);
         drawn = screen.draw();
@@ -248,7 +251,6 @@ void run_window(const WindowSetup& setup) {
     host::HostSetup wanted = setup.host;
     glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
     Host host(wanted);
-    host.choose(setup.tab);
     if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
     glfwSetWindowUserPointer(window.get(), &host);
     listen(window.get());

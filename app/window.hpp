@@ -17,7 +17,6 @@ struct WindowSetup {
     host::HostSetup host;
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
     std::string at;
-    host::Tab tab = host::Tab::step;
     std::vector<std::string> experiments;  ///< experiments to begin with
     std::ostream* log = nullptr;           ///< where faults of drawing are told; must be set
 };

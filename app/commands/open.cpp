@@ -6,6 +6,7 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
+#include "app/host/lesson/timeline.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
@@ -36,12 +37,11 @@ constexpr PixelSize kLargest{7680, 7680};
 void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
-    host.choose(setup.tab);
     if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
     host::Screen screen(surface.gl(), host);
     // a frame for ImGui to find its sizes, and one per small picture of the browser
     constexpr int most = 2000;
-    for (int k = 0; k < most && (k < 3 || host.seconds_to_wait() <= 0.0 || !screen.is_complete()); ++k) {
+    for (int k = 0; k < most && (k < 3 || host.seconds_to_change() <= 0.0 || !screen.is_complete()); ++k) {
         host.frame(1.0 / 60.0);
         screen.draw();
     }
@@ -64,7 +64,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.text_scale = static_cast<float>(options.text);
     setup.host.width = size.width;
     setup.host.height = size.height;
-    setup.tab = *value_of(host::kTabs, options.tab);
+    setup.host.tab = *value_of(host::kTabs, options.tab);
     if (!options.file.empty()) {
         // mistakes are told before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/host/panel_context.hpp"
+#include "app/host/frames/panel_context.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "render/imgui_backend.hpp"

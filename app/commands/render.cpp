@@ -7,8 +7,8 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/frame_range.hpp"
 #include "app/commands/size_option.hpp"
-#include "app/host/frame_files.hpp"
-#include "app/host/frame_painter.hpp"
+#include "app/host/frames/frame_files.hpp"
+#include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/pace.hpp"
 
 namespace jw {

@@ -1,69 +1,34 @@
 #include "app/host/host.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include <imgui.h>
 
-#include "app/host/browser.hpp"
-#include "app/host/timeline_bar.hpp"
-#include "app/host/widgets.hpp"
-#include "app/session/picture/picture_camera.hpp"
+#include "app/host/lesson/timeline.hpp"
+#include "app/host/parts/browser.hpp"
+#include "app/host/tabs/panel_keys.hpp"
+#include "app/host/ui/widgets.hpp"
 #include "app/session/try/carry_out.hpp"
-#include "lessons/reader.hpp"
 
 namespace jw::host {
 
 namespace {
 
-using panels::Box;
-
-constexpr float kBarHeight = 56.0F;
-constexpr float kTabsHeight = 36.0F;
 // a window manager may ask for less than the window offers: there the picture is cut
 constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
+// between two looks at a measurement: fast enough to be watched, and it costs next to nothing
+constexpr double kMeasuring = 0.25;
 
 }  // namespace
 
-std::optional<int> step_at(const Story& story, const std::string& at) {
-    const auto last = static_cast<int>(story.steps().size()) - 1;
-    double number = 0.0;
-    const bool is_time = at.starts_with("t=");
-    const char* const begin = at.data() + (is_time ? 2 : 0);
-    const char* const end = at.data() + at.size();
-    const auto [stop, error] = std::from_chars(begin, end, number);
-    if (error == std::errc() && stop == end && std::isfinite(number)) {
-        if (!is_time) {
-            const double index = number - 1.0;
-            const bool fits = index >= 0.0 && index <= last && index == std::floor(index);
-            return fits ? std::optional<int>(static_cast<int>(index)) : std::nullopt;
-        }
-        std::optional<int> nearest;
-        double distance = std::numeric_limits<double>::infinity();
-        for (int k = 0; k <= last; ++k) {
-            const Step& step = story.steps()[static_cast<std::size_t>(k)];
-            if (step.kind != Step::Kind::motion || std::abs(step.t - number) >= distance) { continue; }
-            distance = std::abs(step.t - number);
-            nearest = k;
-        }
-        return nearest;
-    }
-    for (const Stretch& stretch : stretches_of(story)) {
-        if (stretch.name == at) { return stretch.first; }
-    }
-    return std::nullopt;
-}
-
-Host::Host(HostSetup setup)
-    : setup_(std::move(setup)),
-      context_(ImGui::CreateContext()),
-      recent_(setup_.recent_file),
-      unsaved_(setup_.unsaved) {
+Host::Host(const HostSetup& setup)
+    : context_(ImGui::CreateContext()),
+      shelf_(setup.catalogue, setup.recent_file),
+      unsaved_(setup.unsaved),
+      pictures_(setup.pictures) {
     // creating does not make it the current one if there is another
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -71,122 +36,94 @@ Host::Host(HostSetup setup)
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     map_keys(io);
-    state_.dark = setup_.dark;
-    state_.text_scale = setup_.text_scale;
-    resize(setup_.width, setup_.height);
+    state_.tab = setup.tab;
+    state_.dark = setup.dark;
+    state_.text_scale = setup.text_scale;
+    resize(setup.width, setup.height);
 }
 
 Host::~Host() { ImGui::DestroyContext(context_); }
 
 bool Host::open(
     const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& experiments) {
-    const ReadResult read = read_lesson_file(path);
-    if (!read.lesson) {
-        file_errors_ = read.report();
-        return false;
-    }
-    file_errors_.clear();
-    std::error_code error;
-    saved_ = std::filesystem::last_write_time(path, error);
+    LessonFile file(path);
+    const ReadResult read = file.read();
+    notice_.blame(read.lesson ? "" : read.report());
+    if (!read.lesson) { return false; }
     auto session = std::make_unique<Session>(*read.lesson);
     keep_unsaved();
     unsaved_.begin_anew();
     session_ = std::move(session);
-    path_ = path;
-    recent_.add(path);
+    file_ = std::move(file);
+    shelf_.add_recent(path);
     state_.browser = false;
-    state_.playing = false;
-    state_.pointed_at = {};
+    state_.playback.stop();
+    state_.forget_pointed();
     state_.experiment_joint = -1;
     state_.experiment_driver = 0;
-    state_.freedom = -1;
-    step_waited_ = 0.0;
-    picture_of_ = 0;
+    shown_.forget_session();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
-    settle_ = 2;
+    rouse();
     return true;
 }
 
-void Host::show_browser() {
-    state_.browser = true;
-    state_.search.clear();
-    entries_ = refreshed_catalogue();
-    settle_ = 2;
+bool Host::look_at_file() {
+    if (!file_.is_saved_anew()) { return false; }
+    ImGui::SetCurrentContext(context_);
+    const ReadResult read = file_.read();
+    rouse();
+    notice_.blame(read.lesson ? "" : read.report());
+    if (!read.lesson) { return true; }
+    session_->replace(*read.lesson);
+    state_.forget_pointed();
+    state_.playback.leave_freedom();
+    if (hand_.is_own()) { fit_camera(true); }
+    say("The file was saved anew: this is the same step of it.");
+    return true;
+}
+
+void Host::keep_unsaved() {
+    if (!session_) { return; }
+    const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
+    if (!problem.empty()) { say("What you try is lost if the program ends: " + problem); }
 }
 
 void Host::resize(int width, int height) {
-    width_ = std::max(kSmallestWidth, width);
-    height_ = std::max(kSmallestHeight, height);
-    load_fonts();
-    set_layout();
-    if (session_ && hand_.is_own()) { fit_camera(true); }
-    settle_ = 2;
-}
-
-void Host::load_fonts() {
-    // eighths: a window that is being resized does not build fonts for every pixel
-    const float wanted = std::clamp(panels::scale_of(width_, height_) * state_.text_scale, 0.5F, 3.0F);
-    const float scale = std::max(0.5F, std::floor(wanted * 8.0F + 0.01F) / 8.0F);
-    if (scale == scale_) { return; }
-    ImGui::SetCurrentContext(context_);
-    try {
-        fonts_ = render::load_fonts(scale);
-    } catch (const std::runtime_error& error) {
-        if (fonts_version_ == 0) { throw; }
-        // the letters that are there stay
-        return say(std::string("The text stays as large as it is: ") + error.what());
+    width = std::max(kSmallestWidth, width);
+    height = std::max(kSmallestHeight, height);
+    const float scale = panels::scale_of(width, height) * state_.text_scale;
+    if (!fonts_.fit(scale)) {
+        ImGui::SetCurrentContext(context_);
+        say(fonts_.load(scale));
+        set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark);
     }
-    scale_ = scale;
-    ++fonts_version_;
-    set_style(ImGui::GetStyle(), scale, state_.dark);
-}
-
-void Host::set_layout() {
-    Box window{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
-    const float bar = std::round(kBarHeight * scale_);
-    bar_ = {0.0F, window.height - bar, window.width, bar};
-    window.height -= bar;
-    layout_ = panels::layout_in(window, scale_, std::round(kTabsHeight * scale_));
-}
-
-double Host::scene_size() const { return std::max(1e-9, session_->style().bounds.diagonal()); }
-
-void Host::fit_camera(bool at_once) {
-    fitted_ = session_->told();
-    hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
+    layout_ = window_layout(width, height, fonts_.scale());
+    if (session_ && hand_.is_own()) { fit_camera(true); }
+    rouse();
 }
 
 void Host::frame(double seconds) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
-    if (!session_ && entries_.empty() && !state_.browser) { show_browser(); }
+    io.DisplaySize = {static_cast<float>(layout_.width), static_cast<float>(layout_.height)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
+    if (!session_ && shelf_.entries().empty() && !state_.browser) { show_or_leave_browser(); }
     settle_ = events_.empty() ? std::max(0, settle_ - 1) : 2;
-    take_events();
-    if (std::exchange(new_text_scale_, false)) { resize(width_, height_); }
+    for (const InputEvent& event : events_.take()) {
+        feed(io, event);
+        act_on(event);
+    }
+    if (std::exchange(new_text_scale_, false)) { resize(layout_.width, layout_.height); }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();
     advance(seconds);
     // what was drawn in a hurry is drawn well when it rests
-    if (was_moving_ && !is_moving()) { settle_ = 2; }
+    if (was_moving_ && !is_moving()) { rouse(); }
     was_moving_ = is_moving();
-}
-
-bool Host::is_moving() const {
-    return shows_lesson() && (hand_.is_busy() || state_.playing || state_.freedom >= 0);
-}
-
-void Host::take_events() {
-    ImGuiIO& io = ImGui::GetIO();
-    for (const InputEvent& event : events_.take()) {
-        feed(io, event);
-        act_on(event);
-    }
 }
 
 void Host::act_on(const InputEvent& event) {
@@ -196,64 +133,50 @@ void Host::act_on(const InputEvent& event) {
         state_.help = false;
         return;
     }
-    if (state_.browser && act_in_browser(event)) { return; }
-    if (state_.panel_keys && act_in_panel(event)) { return; }
+    Requests requests;
+    if (state_.browser && act_in_browser(event, shelf_, requests)) { return carry_out(std::move(requests)); }
+    if (state_.panel_keys && act_in_panel(event, state_)) { return; }
+    const ImGuiIO& io = ImGui::GetIO();
     // while somebody types, letters are letters
-    if (ImGui::GetIO().WantTextInput) { return; }
-    Modifiers modifiers;
-    modifiers.ctrl = ImGui::GetIO().KeyCtrl;
-    modifiers.shift = ImGui::GetIO().KeyShift;
+    if (io.WantTextInput) { return; }
+    const Modifiers modifiers{io.KeyCtrl, io.KeyShift};
     if (const CommandInfo* info = command_for(event, modifiers)) { carry_out(info->command); }
 }
 
-bool Host::act_in_panel(const InputEvent& event) {
-    if (event.kind != InputEvent::Kind::key) { return false; }
-    if (event.key == Key::escape) {
-        if (!ImGui::GetIO().WantTextInput) { use_panel_keys(false); }
-        return true;
-    }
-    // ImGui moves among its widgets
-    constexpr std::array moving{Key::left, Key::right, Key::up, Key::down, Key::space, Key::enter, Key::tab};
-    return std::ranges::find(moving, event.key) != moving.end();
-}
-
-bool Host::act_in_browser(const InputEvent& event) {
-    if (event.kind == InputEvent::Kind::text) {
-        // letters search, wherever the keyboard is; the field takes its own
-        const bool letter = event.character > ' ' && event.character < 127 && event.character != '?';
-        if (!letter || ImGui::GetIO().WantTextInput) { return ImGui::GetIO().WantTextInput; }
-        state_.search += static_cast<char>(event.character);
-        state_.chosen_lesson = -1;
-        return true;
-    }
-    const Key key = event.key;
-    if (key == Key::left || key == Key::up) {
-        move_choice(state_, entries_, -1);
-    } else if (key == Key::right || key == Key::down) {
-        move_choice(state_, entries_, 1);
-    } else if (key == Key::backspace) {
-        if (!ImGui::GetIO().WantTextInput && !state_.search.empty()) { state_.search.pop_back(); }
-    } else if (key == Key::escape) {
-        leave_search_or_browser();
-    } else if (key == Key::enter) {
-        open_chosen_lesson();
-    } else {
-        return false;
-    }
-    return true;
-}
-
-void Host::leave_search_or_browser() {
-    if (!state_.search.empty()) {
-        state_.search.clear();
-    } else if (session_) {
-        state_.browser = false;
+void Host::advance(double seconds) {
+    if (hand_.advance(seconds)) { rouse(); }
+    if (notice_.advance(seconds)) { rouse(); }
+    if (!shows_lesson()) { return; }
+    if (const auto step = state_.playback.step_after(seconds, *session_)) { apply(GoTo{*step}); }
+    if (const auto pose = state_.playback.freedom_after(seconds)) {
+        rouse();
+        const std::string refused = session_->apply(*pose);
+        if (!refused.empty()) { state_.playback.leave_freedom(); }
+        say(refused);
     }
 }
 
-void Host::open_chosen_lesson() {
-    if (state_.chosen_lesson < 0) { move_choice(state_, entries_, 1); }
-    if (state_.chosen_lesson >= 0) { open(entries_[static_cast<std::size_t>(state_.chosen_lesson)].path); }
+double Host::seconds_to_change() const {
+    if (!events_.empty() || settle_ > 0 || task_ != DrawingTask::none) { return 0.0; }
+    double due = notice_.seconds_left();
+    if (!shows_lesson()) { return due; }
+    if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    return std::min(due, state_.playback.seconds_to_change(*session_));
+}
+
+void Host::say(const std::string& message) {
+    if (message.empty()) { return; }
+    notice_.say(message);
+    rouse();
+}
+
+std::filesystem::path Host::task_path() const {
+    return free_name(pictures_, file_.path(), suffix_of(task_, session_->index()));
+}
+
+void Host::done(const std::string& message) {
+    task_ = DrawingTask::none;
+    say(message);
 }
 
 }  // namespace jw::host

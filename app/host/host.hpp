@@ -1,23 +1,26 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/host/catalogue.hpp"
-#include "app/host/scene_hand.hpp"
-#include "app/host/tabs.hpp"
-#include "app/host/ui.hpp"
-#include "app/host/unsaved.hpp"
-#include "render/fonts.hpp"
+#include "app/host/lesson/lesson_file.hpp"
+#include "app/host/lesson/lesson_shelf.hpp"
+#include "app/host/lesson/saving.hpp"
+#include "app/host/lesson/unsaved.hpp"
+#include "app/host/parts/notice.hpp"
+#include "app/host/parts/scene_hand.hpp"
+#include "app/host/tabs/tabs.hpp"
+#include "app/host/ui/scaled_fonts.hpp"
+#include "app/host/ui/ui.hpp"
+#include "app/host/ui/window_layout.hpp"
 
 struct ImGuiContext;
 
 /// The interface without a surface: lesson browser, lesson, timeline, experiments. Events go in, ImGui's draw
-/// data, a scene and a camera come out; a window or an offscreen picture shows them.
+/// data, a scene and a camera come out; a window or an offscreen picture shows them. Its parts keep what they
+/// are about (`lesson/`, `ui/`, `tabs/`, `parts/`); the host carries out what is asked for.
 namespace jw::host {
 
 struct HostSetup {
@@ -25,25 +28,19 @@ struct HostSetup {
     std::filesystem::path recent_file;     ///< where the lessons opened last are kept; empty: nowhere
     std::filesystem::path unsaved;         ///< folder for what was tried and not saved; empty: nowhere
     std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
+    Tab tab = Tab::step;                   ///< what stands beside the picture to begin with
     bool dark = false;
     float text_scale = 1.0F;
     int width = 1280;
     int height = 720;
 };
 
-/// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
-/// @return index of the step, or nothing if `at` is none of these
-std::optional<int> step_at(const Story& story, const std::string& at);
-
 class Host {
 public:
-    explicit Host(HostSetup setup);
+    explicit Host(const HostSetup& setup);
     ~Host();
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
-
-    /// What stands beside the picture to begin with.
-    void choose(Tab tab) { state_.tab = tab; }
 
     /// Opens a lesson file at a step; without it the lessons are shown.
     /// @param experiments  to begin with, see app/session/try/carry_out.hpp
@@ -54,24 +51,22 @@ public:
 
     /// Size of the picture in pixels of the framebuffer.
     void resize(int width, int height);
-    int width() const { return width_; }
-    int height() const { return height_; }
 
     void push(const InputEvent& event) { events_.push(event); }
     /// Number of what is drawn at a pixel; whoever draws knows. Without it 3D cannot be pointed at.
-    void set_picker(Picker picker) { pick_ = std::move(picker); }
+    void set_picker(Picker picker) { hand_.set_picker(std::move(picker)); }
 
     /// One frame: events, interface, what was asked for, and what moves by itself.
     /// @param seconds since the last frame
     void frame(double seconds);
+    /// The next frame is due at once.
+    void rouse() { settle_ = 2; }
+    /// How long after the last frame another one would show anything new without an event [s]; 0: at once,
+    /// infinity: never.
+    double seconds_to_change() const;
 
-    /// How long until the next frame is worth drawing without an event [s]; 0: at once.
-    double seconds_to_wait() const;
-    /// Whether a frame now, so long after the last one, would show anything new.
-    bool is_due(double seconds_since) const;
     /// Looks whether the open file was saved anew; @return true if so
     bool look_at_file();
-
     /// Writes what was tried and not saved into a file, if it is another than at the last call. To be called
     /// often: what ends the program may leave no time for it.
     void keep_unsaved();
@@ -80,125 +75,71 @@ public:
 
     bool wants_to_close() const { return close_; }
     /// The picture changes from frame to frame: turned, pulled, played.
-    bool is_moving() const;
+    bool is_moving() const { return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving()); }
     /// A lesson and not the browser is shown.
     bool shows_lesson() const { return session_ && !state_.browser; }
     const Session* session() const { return session_.get(); }
     const UiState& state() const { return state_; }
     const render::Camera& camera() const { return hand_.camera(); }
-    const panels::FrameLayout& layout() const { return layout_; }
+    const WindowLayout& layout() const { return layout_; }
     /// The picture with what is pointed at lit up; empty without a lesson.
     const Picture& picture();
-    /// Grows with every change of picture().
-    std::uint64_t picture_version() const { return picture_version_; }
-    /// Counts the poses shown, over all lessons opened: what is highlighted does not count.
-    std::uint64_t pose_version() const { return pose_version_; }
-
-    std::vector<CatalogueEntry>& catalogue() { return entries_; }
-    /// Grows when the font atlas was built anew: its texture must be too.
-    int fonts_version() const { return fonts_version_; }
-
-    /// The next frame is due at once.
-    void rouse() { settle_ = 2; }
+    /// The versions of picture(), as it was made last.
+    const ShownPicture& shown() const { return shown_; }
+    LessonShelf& shelf() { return shelf_; }
+    const ScaledFonts& fonts() const { return fonts_; }
 
     /// Set by a command, carried out by whoever draws, and told with done().
-    enum class Task { none, save_picture, record };
-    Task task() const { return task_; }
+    DrawingTask task() const { return task_; }
     /// Name for the next file of a task: "four-bar-step-12.png", a folder for `record`.
     std::filesystem::path task_path() const;
     void done(const std::string& message);
 
     /// Something to be read at the foot of the picture for a while.
     void say(const std::string& message);
-    const std::string& message() const { return message_; }
-    const std::string& file_errors() const { return file_errors_; }
+    const Notice& notice() const { return notice_; }
 
 private:
-    void load_fonts();
-    void show_browser();
-    void set_layout();
-    void fit_camera(bool at_once);
-    void take_events();
     void act_on(const InputEvent& event);
-    bool act_in_browser(const InputEvent& event);
-    void leave_search_or_browser();
-    void open_chosen_lesson();
-    bool act_in_panel(const InputEvent& event);
-    void use_panel_keys(bool on);
     void draw_interface();
-    /// Everything that is lit now.
-    Emphasis emphasis() const;
-    void draw_lesson(const LessonUi& ui);
-    void draw_messages(const Ui& ui);
+    void draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots);
+    void advance(double seconds);
+
     void carry_out(Requests requests);
     void carry_out(Command command);
-    int last_step() const;
+    void apply(const Experiment& experiment);
+    void go_to(int step);
     void play_or_pause();
+    void next_freedom();
     void let_go();
+    void fit_camera(bool at_once);
     void change_tone();
     void change_text(float by);
     void show_or_leave_browser();
-    void forget_what_is_pointed_at();
-    void go_to(int step);
-    void go_to_joint(int direction);
-    void apply(const Experiment& experiment);
-    void advance(double seconds);
-    void advance_play(double seconds);
-    void advance_freedom(double seconds);
-    void next_freedom();
     void save_lesson();
     void save_csv();
-    void copy_view(Command command);
-    void copy(const std::string& text, const std::string& what);
-    std::vector<CatalogueEntry> refreshed_catalogue() const;
-    std::vector<std::filesystem::path> copies_of_others() const;
-    /// "four-bar-2.png": a name in the folder for pictures that is not taken.
-    std::filesystem::path free_name(const std::string& suffix) const;
-    double scene_size() const;
-    double seconds_to_change() const;
 
-    HostSetup setup_;
     ImGuiContext* context_;
-    render::Fonts fonts_;
-    int fonts_version_ = 0;
-    float scale_ = 0.0F;
-    int width_ = 0;
-    int height_ = 0;
-    panels::Box bar_;
-    panels::FrameLayout layout_;
+    ScaledFonts fonts_;
+    WindowLayout layout_;
+    InputQueue events_;
 
-    RecentLessons recent_;
-    UnsavedCopy unsaved_;
-    std::vector<CatalogueEntry> entries_;
-    std::filesystem::path path_;
-    std::filesystem::file_time_type saved_{};
+    LessonShelf shelf_;
+    LessonFile file_;
     std::unique_ptr<Session> session_;
-    std::uint64_t fitted_ = 0;  ///< telling that the camera was composed for
+    UnsavedCopy unsaved_;
+    std::filesystem::path pictures_;  ///< folder for what is saved
 
     UiState state_;
-    SceneHand hand_;
     Tabs tabs_;
-    Picker pick_;
-    InputQueue events_;
-    std::vector<panels::HotSpot> spots_;
+    SceneHand hand_;
+    ShownPicture shown_;
+    Notice notice_;
+
+    DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins
-
-    Picture picture_;
-    std::uint64_t picture_version_ = 0;
-    std::uint64_t pose_version_ = 0;
-    std::uint64_t picture_of_ = 0;  ///< version of the session that picture_ shows
-    Pointable picture_link_;
-    std::vector<int> picture_rows_;
-    std::uint64_t picture_ghosts_ = 0;
-    bool picture_has_ghosts_ = false;
-
-    double step_waited_ = 0.0;
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames that ImGui needs to come to rest
-    std::string message_;
-    double message_left_ = 0.0;
-    std::string file_errors_;
-    Task task_ = Task::none;
     bool close_ = false;
 };
 

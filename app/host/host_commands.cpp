@@ -1,34 +1,20 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <new>
-#include <numbers>
 
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/host/timeline_bar.hpp"
-#include "app/host/widgets.hpp"
-#include "app/session/output/pace.hpp"
-#include "lessons/reader.hpp"
+#include "app/host/lesson/timeline.hpp"
+#include "app/host/tabs/panel_keys.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/session/output/export.hpp"
+#include "app/session/picture/picture_camera.hpp"
 
 namespace jw::host {
 
 namespace {
 
-using render::StandardView;
-
-constexpr double kTurn = 0.15;  // [rad] per key
-constexpr double kZoom = 1.2;
-constexpr double kMessageSeconds = 6.0;
-constexpr double kFreedomSeconds = 3.0;  // there and back
-// an open file is looked at this often
-constexpr double kIdle = 0.5;
-// between two looks at a measurement: fast enough to be watched, and it costs next to nothing
-constexpr double kMeasuring = 0.25;
-// between two frames of something that moves: no display shows more
-constexpr double kMoving = 1.0 / 60.0;
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
@@ -44,16 +30,33 @@ Tab tab_after(Tab tab) {
     return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
 }
 
+/// Puts a text into the clipboard. @return `said`
+std::string copied(const std::string& text, std::string said) {
+    ImGui::SetClipboardText(text.c_str());
+    return said;
+}
+
+std::string copied(Command command, const View& view) {
+    if (command == Command::copy_matrix) {
+        return copied(matrix_latex(view.matrix, MatrixStyle::labelled), "Φq copied as LaTeX.");
+    }
+    if (command == Command::copy_matrix_csv) { return copied(matrix_csv(view.matrix), "Φq copied as CSV."); }
+    if (view.equations.empty()) { return "There is no equation at this step."; }
+    std::string text;
+    for (const EquationGroup& group : view.equations) { text += equation_latex(group) + '\n'; }
+    return copied(text, "The equations copied as LaTeX.");
+}
+
 }  // namespace
 
 void Host::carry_out(Requests requests) {
     if (requests.lit_rows != state_.lit_rows) {
         state_.lit_rows = std::move(requests.lit_rows);
-        settle_ = 2;
+        rouse();
     }
     for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
-    if (requests.copy) { copy(*requests.copy, "Copied."); }
+    if (requests.copy) { say(copied(*requests.copy, "Copied.")); }
     if (requests.open) { open(*requests.open); }
 }
 
@@ -68,118 +71,93 @@ void Host::apply(const Experiment& experiment) {
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
         say(std::string("This could not be done: ") + (memory ? "out of memory" : error.what()));
     }
-    if (session_->version() != version) { settle_ = 2; }
+    if (session_->version() != version) { rouse(); }
     if (session_->told() != told) {
-        state_.freedom = -1;
-        forget_what_is_pointed_at();
-        fitted_ = session_->told();
+        state_.playback.leave_freedom();
+        state_.forget_pointed();
     }
-}
-
-/// What was pointed at need not be there in another lesson.
-void Host::forget_what_is_pointed_at() {
-    state_.pointed_at = {};
-    state_.lit_rows.clear();
 }
 
 void Host::go_to(int step) {
-    step_waited_ = 0.0;
-    state_.freedom = -1;
+    state_.playback.begin_step();
     apply(GoTo{step});
 }
 
-void Host::go_to_joint(int direction) {
-    const std::vector<Stretch> stretches = stretches_of(session_->story());
-    const int now = session_->index();
-    int target = direction > 0 ? stretches.back().last : 0;
-    for (const Stretch& s : stretches) {
-        if (direction > 0 && s.first > now) {
-            target = s.first;
-            break;
-        }
-        if (direction < 0 && s.first < now) { target = s.first; }
-    }
-    go_to(target);
-}
-
 void Host::carry_out(Command command) {
-    settle_ = 2;
+    rouse();
     if (needs_lesson(command) && !shows_lesson()) { return; }
     switch (command) {
-        case Command::next: state_.playing = false; return go_to(session_->index() + 1);
-        case Command::back: state_.playing = false; return go_to(session_->index() - 1);
+        case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
+        case Command::back: state_.playback.pause(); return go_to(session_->index() - 1);
         case Command::play: return play_or_pause();
-        case Command::next_joint: return go_to_joint(1);
-        case Command::previous_joint: return go_to_joint(-1);
+        case Command::next_joint: return go_to(next_joint(session_->story(), session_->index(), 1));
+        case Command::previous_joint: return go_to(next_joint(session_->story(), session_->index(), -1));
         case Command::first: return go_to(0);
-        case Command::last: return go_to(last_step());
-        case Command::faster: state_.speed = std::min(4.0, 2.0 * state_.speed); return;
-        case Command::slower: state_.speed = std::max(0.25, 0.5 * state_.speed); return;
+        case Command::last: return go_to(last_step(session_->story()));
+        case Command::faster: return state_.playback.faster();
+        case Command::slower: return state_.playback.slower();
         case Command::tab_step: state_.tab = Tab::step; return;
         case Command::tab_experiments: state_.tab = Tab::experiments; return;
         case Command::tab_plot: state_.tab = Tab::plot; return;
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
         case Command::next_tab: state_.tab = tab_after(state_.tab); return;
-        case Command::panel_keys: return use_panel_keys(!state_.panel_keys);
+        case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
         case Command::undo: return apply(Undo{});
         case Command::redo: return apply(Redo{});
         case Command::start_over: return apply(StartOver{});
         case Command::play_freedom: return next_freedom();
         case Command::let_go: return let_go();
         case Command::fit: return fit_camera(false);
-        case Command::view_front: return hand_.show(StandardView::front);
-        case Command::view_back: return hand_.show(StandardView::back);
-        case Command::view_left: return hand_.show(StandardView::left);
-        case Command::view_right: return hand_.show(StandardView::right);
-        case Command::view_top: return hand_.show(StandardView::top);
-        case Command::view_bottom: return hand_.show(StandardView::bottom);
-        case Command::view_free: return hand_.show(StandardView::isometric);
-        case Command::turn_left: return hand_.turn(-kTurn, 0.0);
-        case Command::turn_right: return hand_.turn(kTurn, 0.0);
-        case Command::turn_up: return hand_.turn(0.0, -kTurn);
-        case Command::turn_down: return hand_.turn(0.0, kTurn);
-        case Command::zoom_in: return hand_.zoom(kZoom, layout_.scene, scene_size());
-        case Command::zoom_out: return hand_.zoom(1.0 / kZoom, layout_.scene, scene_size());
+        case Command::view_front:
+        case Command::view_back:
+        case Command::view_left:
+        case Command::view_right:
+        case Command::view_top:
+        case Command::view_bottom:
+        case Command::view_free:
+        case Command::turn_left:
+        case Command::turn_right:
+        case Command::turn_up:
+        case Command::turn_down:
+        case Command::zoom_in:
+        case Command::zoom_out: return hand_.carry_out(command, layout_.scene, *session_);
         case Command::dark: return change_tone();
         case Command::larger_text: return change_text(kTextStep);
         case Command::smaller_text: return change_text(-kTextStep);
         case Command::lessons: return show_or_leave_browser();
         case Command::reload:
-            saved_ = {};
+            file_.distrust();
             look_at_file();
             return;
-        case Command::save_picture: task_ = Task::save_picture; return;
-        case Command::record: task_ = Task::record; return;
+        case Command::save_picture: task_ = DrawingTask::save_picture; return;
+        case Command::record: task_ = DrawingTask::record; return;
         case Command::save_lesson: return save_lesson();
         case Command::copy_equation:
         case Command::copy_matrix:
-        case Command::copy_matrix_csv: return copy_view(command);
+        case Command::copy_matrix_csv: return say(copied(command, session_->view()));
         case Command::save_csv: return save_csv();
         case Command::help: state_.help = !state_.help; return;
         case Command::quit: close_ = true; return;
     }
 }
 
-int Host::last_step() const { return static_cast<int>(session_->story().steps().size()) - 1; }
-
 void Host::play_or_pause() {
-    state_.playing = !state_.playing;
-    if (state_.playing && session_->index() == last_step()) { go_to(0); }
-    step_waited_ = 0.0;
+    state_.playback.play_or_pause();
+    if (state_.playback.plays() && session_->index() == last_step(session_->story())) { go_to(0); }
 }
 
 void Host::let_go() {
-    task_ = Task::none;
-    state_.freedom = -1;
-    file_errors_.clear();
+    task_ = DrawingTask::none;
+    state_.playback.leave_freedom();
+    notice_.blame("");
     apply(LetGo{});
 }
 
 void Host::change_tone() {
     state_.dark = !state_.dark;
-    set_style(ImGui::GetStyle(), scale_, state_.dark);
-    ++picture_version_;
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark);
+    shown_.redraw();
 }
 
 void Host::change_text(float by) {
@@ -189,129 +167,32 @@ void Host::change_text(float by) {
 
 void Host::show_or_leave_browser() {
     if (state_.browser && !session_) { return; }
-    state_.playing = false;
-    if (state_.browser) {
-        state_.browser = false;
-    } else {
-        show_browser();
-    }
-}
-
-void Host::use_panel_keys(bool on) {
-    ImGuiIO& io = ImGui::GetIO();
-    state_.panel_keys = on;
-    if (on) {
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        if (state_.tab == Tab::step) { state_.tab = Tab::experiments; }
-        ImGui::SetWindowFocus(area_of(state_.tab));
-        say("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
-    } else {
-        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-        ImGui::SetWindowFocus(nullptr);
-    }
+    state_.playback.pause();
+    state_.browser = !state_.browser;
+    if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+    rouse();
 }
 
 void Host::next_freedom() {
     const auto count = static_cast<int>(session_->rank().free_motions.size());
     if (count == 0) { return say("Nothing is free here: there is no motion to follow."); }
-    state_.playing = false;
-    state_.freedom = (state_.freedom + 1) % count;
-    state_.freedom_time = 0.0;
+    state_.playback.follow((state_.playback.freedom() + 1) % count);
     apply(LetGo{});
 }
 
-void Host::advance(double seconds) {
-    if (hand_.advance(seconds)) { settle_ = 2; }
-    if (message_left_ > 0.0) {
-        message_left_ -= seconds;
-        if (message_left_ <= 0.0) {
-            message_.clear();
-            settle_ = 2;
-        }
-    }
-    if (!shows_lesson()) { return; }
-    if (state_.playing) { advance_play(seconds); }
-    if (state_.freedom >= 0) { advance_freedom(seconds); }
+void Host::fit_camera(bool at_once) {
+    hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
 }
 
-void Host::advance_play(double seconds) {
-    const int last = static_cast<int>(session_->story().steps().size()) - 1;
-    step_waited_ += seconds * state_.speed;
-    double due = seconds_of_step(session_->story(), session_->view());
-    int step = session_->index();
-    while (step < last && step_waited_ >= due) {
-        step_waited_ -= due;
-        ++step;
-        // moments of a motion are equally long; whatever else comes is waited for from its beginning
-        if (session_->step().kind != Step::Kind::motion) {
-            step_waited_ = 0.0;
-            break;
-        }
-    }
-    if (step != session_->index()) { apply(GoTo{step}); }
-    if (step == last) { state_.playing = false; }
+void Host::save_lesson() {
+    const Saved saved = host::save_lesson(free_name(pictures_, file_.path(), "-changed.toml"), *session_);
+    if (saved.done) { unsaved_.saved(*session_); }
+    say(saved.said);
 }
 
-void Host::advance_freedom(double seconds) {
-    state_.freedom_time += seconds * state_.speed;
-    const double turn = 2.0 * std::numbers::pi * state_.freedom_time / kFreedomSeconds;
-    const std::string refused = session_->apply(ShowFreedom{state_.freedom, std::sin(turn)});
-    settle_ = 2;
-    if (!refused.empty()) {
-        state_.freedom = -1;
-        say(refused);
-    }
-}
-
-double Host::seconds_to_change() const {
-    if (!events_.empty() || settle_ > 0 || task_ != Task::none) { return 0.0; }
-    double due = message_.empty() ? std::numeric_limits<double>::infinity() : message_left_;
-    if (!shows_lesson()) { return due; }
-    if (state_.freedom >= 0) { return kMoving; }
-    if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
-    if (state_.playing) {
-        const double step = seconds_of_step(session_->story(), session_->view());
-        due = std::min(due, std::max(kMoving, (step - step_waited_) / state_.speed));
-    }
-    return due;
-}
-
-double Host::seconds_to_wait() const { return std::min(seconds_to_change(), kIdle); }
-
-bool Host::is_due(double seconds_since) const { return seconds_since >= seconds_to_change(); }
-
-bool Host::look_at_file() {
-    std::error_code error;
-    if (path_.empty()) { return false; }
-    const auto written = std::filesystem::last_write_time(path_, error);
-    if (error || written == saved_) { return false; }
-    saved_ = written;
-    ImGui::SetCurrentContext(context_);
-    const ReadResult read = read_lesson_file(path_);
-    settle_ = 2;
-    if (!read.lesson) {
-        file_errors_ = read.report();
-        return true;
-    }
-    file_errors_.clear();
-    session_->replace(*read.lesson);
-    forget_what_is_pointed_at();
-    state_.freedom = -1;
-    if (hand_.is_own()) { fit_camera(true); }
-    say("The file was saved anew: this is the same step of it.");
-    return true;
-}
-
-void Host::say(const std::string& message) {
-    if (message.empty()) { return; }
-    message_ = message;
-    message_left_ = kMessageSeconds;
-    settle_ = 2;
-}
-
-void Host::done(const std::string& message) {
-    task_ = Task::none;
-    say(message);
+void Host::save_csv() {
+    const std::string suffix = std::string("-") + tabs_.plot.name() + ".csv";
+    say(save_text(free_name(pictures_, file_.path(), suffix), tabs_.plot.csv(*session_)).said);
 }
 
 }  // namespace jw::host

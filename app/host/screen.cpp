@@ -5,8 +5,8 @@
 
 #include <imgui.h>
 
-#include "app/host/frame_files.hpp"
-#include "app/host/frame_painter.hpp"
+#include "app/host/frames/frame_files.hpp"
+#include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"
@@ -76,7 +76,7 @@ struct Screen::Surface {
         : scene(gl),
           ids(gl, scene.meshes()),
           panels(gl),
-          fonts_version(host.fonts_version()),
+          fonts_version(host.fonts().version()),
           software(is_software(gl)) {}
 
     render::SceneRenderer scene;
@@ -102,7 +102,7 @@ Screen::Screen(const render::GlFunctions& gl, Host& host)
 Screen::~Screen() {
     host_->set_picker({});
     // the textures go with this
-    for (CatalogueEntry& entry : host_->catalogue()) { entry.thumbnail = nullptr; }
+    for (CatalogueEntry& entry : host_->shelf().entries()) { entry.thumbnail = nullptr; }
     if (!surface_->recording) { return; }
     try {
         finish_recording();
@@ -111,12 +111,12 @@ Screen::~Screen() {
 
 void Screen::fit_to_host() {
     Surface& s = *surface_;
-    if (s.fonts_version != host_->fonts_version()) {
+    if (s.fonts_version != host_->fonts().version()) {
         s.panels.reload_fonts();
-        s.fonts_version = host_->fonts_version();
+        s.fonts_version = host_->fonts().version();
     }
     const auto fits = [&](const std::unique_ptr<render::RenderTargets>& t) {
-        return t && t->size().width == host_->width() && t->size().height == host_->height();
+        return t && t->size().width == host_->layout().width && t->size().height == host_->layout().height;
     };
     const bool quick = s.software && host_->is_moving();
     std::unique_ptr<render::RenderTargets>& wanted = quick ? s.moving : s.still;
@@ -124,7 +124,8 @@ void Screen::fit_to_host() {
         s.still.reset();
         s.moving.reset();
         s.targets = nullptr;
-        wanted = std::make_unique<render::RenderTargets>(gl_, host_->width(), host_->height(), quick ? 1 : 4);
+        wanted = std::make_unique<render::RenderTargets>(
+            gl_, host_->layout().width, host_->layout().height, quick ? 1 : 4);
     }
     if (s.targets != wanted.get()) { s.drawn.reset(); }
     s.targets = wanted.get();
@@ -151,7 +152,7 @@ void Screen::draw_scene() {
         return;
     }
     const Picture& picture = host_->picture();
-    const Drawn now{host_->picture_version(), host_->camera(), host_->layout().scene, host_->state().dark};
+    const Drawn now{host_->shown().version(), host_->camera(), host_->layout().scene, host_->state().dark};
     if (s.drawn == now) { return; }
     s.targets->begin_3d(
         render::toned(render::palette::kPaper, now.dark ? render::Tone::dark : render::Tone::light));
@@ -163,7 +164,7 @@ void Screen::draw_scene() {
 
 bool Screen::is_complete() const {
     const auto missing = [](const CatalogueEntry& e) { return e.thumbnail == nullptr && e.error.empty(); };
-    return host_->shows_lesson() || std::ranges::none_of(host_->catalogue(), missing);
+    return host_->shows_lesson() || std::ranges::none_of(host_->shelf().entries(), missing);
 }
 
 int Screen::pick(float x, float y) {
@@ -172,14 +173,14 @@ int Screen::pick(float x, float y) {
     fit_to_host();
     s.ids.update(
         host_->session()->picture().scene, host_->camera(), host_->layout().scene, s.targets->size(),
-        host_->pose_version());
-    const double scale = static_cast<double>(host_->height()) / 720.0;
+        host_->shown().pose_version());
+    const double scale = static_cast<double>(host_->layout().height) / 720.0;
     return s.ids.nearest_id(static_cast<double>(x), static_cast<double>(y), kPickRadius * scale);
 }
 
 void Screen::draw_one_thumbnail() {
     Surface& s = *surface_;
-    std::vector<CatalogueEntry>& entries = host_->catalogue();
+    std::vector<CatalogueEntry>& entries = host_->shelf().entries();
     for (CatalogueEntry& entry : entries) {
         if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }
         const ReadResult read = read_lesson_file(entry.path);
@@ -212,10 +213,10 @@ void Screen::draw_one_thumbnail() {
 
 void Screen::carry_out_task() {
     // given up by the person: what is there is whole
-    if (surface_->recording && host_->task() != Host::Task::record) { finish_recording(); }
-    if (host_->task() == Host::Task::none) { return; }
+    if (surface_->recording && host_->task() != DrawingTask::record) { finish_recording(); }
+    if (host_->task() == DrawingTask::none) { return; }
     try {
-        if (host_->task() == Host::Task::save_picture) {
+        if (host_->task() == DrawingTask::save_picture) {
             const std::filesystem::path path = host_->task_path();
             render::write_file_atomically(path, render::encode_png(read()));
             host_->done("Saved " + path.string());

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "app/host/frame_painter.hpp"
+#include "app/host/frames/frame_painter.hpp"
 #include "lessons/reader.hpp"
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"

@@ -55,16 +55,25 @@ constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"le
                               FolderRule{"app/hard/", kHard}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 24> kRooms{
-    "core/numerics/",       "core/jets/",          "core/model/",        "core/equations/",
-    "core/poses/",          "core/motion/",        "core/motion/block/", "core/motion/tree/",
-    "core/motion/dense/",   "core/kinematics/",    "core/integrate/",    "core/quantity/",
-    "app/session/wording/", "app/session/story/",  "app/session/view/",  "app/session/picture/",
-    "app/session/claims/",  "app/session/output/", "app/session/try/",   "app/session/benchmark/",
-    "app/panels/parts/",    "app/panels/plot/",    "app/panels/column/", "app/panels/frame/"};
+constexpr std::array<std::string_view, 30> kRooms{"core/numerics/",       "core/jets/",
+                                                  "core/model/",          "core/equations/",
+                                                  "core/poses/",          "core/motion/",
+                                                  "core/motion/block/",   "core/motion/tree/",
+                                                  "core/motion/dense/",   "core/kinematics/",
+                                                  "core/integrate/",      "core/quantity/",
+                                                  "app/session/wording/", "app/session/story/",
+                                                  "app/session/view/",    "app/session/picture/",
+                                                  "app/session/claims/",  "app/session/output/",
+                                                  "app/session/try/",     "app/session/benchmark/",
+                                                  "app/panels/parts/",    "app/panels/plot/",
+                                                  "app/panels/column/",   "app/panels/frame/",
+                                                  "app/host/lesson/",     "app/host/frames/",
+                                                  "app/host/ui/",         "app/host/tabs/",
+                                                  "app/host/parts/",      "app/host/"};
 
 /// Folders that consist of rooms alone.
-constexpr std::array<std::string_view, 3> kFoldersOfRooms{"core/", "app/session/", "app/panels/"};
+constexpr std::array<std::string_view, 4> kFoldersOfRooms{
+    "core/", "app/session/", "app/panels/", "app/host/"};
 
 /// Place of the innermost room that a path lies in, or nothing.
 std::optional<std::size_t> room_of(std::string_view path) {

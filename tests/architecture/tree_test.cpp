@@ -68,7 +68,7 @@ TEST_CASE("Nothing but its entry knows a joint type by name", "[architecture]") 
 }
 
 TEST_CASE("No room has more than 25 files", "[architecture]") {
-    const std::regex in_rooms("(core|app/session|app/panels)/.*");
+    const std::regex in_rooms("(core|app/session|app/panels|app/host)/.*");
     std::map<std::string, int> entries;
     for (const SourceFile& file : project_files()) {
         if (is_cpp(file) && std::regex_match(file.path, in_rooms)) {

@@ -60,7 +60,7 @@ std::filesystem::path largest_lesson() {
 }
 
 void settle(host::Host& host) {
-    for (int k = 0; k < 200 && host.seconds_to_wait() <= 0.0; ++k) { host.frame(1.0 / 60.0); }
+    for (int k = 0; k < 200 && host.seconds_to_change() <= 0.0; ++k) { host.frame(1.0 / 60.0); }
 }
 
 void print_frames_at_rest(const std::filesystem::path& lesson) {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/host/frame_files.hpp"
+#include "app/host/frames/frame_files.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

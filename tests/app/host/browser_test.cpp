@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/host/browser.hpp"
+#include "app/host/parts/browser.hpp"
 #include "lessons/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
@@ -25,6 +25,21 @@ TEST_CASE("All words of a search must be found, in any case") {
     }
 }
 
+TEST_CASE("A lesson that is gone when the lessons are looked at again is not chosen any more") {
+    const TemporaryFolder folder;
+    folder.write("a.toml", "format = 1");
+    const auto last = folder.write("b.toml", "format = 1");
+    host::LessonShelf shelf(folder.path(), {});
+    shelf.refresh({});
+    shelf.move_choice(2);
+    REQUIRE(shelf.chosen() == 1);
+    std::filesystem::remove(last);
+    shelf.refresh({});
+    CHECK(shelf.chosen() == -1);
+    REQUIRE(shelf.chosen_or_first() != nullptr);
+    CHECK(shelf.chosen_or_first()->path.filename() == "a.toml");
+}
+
 TEST_CASE("A lesson is searched for, chosen and opened with the keyboard alone") {
     Person person("");
     REQUIRE(person.host().state().browser);
@@ -43,8 +58,8 @@ TEST_CASE("A lesson is searched for, chosen and opened with the keyboard alone")
 
 TEST_CASE("A card that is clicked is opened, and is the newest of the lessons opened before") {
     Person person("");
-    const auto width = static_cast<float>(person.host().width());
-    const auto height = static_cast<float>(person.host().height());
+    const auto width = static_cast<float>(person.host().layout().width);
+    const auto height = static_cast<float>(person.host().layout().height);
     const std::vector<Widget> cards = widgets_in(person, {20.0F, 100.0F, width - 60.0F, 60.0F});
     REQUIRE(cards.size() >= 3);
     person.click(cards[1].x, std::min(cards[1].y + 40.0F, height));

@@ -42,18 +42,18 @@ void attempt(Person& person, Seen& seen, const std::string& what, const Do& act)
     const int index = person.session().index();
     const host::UiState state = person.host().state();
     act();
-    if (person.host().task() != host::Host::Task::none) { person.host().done(""); }
+    if (person.host().task() != host::DrawingTask::none) { person.host().done(""); }
     const std::string fault = fault_of(person.host());
     INFO(person.session().lesson().file_name << ", tab " << static_cast<int>(state.tab) << ": " << what);
     REQUIRE(fault == "");
     compare(before, person.session().lesson(), seen);
     if (index != person.session().index()) { seen.insert("step"); }
     // what moves by itself would move what is looked for next
-    if (person.host().state().freedom >= 0) {
+    if (person.host().state().playback.freedom() >= 0) {
         seen.insert("freedom");
         person.ask(Command::let_go);
     }
-    if (person.host().state().playing) { person.ask(Command::play); }
+    if (person.host().state().playback.plays()) { person.ask(Command::play); }
     if (person.host().state().tab != state.tab) { seen.insert("tab"); }
     if (person.host().state().browser) {
         seen.insert("browser");
@@ -142,8 +142,8 @@ Seen try_all(const std::filesystem::path& lesson, bool thorough) {
         if (thorough) { use_all(person, seen, column, nullptr, true); }
     }
     if (!thorough) { return seen; }
-    const auto width = static_cast<float>(person.host().width());
-    const auto height = static_cast<float>(person.host().height());
+    const auto width = static_cast<float>(person.host().layout().width);
+    const auto height = static_cast<float>(person.host().layout().height);
     use_all(person, seen, {0.0F, height - 54.0F, width, 50.0F}, nullptr, thorough);
     use_all(person, seen, person.host().layout().tabs, nullptr, thorough);
     return seen;

@@ -25,10 +25,11 @@ std::string all_of(Person& person) {
     const char* const copied = ImGui::GetClipboardText();
     std::ostringstream out;
     out << host.session()->index() << ' ' << host.session()->told() << ' ' << host.session()->in_hand() << ' '
-        << static_cast<int>(ui.tab) << ui.browser << ui.help << ui.dark << ui.playing << ' ' << ui.text_scale
-        << ' ' << ui.speed << ' ' << ui.freedom << ' ' << c.eye.transpose() << ' ' << c.target.transpose()
-        << ' ' << static_cast<int>(host.task()) << host.wants_to_close() << person.folder().files()
-        << host.message() << (copied == nullptr ? "" : copied);
+        << static_cast<int>(ui.tab) << ui.browser << ui.help << ui.dark << ui.playback.plays() << ' '
+        << ui.text_scale << ' ' << ui.playback.speed() << ' ' << ui.playback.freedom() << ' '
+        << c.eye.transpose() << ' ' << c.target.transpose() << ' ' << static_cast<int>(host.task())
+        << host.wants_to_close() << person.folder().files() << host.notice().text()
+        << (copied == nullptr ? "" : copied);
     // every person has a folder of their own
     std::string text = out.str();
     const std::string folder = person.folder().path().string();
@@ -104,7 +105,7 @@ std::vector<std::string> keys_of(const CommandInfo& info) {
 
 /// Opens the menu and clicks the n-th entry of a group.
 void choose_in_menu(Person& person, host::Group group, int entry) {
-    const auto height = static_cast<float>(person.host().height());
+    const auto height = static_cast<float>(person.host().layout().height);
     const Widget button = [&] {
         const unsigned wanted = id_of("timeline bar", {"Menu"});
         for (const Widget& w : widgets_in(person, {1080.0F, height - 50.0F, 200.0F, 40.0F})) {
@@ -187,7 +188,7 @@ TEST_CASE("Letters that somebody types into the search are no commands") {
     person.click(field.x, field.y);
     person.type("dark");
     CHECK(person.host().state().dark == dark);
-    CHECK(person.host().state().search == "dark");
+    CHECK(person.host().shelf().search() == "dark");
 }
 
 }  // namespace jw::test

@@ -144,7 +144,7 @@ TEST_CASE("An error of OpenGL costs one frame, is told once, and what was tried 
     for (int k = 0; k < 3; ++k) {
         Driver::errors = 1;
         CHECK_FALSE(window.frame());
-        CHECK_THAT(window.host.message(), Catch::Contains("OpenGL error 0x502 (invalid operation)"));
+        CHECK_THAT(window.host.notice().text(), Catch::Contains("OpenGL error 0x502 (invalid operation)"));
         CHECK(window.frame());
         CHECK(window.host.session()->index() == step);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/host/lesson/timeline.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
@@ -124,7 +125,7 @@ TEST_CASE("A motor goes with its joint, and is refused before it") {
     CHECK(person.session().lesson().order.size() == 3);
     use(person, {"driver", 0, "##present"});
     CHECK(person.session().lesson().order.size() == 3);
-    CHECK(person.host().message().find("put that back first") != std::string::npos);
+    CHECK(person.host().notice().text().find("put that back first") != std::string::npos);
 }
 
 TEST_CASE(

@@ -62,7 +62,7 @@ TEST_CASE("A file that is saved anew is shown at the same step with its new numb
     CHECK(person.session().lesson().mechanism.bodies[1].r.x() == -0.45);
     CHECK(person.session().lesson().mechanism.bodies[1].r != before);
     CHECK_FALSE(person.host().look_at_file());
-    CHECK(person.host().file_errors().empty());
+    CHECK(person.host().notice().mistakes().empty());
     person.ask(Command::undo);
     CHECK(person.session().lesson().mechanism.bodies[1].r == before);
     CHECK_FALSE(person.session().is_changed());
@@ -77,7 +77,7 @@ TEST_CASE("Mistakes in a file that is saved anew are told with line and column, 
     save(file, replaced(four_bar(), "type = \"revolute\"", "type = \"revolut\""));
     CHECK(person.host().look_at_file());
     person.settle();
-    const std::string errors = person.host().file_errors();
+    const std::string errors = person.host().notice().mistakes();
     INFO(errors);
     CHECK(errors.find("mine.toml:56:") != std::string::npos);
     CHECK(errors.find("revolut") != std::string::npos);
@@ -86,7 +86,7 @@ TEST_CASE("Mistakes in a file that is saved anew are told with line and column, 
 
     save(file, four_bar());
     CHECK(person.host().look_at_file());
-    CHECK(person.host().file_errors().empty());
+    CHECK(person.host().notice().mistakes().empty());
     CHECK(person.session().index() == 9);
     CHECK(text_of(person.view()) == before);
 }
@@ -134,7 +134,7 @@ TEST_CASE("What is tried can be saved as a lesson, and read back the same") {
     REQUIRE(person.session().is_changed());
     person.ask(Command::save_lesson);
     const ReadResult read = read_lesson_file(person.folder().path() / "four-bar-changed.toml");
-    INFO(person.host().message() << read.report());
+    INFO(person.host().notice().text() << read.report());
     REQUIRE(read.lesson);
     const Session again(*read.lesson);
     const Story& story = person.session().story();
@@ -157,7 +157,7 @@ TEST_CASE("Numbers of the plot are saved as a table, a line per moment") {
 TEST_CASE("Equations and the matrix go to the clipboard") {
     Person person("loops/four-bar.toml");
     person.ask(Command::copy_equation);
-    CHECK(person.host().message() == "There is no equation at this step.");
+    CHECK(person.host().notice().text() == "There is no equation at this step.");
     person.go_to(1);
     person.ask(Command::copy_equation);
     CHECK(copied().find(equation_latex(person.view().equations.front())) == 0);

@@ -90,9 +90,9 @@ TEST_CASE("Pointing at a vector in the picture lights up the rows that it is in"
     }
     CHECK(rows > 0);
     CHECK(lit_in(person->host().picture()) != at_rest);
-    const std::uint64_t version = person->host().picture_version();
+    const std::uint64_t version = person->host().shown().version();
     person->point(scene.x + 2.0F, scene.y + 2.0F);
-    CHECK(person->host().picture_version() > version);
+    CHECK(person->host().shown().version() > version);
     CHECK(lit_in(person->host().picture()) == at_rest);
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("A saved picture is what is on the screen, and p writes it into the fo
     REQUIRE(std::filesystem::exists(file));
     // more than one colour
     CHECK(std::ranges::adjacent_find(image.rgb, std::not_equal_to<>()) != image.rgb.end());
-    CHECK(person->host().message().find("four-bar-step-2.png") != std::string::npos);
-    CHECK(person->host().task() == host::Host::Task::none);
+    CHECK(person->host().notice().text().find("four-bar-step-2.png") != std::string::npos);
+    CHECK(person->host().task() == host::DrawingTask::none);
 }
 
 TEST_CASE("Windows of any size show the lesson, light and dark, with large text and small") {

@@ -41,7 +41,7 @@ void Person::frame() { host_->frame(kFrame); }
 
 void Person::settle() {
     const auto waits = [&] {
-        return host_->seconds_to_wait() <= 0.0 && host_->task() == host::Host::Task::none;
+        return host_->seconds_to_change() <= 0.0 && host_->task() == host::DrawingTask::none;
     };
     for (int k = 0; k < 3 || (waits() && k < kMostFrames); ++k) { frame(); }
 }

@@ -33,13 +33,13 @@ TEST_CASE("A lesson of dynamics is measured while the window goes on, until some
     press_button(person, "Measure");
     CHECK(offers(person, "Stop"));
     // it looks again without an event
-    CHECK(person.host().seconds_to_wait() < 0.3);
+    CHECK(person.host().seconds_to_change() < 0.3);
     person.press(host::Key::right);
     CHECK(fault_of(person.host()) == "");
     press_button(person, "Stop");
     CHECK(offers(person, "Measure"));
     person.rest();
-    CHECK(person.host().seconds_to_wait() >= 0.4);
+    CHECK(person.host().seconds_to_change() >= 0.4);
 }
 
 TEST_CASE("A measurement ends where its lesson becomes another") {

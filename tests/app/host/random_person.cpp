@@ -54,8 +54,8 @@ void RandomPerson::push(const InputEvent& event, std::string what) {
 
 void RandomPerson::move() {
     const host::Host& host = person_->host();
-    const auto width = static_cast<float>(host.width());
-    const auto height = static_cast<float>(host.height());
+    const auto width = static_cast<float>(host.layout().width);
+    const auto height = static_cast<float>(host.layout().height);
     const panels::Box column = host.layout().column;
     switch (below(8)) {
         case 0:
@@ -163,7 +163,7 @@ void RandomPerson::open_something() {
 
 void RandomPerson::do_tasks() {
     host::Host& host = person_->host();
-    if (host.task() == host::Host::Task::none) { return; }
+    if (host.task() == host::DrawingTask::none) { return; }
     host.done("as " + host.task_path().filename().string());
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/host/timeline_bar.hpp"
+#include "app/host/lesson/timeline.hpp"
+#include "app/host/parts/timeline_bar.hpp"
 #include "app/session/output/pace.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
@@ -71,33 +72,35 @@ TEST_CASE("Every step of the four-bar is the same forth and back") {
 TEST_CASE("It plays to the end, pauses where it is, and begins anew from the end") {
     Person person("joints/revolute.toml");
     person.press(Key::space);
-    REQUIRE(person.host().state().playing);
+    REQUIRE(person.host().state().playback.plays());
     person.wait(0.5);
     const int before = person.session().index();
     person.wait(seconds_of_step(person.session().story(), person.view()));
     CHECK(person.session().index() == before + 1);
     person.press(Key::space);
-    CHECK_FALSE(person.host().state().playing);
+    CHECK_FALSE(person.host().state().playback.plays());
     const int paused = person.session().index();
     person.wait(3.0);
     CHECK(person.session().index() == paused);
 
     for (int k = 0; k < 4; ++k) { person.type("."); }
-    CHECK(person.host().state().speed == 4.0);
+    CHECK(person.host().state().playback.speed() == 4.0);
     person.press(Key::space);
-    for (int minute = 0; minute < 3 && person.host().state().playing; ++minute) { person.wait(60.0); }
+    for (int minute = 0; minute < 3 && person.host().state().playback.plays(); ++minute) {
+        person.wait(60.0);
+    }
     CHECK(person.session().index() == last_of(person));
-    CHECK_FALSE(person.host().state().playing);
+    CHECK_FALSE(person.host().state().playback.plays());
     person.press(Key::space);
     CHECK(person.session().index() < last_of(person));
-    CHECK(person.host().state().playing);
+    CHECK(person.host().state().playback.plays());
     for (int k = 0; k < 6; ++k) { person.type(","); }
-    CHECK(person.host().state().speed == 0.25);
+    CHECK(person.host().state().playback.speed() == 0.25);
 }
 
 TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
     Person person(kMovingFourBar);
-    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    const float y = static_cast<float>(person.host().layout().height) - 20.0F;
     std::vector<int> seen;
     for (float x = 240.0F; x <= 1080.0F; x += 70.0F) {
         person.click(x, y);
@@ -117,7 +120,7 @@ TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
 
 TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
     Person person(kMovingFourBar);
-    const float y = static_cast<float>(person.host().height()) - 20.0F;
+    const float y = static_cast<float>(person.host().layout().height) - 20.0F;
     person.host().push(host::InputEvent::pointer(300.0F, y));
     person.host().push(host::InputEvent::button(0, true));
     person.host().push(host::InputEvent::pointer(700.0F, y));

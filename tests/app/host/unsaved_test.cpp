@@ -22,7 +22,7 @@ void open_changed(Person& person, const std::string& experiment = "take out moto
 
 std::vector<std::string> chapters_of(Person& person) {
     std::vector<std::string> chapters;
-    for (const host::CatalogueEntry& entry : person.host().catalogue()) {
+    for (const host::CatalogueEntry& entry : person.host().shelf().entries()) {
         if (chapters.empty() || chapters.back() != entry.chapter) { chapters.push_back(entry.chapter); }
     }
     return chapters;
@@ -83,7 +83,9 @@ TEST_CASE("What was tried before another lesson was opened stays, and is offered
     CHECK(chapters[0] == "Not saved");
     CHECK(chapters[1] == "Opened last");
     // what is being tried just now is not offered to itself
-    CHECK(std::ranges::count(person.host().catalogue(), "Not saved", &host::CatalogueEntry::chapter) == 1);
+    CHECK(
+        std::ranges::count(person.host().shelf().entries(), "Not saved", &host::CatalogueEntry::chapter) ==
+        1);
 }
 
 TEST_CASE("Only the newest of many files are kept") {
@@ -106,10 +108,11 @@ TEST_CASE("That the file cannot be written is told once") {
     std::ofstream(person.folder().path() / "state" / "unsaved") << "in the way";
     open_changed(person);
     person.host().keep_unsaved();
-    CHECK_THAT(person.host().message(), Catch::StartsWith("What you try is lost if the program ends: "));
+    CHECK_THAT(
+        person.host().notice().text(), Catch::StartsWith("What you try is lost if the program ends: "));
     person.rest();
     person.host().keep_unsaved();
-    CHECK(person.host().message().empty());
+    CHECK(person.host().notice().text().empty());
 }
 
 }  // namespace jw::test

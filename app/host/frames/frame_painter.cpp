@@ -1,0 +1,82 @@
+#include "app/host/frames/frame_painter.hpp"
+
+#include <optional>
+
+#include <imgui.h>
+
+#include "app/host/frames/panel_context.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/session/picture/picture_camera.hpp"
+#include "render/fonts.hpp"
+#include "render/imgui_backend.hpp"
+#include "render/offscreen.hpp"
+#include "render/render_targets.hpp"
+#include "render/scene_renderer.hpp"
+
+namespace jw::host {
+
+struct FramePainter::Surface {
+    Surface(int width, int height)
+        : offscreen(std::in_place, width, height),
+          scene(offscreen->gl()),
+          context(width, height),
+          fonts(render::load_fonts(panels::scale_of(width, height))),
+          panels(offscreen->gl()),
+          layout(panels::layout_of(width, height)) {}
+    Surface(int width, int height, const render::GlFunctions& gl)
+        : targets(std::in_place, gl, width, height),
+          scene(gl),
+          context(width, height),
+          fonts(render::load_fonts(panels::scale_of(width, height))),
+          panels(gl),
+          layout(panels::layout_of(width, height)) {}
+
+    void begin_3d() { offscreen ? offscreen->begin_3d() : targets->begin_3d(); }
+    void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
+    render::Image read() { return offscreen ? offscreen->read() : targets->read(); }
+    render::FrameSize size() const { return offscreen ? offscreen->size() : targets->size(); }
+
+    // destroyed from the last to the first: what holds GL objects goes before the context
+    std::optional<render::Offscreen> offscreen;
+    std::optional<render::RenderTargets> targets;
+    render::SceneRenderer scene;
+    PanelContext context;
+    render::Fonts fonts;
+    render::ImguiBackend panels;
+    panels::FrameLayout layout;
+    render::Camera camera;
+};
+
+FramePainter::FramePainter(const Story& story, int width, int height)
+    : story_(&story), style_(picture_style(story)), surface_(std::make_unique<Surface>(width, height)) {
+    compose_camera();
+}
+
+FramePainter::FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl)
+    : story_(&story), style_(picture_style(story)), surface_(std::make_unique<Surface>(width, height, gl)) {
+    compose_camera();
+}
+
+FramePainter::~FramePainter() = default;
+
+void FramePainter::compose_camera() {
+    surface_->context.leave();
+    surface_->camera = camera_of(*story_, style_, surface_->layout.scene, surface_->layout.scene_safe);
+}
+
+render::Image FramePainter::paint(const View& view) {
+    Surface& s = *surface_;
+    const Picture picture = picture_of(*story_, style_, view.step);
+    s.context.enter();
+    s.begin_3d();
+    s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size());
+    s.begin_2d();
+    ImGui::NewFrame();
+    panels::draw_frame(view, picture, s.camera, s.layout, s.fonts);
+    ImGui::Render();
+    s.panels.draw(*ImGui::GetDrawData(), s.size());
+    s.context.leave();
+    return s.read();
+}
+
+}  // namespace jw::host

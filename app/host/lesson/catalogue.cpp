@@ -1,0 +1,115 @@
+#include "app/host/lesson/catalogue.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMostShown = 5;  // a row of cards
+
+CatalogueEntry entry_of(const fs::path& path) {
+    CatalogueEntry entry;
+    entry.path = path;
+    const ReadResult read = read_lesson_file(path);
+    if (!read.lesson) {
+        entry.title = path.filename().string();
+        entry.error = read.diagnostics.empty() ? "cannot be read" : read.diagnostics.front().message;
+        return entry;
+    }
+    entry.chapter = read.lesson->chapter;
+    entry.title = read.lesson->title;
+    entry.source = read.lesson->source;
+    entry.text = read.lesson->text;
+    return entry;
+}
+
+std::string lower(std::string text) {
+    for (char& c : text) { c = static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+    return text;
+}
+
+}  // namespace
+
+std::vector<CatalogueEntry> catalogue_of(
+    const fs::path& folder, const std::vector<fs::path>& recent, const std::vector<fs::path>& unsaved) {
+    std::vector<CatalogueEntry> entries;
+    const auto add = [&](const std::vector<fs::path>& paths, const char* chapter) {
+        std::size_t count = 0;
+        for (const fs::path& path : paths) {
+            std::error_code error;
+            // what became a pipe meanwhile is not waited for
+            if (count == kMostShown || !fs::is_regular_file(path, error)) { continue; }
+            entries.push_back(entry_of(path));
+            entries.back().chapter = chapter;
+            ++count;
+        }
+    };
+    add(unsaved, "Not saved");
+    add(recent, "Opened last");
+    std::vector<CatalogueEntry> shipped;
+    for (const fs::path& path : lessons_below(folder)) { shipped.push_back(entry_of(path)); }
+    std::ranges::stable_sort(shipped, {}, [](const CatalogueEntry& e) { return chapter_place(e.path); });
+    std::ranges::move(shipped, std::back_inserter(entries));
+    return entries;
+}
+
+std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search) {
+    std::vector<int> found;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        const CatalogueEntry& e = entries[k];
+        const std::string all =
+            lower(e.title + ' ' + e.chapter + ' ' + e.source + ' ' + e.text + ' ' + e.path.stem().string());
+        std::istringstream words(lower(search));
+        bool fits = true;
+        for (std::string word; words >> word;) { fits = fits && all.find(word) != std::string::npos; }
+        if (fits) { found.push_back(static_cast<int>(k)); }
+    }
+    return found;
+}
+
+RecentLessons::RecentLessons(fs::path file) : file_(std::move(file)) {
+    std::error_code error;
+    if (!fs::is_regular_file(file_, error)) { return; }
+    std::ifstream in(file_);
+    for (std::string line; std::getline(in, line) && paths_.size() < kMostRecent;) {
+        if (!line.empty()) { paths_.emplace_back(line); }
+    }
+}
+
+fs::path RecentLessons::usual_file() {
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
+        return fs::path(state) / "jointwise" / "recent";
+    }
+    const char* const home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') { return {}; }
+    return fs::path(home) / ".local" / "state" / "jointwise" / "recent";
+}
+
+void RecentLessons::add(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    std::erase(paths_, whole);
+    paths_.insert(paths_.begin(), whole);
+    if (paths_.size() > kMostRecent) { paths_.resize(kMostRecent); }
+    if (file_.empty()) { return; }
+    fs::create_directories(file_.parent_path(), error);
+    std::string text;
+    for (const fs::path& p : paths_) { text += p.string() + '\n'; }
+    std::string ignored;
+    write_lesson_file(file_, text, ignored);
+}
+
+}  // namespace jw::host

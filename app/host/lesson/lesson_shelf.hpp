@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/host/lesson/catalogue.hpp"
+
+namespace jw::host {
+
+/// The lessons to choose from: those that are there, those that a search shows, and the chosen one.
+class LessonShelf {
+public:
+    /// @param folder       of the lessons offered
+    /// @param recent_file  see RecentLessons
+    LessonShelf(std::filesystem::path folder, std::filesystem::path recent_file);
+
+    /// Looks which lessons there are; nothing is searched for any more.
+    /// @param unsaved  files of what was tried and not saved
+    void refresh(const std::vector<std::filesystem::path>& unsaved);
+    void add_recent(const std::filesystem::path& path) { recent_.add(path); }
+
+    /// Whoever draws adds the thumbnails, which `refresh` keeps.
+    std::vector<CatalogueEntry>& entries() { return entries_; }
+    const std::vector<CatalogueEntry>& entries() const { return entries_; }
+
+    const std::string& search() const { return search_; }
+    /// Nothing is chosen then.
+    void search_for(const std::string& text);
+    void erase_letter();
+    void clear_search() { search_.clear(); }
+    /// Indices of the entries that the search shows.
+    std::vector<int> found() const { return found_in(entries_, search_); }
+
+    /// Index of an entry; -1: none.
+    int chosen() const { return chosen_; }
+    void choose(int index) { chosen_ = index; }
+    /// Moves the choice by `by` among what the search shows.
+    void move_choice(int by);
+    /// Where nothing is chosen, the first that the search shows; nullptr if there is none.
+    const CatalogueEntry* chosen_or_first();
+
+private:
+    std::filesystem::path folder_;
+    RecentLessons recent_;
+    std::vector<CatalogueEntry> entries_;
+    std::string search_;
+    int chosen_ = -1;
+};
+
+}  // namespace jw::host

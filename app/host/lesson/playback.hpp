@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "app/session/try/session.hpp"
+
+namespace jw::host {
+
+/// What moves by itself: the story from step to step, or one of the free motions there and back.
+class Playback {
+public:
+    bool plays() const { return playing_; }
+    double speed() const { return speed_; }
+    /// The free motion that is followed, in the order of RankReport::free_motions; -1: none.
+    int freedom() const { return freedom_; }
+    /// The picture changes from frame to frame.
+    bool is_moving() const { return playing_ || freedom_ >= 0; }
+
+    void pause() { playing_ = false; }
+    /// Plays from the beginning of the step that is shown.
+    void play_or_pause();
+    void faster();
+    void slower();
+    /// The slowest after the fastest.
+    void next_speed();
+
+    /// A step is shown from its beginning, and no free motion.
+    void begin_step();
+    /// The same, paused.
+    void stop();
+    /// From the pose that is shown; pauses the story.
+    void follow(int freedom);
+    void leave_freedom() { freedom_ = -1; }
+
+    /// The step to be shown after so many seconds more; nothing while it is the same. The last one pauses.
+    std::optional<int> step_after(double seconds, const Session& session);
+    /// The pose to be shown after so many seconds more; nothing if no free motion is followed.
+    std::optional<ShowFreedom> freedom_after(double seconds);
+    /// Until one of them is another; infinity: it stays.
+    double seconds_to_change(const Session& session) const;
+
+private:
+    bool playing_ = false;
+    double speed_ = 1.0;
+    double step_waited_ = 0.0;  ///< how long the step is shown, at speed 1 [s]
+    int freedom_ = -1;
+    double freedom_time_ = 0.0;
+};
+
+}  // namespace jw::host

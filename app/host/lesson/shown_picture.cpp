@@ -1,0 +1,35 @@
+#include "app/host/lesson/shown_picture.hpp"
+
+#include <utility>
+
+namespace jw::host {
+
+namespace {
+
+int angular_of(CoordinateChoice choice) {
+    return with_choice(choice, [](auto c) { return decltype(c)::kAngular; });
+}
+
+}  // namespace
+
+Emphasis emphasis_of(const Session& session, const Lit& lit) {
+    const System& system = *session.step().system;
+    const int angular = angular_of(session.lesson().coordinates);
+    Emphasis all(system, angular, lit.pointed_at);
+    for (const int row : lit.rows) { all.light(system, angular, Pointable::row(row)); }
+    return all;
+}
+
+const Picture& ShownPicture::of(const Session& session, const Lit& lit, const Ghosts& ghosts) {
+    MadeOf wanted{session.version(), lit, ghosts.version, !ghosts.poses.empty()};
+    if (made_of_ == wanted) { return picture_; }
+    picture_ = session.picture();
+    add_ghosts(session.lesson(), session.style(), ghosts.poses, picture_);
+    light_up(picture_, emphasis_of(session, lit));
+    if (made_of_.session != wanted.session) { ++pose_version_; }
+    ++version_;
+    made_of_ = std::move(wanted);
+    return picture_;
+}
+
+}  // namespace jw::host

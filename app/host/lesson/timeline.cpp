@@ -1,0 +1,79 @@
+#include "app/host/lesson/timeline.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace jw::host {
+
+namespace {
+
+std::string name_of_stretch(const Story& story, const Step& step) {
+    if (step.kind == Step::Kind::motion) { return "motion"; }
+    const std::optional<Addition> subject = subject_of(story.lesson(), step);
+    if (!subject) { return "bodies"; }
+    const auto k = static_cast<std::size_t>(subject->index);
+    const Mechanism& mechanism = story.lesson().mechanism;
+    return subject->kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
+}
+
+}  // namespace
+
+std::vector<Stretch> stretches_of(const Story& story) {
+    std::vector<Stretch> stretches;
+    for (std::size_t k = 0; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        const auto index = static_cast<int>(k);
+        const bool moves = step.kind == Step::Kind::motion;
+        const bool same = k > 0 && story.steps()[k - 1].additions == step.additions &&
+                          (story.steps()[k - 1].kind == Step::Kind::motion) == moves;
+        if (same) {
+            stretches.back().last = index;
+        } else {
+            stretches.push_back({index, index, name_of_stretch(story, step), step.kind});
+        }
+    }
+    return stretches;
+}
+
+int last_step(const Story& story) { return static_cast<int>(story.steps().size()) - 1; }
+
+int next_joint(const Story& story, int step, int direction) {
+    int target = direction > 0 ? last_step(story) : 0;
+    for (const Stretch& s : stretches_of(story)) {
+        if (direction > 0 && s.first > step) { return s.first; }
+        if (direction < 0 && s.first < step) { target = s.first; }
+    }
+    return target;
+}
+
+std::optional<int> step_at(const Story& story, const std::string& at) {
+    const int last = last_step(story);
+    double number = 0.0;
+    const bool is_time = at.starts_with("t=");
+    const char* const begin = at.data() + (is_time ? 2 : 0);
+    const char* const end = at.data() + at.size();
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    if (error == std::errc() && stop == end && std::isfinite(number)) {
+        if (!is_time) {
+            const double index = number - 1.0;
+            const bool fits = index >= 0.0 && index <= last && index == std::floor(index);
+            return fits ? std::optional<int>(static_cast<int>(index)) : std::nullopt;
+        }
+        std::optional<int> nearest;
+        double distance = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= last; ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            if (step.kind != Step::Kind::motion || std::abs(step.t - number) >= distance) { continue; }
+            distance = std::abs(step.t - number);
+            nearest = k;
+        }
+        return nearest;
+    }
+    for (const Stretch& stretch : stretches_of(story)) {
+        if (stretch.name == at) { return stretch.first; }
+    }
+    return std::nullopt;
+}
+
+}  // namespace jw::host

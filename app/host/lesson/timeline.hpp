@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/story/story.hpp"
+
+/// The story as a line to go along: its stretches, its ends, and the places to jump to.
+namespace jw::host {
+
+/// A run of steps that belong together.
+struct Stretch {
+    int first = 0;
+    int last = 0;
+    std::string name;  ///< of the joint or driver; "bodies", "motion"
+    Step::Kind kind = Step::Kind::bodies;
+};
+
+/// The story cut into its additions and the motion.
+std::vector<Stretch> stretches_of(const Story& story);
+
+/// Index of the last step.
+int last_step(const Story& story);
+
+/// First step of the next stretch after `step` (`direction` 1), or of the one before it (-1); at the ends the
+/// last step and the first.
+int next_joint(const Story& story, int step, int direction);
+
+/// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
+/// @return index of the step, or nothing if `at` is none of these
+std::optional<int> step_at(const Story& story, const std::string& at);
+
+}  // namespace jw::host

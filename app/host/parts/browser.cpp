@@ -1,0 +1,181 @@
+#include "app/host/parts/browser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/frame/caption.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+using panels::Canvas;
+namespace theme = panels::theme;
+
+constexpr float kCardWidth = 216.0F;  // at least; cards share the room
+constexpr float kPictureShape = 0.569F;
+constexpr float kWordsHeight = 74.0F;
+constexpr float kCardGap = 14.0F;
+constexpr float kChapterHeight = 28.0F;
+
+void draw_card(
+    const Canvas& canvas, ImDrawList* list, const Box& card, const CatalogueEntry& e, bool chosen,
+    bool hovered) {
+    canvas.fill(card, theme::kWhite, canvas.px(5.0F));
+    const Box picture{
+        card.x + 1.0F, card.y + 1.0F, card.width - 2.0F, std::round(kPictureShape * card.width)};
+    if (e.thumbnail != nullptr) {
+        list->AddImage(e.thumbnail, {picture.x, picture.y}, {picture.right(), picture.bottom()});
+    } else {
+        canvas.fill(picture, theme::kShade);
+        const std::string word = e.error.empty() ? "" : "has mistakes";
+        canvas.text(
+            {picture.centre().x, picture.centre().y}, canvas.fonts().small, theme::kSoft, word,
+            panels::Align::centre);
+    }
+    Box words = panels::shrunk(card, canvas.px(10.0F), 0.0F);
+    words.y = picture.bottom() + canvas.px(7.0F);
+    words.height = card.bottom() - words.y - canvas.px(4.0F);
+    const float height = panels::paragraph(canvas, words, canvas.fonts().normal, theme::kInk, e.title, 2);
+    panels::cut_top(words, height + canvas.px(2.0F));
+    panels::paragraph(
+        canvas, words, canvas.fonts().small, e.error.empty() ? theme::kSoft : theme::kRedundant,
+        e.error.empty() ? e.source : e.error, e.error.empty() ? 1 : 2);
+    const render::Colour edge = chosen ? theme::kSubjectMark : (hovered ? theme::kAccent : theme::kLine);
+    canvas.outline(card, edge, chosen ? canvas.px(3.0F) : panels::hairline(canvas), canvas.px(5.0F));
+}
+
+/// "vectors" -> "Vectors"
+std::string headline(const std::string& chapter) {
+    std::string text = chapter.empty() ? "other" : chapter;
+    if (text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
+    return text;
+}
+
+/// One card at the cursor of ImGui, the name of its chapter above if it is the first; a click opens it.
+void card(const Ui& ui, LessonShelf& shelf, int index, float width, bool first_of_chapter) {
+    const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(index)];
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float above = ui.px(kChapterHeight);
+    const float height = std::round(kPictureShape * width) + ui.px(kWordsHeight);
+    const Box box{at.x, at.y + above, width, height};
+    ImGui::PushID(index);
+    if (ImGui::InvisibleButton("card", {box.width, above + box.height})) {
+        shelf.choose(index);
+        ui.requests.open = entry.path.string();
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) {
+        std::string tip = entry.path.string();
+        if (!entry.text.empty()) { tip = panels::run_on(entry.text) + "\n\n" + tip; }
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(ui.px(420.0F));
+        ImGui::TextUnformatted(tip.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+    if (ImGui::IsItemVisible()) {
+        const Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+        if (first_of_chapter) {
+            canvas.text(
+                {at.x, at.y + ui.px(4.0F)}, canvas.fonts().bold, theme::kInk, headline(entry.chapter));
+        }
+        draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, shelf.chosen() == index, hovered);
+    }
+    ImGui::PopID();
+}
+
+void search_field(LessonShelf& shelf, float width) {
+    std::array<char, 128> text{};
+    shelf.search().copy(text.data(), text.size() - 1);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::InputTextWithHint("##search", "search title, chapter, text", text.data(), text.size())) {
+        shelf.search_for(text.data());
+    }
+}
+
+void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
+    const Canvas& canvas = ui.canvas;
+    canvas.fill(box, theme::kPaper);
+    canvas.fill({box.x, box.bottom() - 1.0F, box.width, 1.0F}, theme::kLine);
+    canvas.text({box.x + ui.px(16.0F), box.y + ui.px(8.0F)}, canvas.fonts().title, theme::kInk, "Jointwise");
+    canvas.text(
+        {box.x + ui.px(18.0F), box.y + ui.px(36.0F)}, canvas.fonts().small, theme::kSoft,
+        "spatial kinematics of constrained rigid bodies, joint by joint");
+    const float width = ui.px(460.0F);
+    Area area(
+        ui, "lessons head", {box.right() - width, box.y + ui.px(6.0F), width, box.height - ui.px(8.0F)});
+    search_field(shelf, ui.px(270.0F));
+    ImGui::SameLine();
+    command_button(ui, Command::help, "?", ui.px(26.0F));
+    if (!has_lesson) { return; }
+    ImGui::SameLine();
+    command_button(ui, Command::lessons, "Back", ui.px(60.0F));
+}
+
+}  // namespace
+
+void browser(const Ui& ui, const Box& window, LessonShelf& shelf, bool has_lesson) {
+    Box rest = window;
+    ui.canvas.fill(rest, theme::kShade);
+    head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
+    Area area(ui, "lessons", panels::shrunk(rest, ui.px(20.0F), ui.px(2.0F)), true);
+    const std::vector<int> found = shelf.found();
+    if (found.empty()) { return note(ui, "No lesson has all of these words."); }
+    const float gap = ui.px(kCardGap);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const int columns = std::max(1, static_cast<int>((room + gap) / (ui.px(kCardWidth) + gap)));
+    const float width =
+        std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const std::string* chapter = nullptr;
+    int column = 0;
+    for (const int k : found) {
+        const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(k)];
+        if (column > 0) { ImGui::SameLine(0.0F, gap); }
+        card(ui, shelf, k, width, chapter == nullptr || *chapter != entry.chapter);
+        chapter = &entry.chapter;
+        column = (column + 1) % columns;
+    }
+}
+
+bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests) {
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (event.kind == InputEvent::Kind::text) {
+        // letters search, wherever the keyboard is; the field takes its own
+        const bool letter = event.character > ' ' && event.character < 127 && event.character != '?';
+        if (!letter || typing) { return typing; }
+        shelf.search_for(shelf.search() + static_cast<char>(event.character));
+        return true;
+    }
+    switch (event.key) {
+        case Key::left:
+        case Key::up: shelf.move_choice(-1); return true;
+        case Key::right:
+        case Key::down: shelf.move_choice(1); return true;
+        case Key::backspace:
+            if (!typing) { shelf.erase_letter(); }
+            return true;
+        case Key::escape:
+            if (shelf.search().empty()) { requests.add(Command::lessons); }
+            shelf.clear_search();
+            return true;
+        case Key::enter:
+            if (const CatalogueEntry* entry = shelf.chosen_or_first()) {
+                requests.open = entry->path.string();
+            }
+            return true;
+        default: return false;
+    }
+}
+
+}  // namespace jw::host

@@ -1,0 +1,80 @@
+#include "app/host/parts/notice.hpp"
+
+#include <limits>
+
+#include <imgui.h>
+
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace theme = panels::theme;
+using panels::Box;
+using panels::Canvas;
+
+constexpr double kNoticeSeconds = 6.0;
+
+/// Words on a sheet at the foot of the 3D picture.
+float draw_sheet(
+    const Canvas& canvas, const Box& scene, float bottom, const std::string& text, bool is_error) {
+    const ImFont* const font = is_error ? canvas.fonts().mono : canvas.fonts().normal;
+    const float margin = canvas.px(12.0F);
+    const Box room{scene.x + canvas.px(16.0F), 0.0F, scene.width - canvas.px(32.0F), scene.height};
+    const Box inner{room.x + margin, 0.0F, room.width - 2.0F * margin, room.height};
+    const std::size_t most = is_error ? 14 : 3;
+    const float height = panels::paragraph(canvas.measuring(), inner, font, theme::kInk, text, most);
+    const Box sheet{
+        room.x, bottom - height - 2.0F * canvas.px(8.0F), room.width, height + 2.0F * canvas.px(8.0F)};
+    canvas.fill(sheet, is_error ? theme::kFailureShade : theme::kWarningShade, canvas.px(5.0F));
+    canvas.outline(
+        sheet, is_error ? theme::kRedundant : theme::kSubjectMark, panels::hairline(canvas), canvas.px(5.0F));
+    panels::paragraph(
+        canvas, {inner.x, sheet.y + canvas.px(8.0F), inner.width, height}, font, theme::kInk, text, most);
+    return sheet.y - canvas.px(6.0F);
+}
+
+}  // namespace
+
+void Notice::say(const std::string& message) {
+    if (message.empty()) { return; }
+    text_ = message;
+    seconds_left_ = kNoticeSeconds;
+}
+
+bool Notice::advance(double seconds) {
+    if (text_.empty()) { return false; }
+    seconds_left_ -= seconds;
+    if (seconds_left_ > 0.0) { return false; }
+    text_.clear();
+    return true;
+}
+
+double Notice::seconds_left() const {
+    return text_.empty() ? std::numeric_limits<double>::infinity() : seconds_left_;
+}
+
+void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
+    float bottom = scene.bottom() - ui.px(10.0F);
+    const Canvas canvas(ImGui::GetForegroundDrawList(), ui.canvas);
+    if (!text_.empty()) { bottom = draw_sheet(canvas, scene, bottom, text_, false); }
+    if (mistakes_.empty()) { return; }
+    const std::string kept = has_lesson ? "The file has mistakes; the last good lesson stays.\n" : "";
+    draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
+}
+
+void draw_badge(const Ui& ui, const Box& scene) {
+    const Canvas& canvas = ui.canvas;
+    const ImFont* const font = canvas.fonts().normal;
+    const std::string text = "moved from the step   ·   Escape goes back";
+    const Box badge{
+        scene.x + canvas.px(12.0F), scene.y + canvas.px(12.0F),
+        canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};
+    canvas.fill(badge, theme::kWarningShade, canvas.px(5.0F));
+    canvas.outline(badge, theme::kSubjectMark, panels::hairline(canvas), canvas.px(5.0F));
+    canvas.text({badge.x + canvas.px(10.0F), badge.y + canvas.px(4.0F)}, font, theme::kInk, text);
+}
+
+}  // namespace jw::host

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "app/host/ui/ui.hpp"
+
+/// Words on sheets over the 3D picture.
+namespace jw::host {
+
+/// What is to be read at the foot of the picture: what was done or why it was not, for a while, and the
+/// mistakes of a file until they are gone.
+class Notice {
+public:
+    /// In place of what was said before, unless there is nothing to say.
+    void say(const std::string& message);
+    /// @return true if it went out
+    bool advance(double seconds);
+    /// Mistakes in place of those before; empty: there are none any more.
+    void blame(const std::string& mistakes) { mistakes_ = mistakes; }
+
+    const std::string& text() const { return text_; }
+    /// Until it goes out; infinity where nothing is said.
+    double seconds_left() const;
+    const std::string& mistakes() const { return mistakes_; }
+
+    /// At the foot of `scene`, over the widgets.
+    /// @param has_lesson  one is open, which was read before the mistakes were made
+    void draw(const Ui& ui, const panels::Box& scene, bool has_lesson) const;
+
+private:
+    std::string text_;
+    double seconds_left_ = 0.0;
+    std::string mistakes_;
+};
+
+/// That the pose is not one of the lesson.
+void draw_badge(const Ui& ui, const panels::Box& scene);
+
+}  // namespace jw::host

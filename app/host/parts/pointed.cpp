@@ -1,0 +1,80 @@
+#include "app/host/parts/pointed.hpp"
+
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::host {
+
+namespace {
+
+std::string tip_of_cell(const Session& session, int row, int column) {
+    const MatrixView& matrix = session.view().matrix;
+    if (row >= matrix.values.rows() || column >= matrix.values.cols()) { return {}; }
+    const MatrixView::Row& r = matrix.rows[static_cast<std::size_t>(row)];
+    const MatrixView::Column& c = matrix.columns[static_cast<std::size_t>(column)];
+    return "∂(" + r.owner + " · " + r.label + ") / ∂(" + c.owner + " · " + c.symbol +
+           ") = " + number_text(matrix.values(row, column), 6);
+}
+
+std::string tip_of_row(const Session& session, int row) {
+    const View& view = session.view();
+    for (const EquationGroup& group : view.equations) {
+        for (const EquationRow& r : group.rows) {
+            if (r.row == row) {
+                return row_label(*session.step().system, row) + " = " + number_text(r.value, 6) +
+                       (group.unit == "-" ? "" : " " + group.unit);
+            }
+        }
+    }
+    return row < session.step().system->rows(true) ? row_label(*session.step().system, row) : std::string();
+}
+
+std::string tip_of_link(const Session& session, const Pointable& link) {
+    const Mechanism& mechanism = session.lesson().mechanism;
+    const auto k = static_cast<std::size_t>(link.index);
+    switch (link.kind) {
+        case Pointable::Kind::body:
+            return mechanism.bodies[k].name + (mechanism.bodies[k].fixed ? " (fixed)" : "");
+        case Pointable::Kind::joint: {
+            const Joint& joint = mechanism.joints[k];
+            return joint.name + ": " + std::string(joint.type->name) + ", " +
+                   mechanism.bodies[static_cast<std::size_t>(joint.body_i)].name + " – " +
+                   mechanism.bodies[static_cast<std::size_t>(joint.body_j)].name;
+        }
+        case Pointable::Kind::vector: {
+            const Joint& joint = mechanism.joints[k];
+            if (link.part == Pointable::kVectorD) { return "d of " + joint.name + ", from body i to body j"; }
+            const int body = link.part == Pointable::kVectorI ? joint.body_i : joint.body_j;
+            return std::string("fixed in body ") + (link.part == Pointable::kVectorI ? "i: " : "j: ") +
+                   mechanism.bodies[static_cast<std::size_t>(body)].name;
+        }
+        case Pointable::Kind::none:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+Pointed pointed_at(const std::vector<panels::HotSpot>& spots, panels::Point mouse) {
+    Pointed found;
+    for (const panels::HotSpot& spot : spots) {
+        if (!spot.box.contains(mouse)) { continue; }
+        const Pointable::Kind kind = spot.link.kind;
+        Pointable& under = kind == Pointable::Kind::row      ? found.row
+                           : kind == Pointable::Kind::column ? found.column
+                                                             : found.other;
+        under = spot.link;
+    }
+    return found;
+}
+
+std::string tip_of(const Session& session, const Pointed& pointed, const Pointable& link) {
+    if (pointed.row && pointed.column) {
+        return tip_of_cell(session, pointed.row.index, pointed.column.index);
+    }
+    return pointed.row ? tip_of_row(session, pointed.row.index) : tip_of_link(session, link);
+}
+
+}  // namespace jw::host

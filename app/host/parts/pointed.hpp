@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/panels/parts/canvas.hpp"
+#include "app/session/try/session.hpp"
+
+/// What the pointer is over, and what is said beside it.
+namespace jw::host {
+
+/// In the panels; of a cell of the matrix, its row and its column.
+struct Pointed {
+    Pointable row;
+    Pointable column;
+    Pointable other;
+
+    Pointable first() const { return other ? other : (row ? row : column); }
+};
+
+Pointed pointed_at(const std::vector<panels::HotSpot>& spots, panels::Point mouse);
+
+/// @param link  what the pointer is over outside of the matrix
+std::string tip_of(const Session& session, const Pointed& pointed, const Pointable& link);
+
+}  // namespace jw::host

@@ -1,0 +1,211 @@
+#include "app/host/parts/timeline_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/host/parts/menu.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+using panels::Canvas;
+using panels::Point;
+namespace theme = panels::theme;
+
+/// What a step is, told apart by shape as well: a square adds, a dot iterates, a ring is closed, × failed.
+void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
+    const float size = canvas.px(present ? 9.0F : 6.0F);
+    const render::Colour ink = present ? theme::kSubjectMark : theme::kSoft;
+    switch (kind) {
+        case Step::Kind::bodies:
+        case Step::Kind::equations: canvas.square(at, size, ink, true); break;
+        case Step::Kind::iteration: canvas.disc(at, 0.36F * size, ink); break;
+        case Step::Kind::assembled: canvas.ring(at, 0.5F * size, ink, std::max(1.0F, canvas.px(1.6F))); break;
+        case Step::Kind::failed: {
+            const float half = 0.5F * size;
+            const float thick = canvas.px(2.0F);
+            canvas.line({at.x - half, at.y - half}, {at.x + half, at.y + half}, theme::kRedundant, thick);
+            canvas.line({at.x - half, at.y + half}, {at.x + half, at.y - half}, theme::kRedundant, thick);
+            break;
+        }
+        case Step::Kind::motion: break;
+    }
+}
+
+void draw_stretch(
+    const Canvas& canvas, const Box& box, const Story& story, const Stretch& stretch,
+    const TimelineScale& scale, std::size_t index, int present) {
+    const ImFont* const small = canvas.fonts().small;
+    const float left = scale.left_of(index);
+    const float right = scale.right_of(index);
+    const bool here = present >= stretch.first && present <= stretch.last;
+    const float middle = box.bottom() - canvas.px(13.0F);
+    if (here) {
+        canvas.fill({left + 1.0F, box.y, right - left - 2.0F, box.height}, theme::kSubject, canvas.px(3.0F));
+    }
+    if (index > 0) {
+        canvas.fill({left, box.y + canvas.px(4.0F), 1.0F, box.height - canvas.px(8.0F)}, theme::kLine);
+    }
+    const float room = right - left - canvas.px(8.0F);
+    canvas.text(
+        {left + canvas.px(5.0F), box.y + canvas.px(2.0F)}, small, here ? theme::kInk : theme::kSoft,
+        panels::shortened_name(*small, stretch.name, room));
+    if (stretch.kind == Step::Kind::motion) {
+        const float thick = canvas.px(4.0F);
+        const float from = scale.x_of(stretch.first);
+        const float to = scale.x_of(stretch.last);
+        canvas.fill({from, middle - 0.5F * thick, to - from, thick}, theme::kLine, 0.5F * thick);
+        if (here) {
+            const float x = scale.x_of(present);
+            canvas.fill({from, middle - 0.5F * thick, x - from, thick}, theme::kAccent, 0.5F * thick);
+            canvas.disc({x, middle}, canvas.px(6.0F), theme::kAccent);
+        }
+        for (int k = stretch.first; k <= stretch.last; ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            if (!step.rows_switched && !step.change_point && !step.failed()) { continue; }
+            const float x = scale.x_of(k);
+            const render::Colour ink = step.failed() ? theme::kRedundant : theme::kSoft;
+            canvas.fill(
+                {x - 0.5F, middle - canvas.px(7.0F), std::max(1.0F, canvas.px(1.5F)), canvas.px(14.0F)}, ink);
+        }
+        return;
+    }
+    for (int k = stretch.first; k <= stretch.last; ++k) {
+        draw_mark(
+            canvas, {scale.x_of(k), middle}, story.steps()[static_cast<std::size_t>(k)].kind, k == present);
+    }
+}
+
+/// Click and drag anywhere on the line; the wheel steps.
+void scrub(
+    const LessonUi& ui, const Box& box, const std::vector<Stretch>& stretches, const TimelineScale& scale) {
+    ImGui::SetCursorScreenPos({box.x, box.y});
+    ImGui::InvisibleButton("timeline", {std::max(1.0F, box.width), std::max(1.0F, box.height)});
+    const float x = ImGui::GetIO().MousePos.x;
+    if (ImGui::IsItemActive()) {
+        ui.state.playback.pause();
+        ui.requests.add(GoTo{scale.step_at(x)});
+    }
+    if (!ImGui::IsItemHovered()) { return; }
+    if (const float notches = ImGui::GetIO().MouseWheel; notches != 0.0F) {
+        ui.requests.add(notches < 0.0F ? Command::next : Command::back);
+    }
+    const int step = scale.step_at(x);
+    const auto here =
+        std::ranges::find_if(stretches, [&](const Stretch& s) { return step >= s.first && step <= s.last; });
+    if (here == stretches.end()) { return; }
+    std::string tip = here->name + ", step " + std::to_string(step + 1);
+    if (here->kind == Step::Kind::motion) {
+        const Step& moment = ui.session.story().steps()[static_cast<std::size_t>(step)];
+        tip += ", t = " + fixed_text(moment.t, 3) + " s";
+        if (moment.rows_switched) { tip += ", another pair of equations"; }
+        if (moment.change_point) { tip += ", change point"; }
+    }
+    ImGui::SetTooltip("%s", tip.c_str());
+}
+
+void speed_button(const LessonUi& ui) {
+    const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
+    if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) { ui.state.playback.next_speed(); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("Speed  (, and .)"); }
+}
+
+}  // namespace
+
+std::string short_speed(double speed) {
+    if (speed == 0.25) { return "¼ ×"; }
+    if (speed == 0.5) { return "½ ×"; }
+    return std::to_string(static_cast<int>(speed)) + " ×";
+}
+
+TimelineScale::TimelineScale(const std::vector<Stretch>& stretches, float left, float width)
+    : stretches_(&stretches) {
+    // a dot needs some room, a moment of the motion very little, and all of it no more than what came before,
+    // whose names would be cut
+    double total = 0.0;
+    std::vector<double> shares;
+    for (const Stretch& s : stretches) {
+        const double count = s.last - s.first + 1;
+        const auto letters = static_cast<double>(s.name.size());
+        const bool moves = s.kind == Step::Kind::motion;
+        const double steps = moves ? std::min(8.0 + 0.15 * count, std::max(total, 8.0)) : 2.0 + count;
+        shares.push_back(std::max(steps, std::min(1.1 * letters, 8.0)));
+        total += shares.back();
+    }
+    edges_.push_back(left);
+    double sum = 0.0;
+    for (const double share : shares) {
+        sum += share;
+        edges_.push_back(left + width * static_cast<float>(sum / total));
+    }
+}
+
+float TimelineScale::x_of(int step) const {
+    for (std::size_t k = 0; k < stretches_->size(); ++k) {
+        const Stretch& s = (*stretches_)[k];
+        if (step < s.first || step > s.last) { continue; }
+        const auto count = static_cast<float>(s.last - s.first + 1);
+        const float part = (static_cast<float>(step - s.first) + 0.5F) / count;
+        return edges_[k] + part * (edges_[k + 1] - edges_[k]);
+    }
+    return edges_.front();
+}
+
+int TimelineScale::step_at(float x) const {
+    for (std::size_t k = 0; k < stretches_->size(); ++k) {
+        const Stretch& s = (*stretches_)[k];
+        if (x >= edges_[k + 1] && k + 1 < stretches_->size()) { continue; }
+        const float part = (x - edges_[k]) / std::max(1.0F, edges_[k + 1] - edges_[k]);
+        const auto count = static_cast<float>(s.last - s.first + 1);
+        const int at = static_cast<int>(std::floor(std::clamp(part, 0.0F, 1.0F) * count));
+        return std::clamp(s.first + at, s.first, s.last);
+    }
+    return 0;
+}
+
+void timeline_bar(const LessonUi& ui, const Box& box) {
+    const Canvas& canvas = ui.canvas;
+    canvas.fill(box, theme::kPaper);
+    canvas.fill({box.x, box.y, box.width, 1.0F}, theme::kLine);
+    Area area(ui, "timeline bar", box);
+    const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
+    ImGui::SetCursorPosY(top);
+    command_button(ui, Command::first, "|<", ui.px(34.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::back, "<", ui.px(34.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::play, ui.state.playback.plays() ? "Pause" : "Play", ui.px(62.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::next, ">", ui.px(34.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    speed_button(ui);
+    ImGui::SameLine(0.0F, ui.px(12.0F));
+
+    const float left = ImGui::GetCursorScreenPos().x;
+    const float right = box.right() - ui.px(178.0F);
+    const Box line{left, box.y + ui.px(6.0F), std::max(10.0F, right - left), box.height - ui.px(12.0F)};
+    const std::vector<Stretch> stretches = stretches_of(ui.session.story());
+    const TimelineScale scale(stretches, line.x, line.width);
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+        draw_stretch(canvas, line, ui.session.story(), stretches[k], scale, k, ui.session.index());
+    }
+    scrub(ui, line, stretches, scale);
+
+    ImGui::SetCursorScreenPos({right + ui.px(10.0F), box.y + top});
+    command_button(ui, Command::lessons, "Lessons", ui.px(74.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    if (ImGui::Button("Menu", {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::help, "?", ui.px(26.0F));
+    menu(ui);
+}
+
+}  // namespace jw::host

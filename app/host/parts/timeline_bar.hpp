@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/host/lesson/timeline.hpp"
+#include "app/host/ui/ui.hpp"
+
+/// The bar at the bottom: play, step, speed, and the whole lesson as one line to jump and scrub on.
+namespace jw::host {
+
+/// Where each stretch lies on a line: motion may have hundreds of steps and a joint five, so a stretch gets
+/// room for its name and shares of the rest.
+class TimelineScale {
+public:
+    TimelineScale(const std::vector<Stretch>& stretches, float left, float width);
+    float x_of(int step) const;
+    int step_at(float x) const;
+    float left_of(std::size_t stretch) const { return edges_[stretch]; }
+    float right_of(std::size_t stretch) const { return edges_[stretch + 1]; }
+
+private:
+    const std::vector<Stretch>* stretches_;
+    std::vector<float> edges_;
+};
+
+void timeline_bar(const LessonUi& ui, const panels::Box& box);
+
+/// "½ ×"
+std::string short_speed(double speed);
+
+}  // namespace jw::host

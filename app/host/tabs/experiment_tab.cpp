@@ -1,0 +1,186 @@
+#include "app/host/tabs/experiment_tab.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/session/wording/explanations.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::host {
+
+namespace {
+
+/// How Newton closed what has been added last: "Newton: 4 iterations, the last ‖Φ‖ 1e-16".
+std::string newton_text(const Session& session) {
+    const std::vector<NewtonRow>& rows = session.view().newton;
+    if (rows.empty()) { return {}; }
+    const auto steps = std::ranges::count(rows, true, &NewtonRow::stepped);
+    return "Newton: " + std::to_string(steps) + (steps == 1 ? " iteration" : " iterations") +
+           (session.view().failure.empty() ? ", the last" : ", not closed, the last") +
+           " ‖Φ‖ = " + number_text(rows.back().phi_norm, 2);
+}
+
+/// What everything tried so far has led to: one line that is always in sight.
+void verdict(const LessonUi& ui) {
+    const RankView& rank = ui.session.view().rank;
+    std::string text = std::to_string(rank.rows) + " equations, rank " + std::to_string(rank.rank) + ", " +
+                       std::to_string(rank.dof) + (rank.dof == 1 ? " freedom" : " freedoms");
+    if (rank.rows > rank.rank) { text += ", " + std::to_string(rank.rows - rank.rank) + " repeated"; }
+    ImGui::PushFont(ui.canvas.fonts().bold);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+    const std::vector<double>& sigma = rank.singular_values;
+    if (rank.rank > 0 && static_cast<std::size_t>(rank.rank) <= sigma.size()) {
+        const double smallest = sigma[static_cast<std::size_t>(rank.rank) - 1];
+        note(
+            ui, "smallest singular value " + number_text(smallest, 3) + ", condition " +
+                    number_text(sigma.front() / smallest, 3));
+    }
+    note(ui, newton_text(ui.session));
+}
+
+void history(const LessonUi& ui) {
+    const std::string undo = ui.session.undo_text();
+    const std::string redo = ui.session.redo_text();
+    const auto button = [&](Command command, const char* label, bool possible) {
+        ImGui::BeginDisabled(!possible);
+        command_button(ui, command, label);
+        ImGui::EndDisabled();
+    };
+    button(Command::undo, "Undo", !undo.empty());
+    ImGui::SameLine();
+    button(Command::redo, "Do again", !redo.empty());
+    ImGui::SameLine();
+    button(Command::start_over, "As it was written", ui.session.is_changed());
+    // there from the start, so that nothing moves below it
+    note(ui, undo.empty() ? "no change yet" : "last change: " + undo);
+}
+
+void coordinates(const LessonUi& ui) {
+    section(ui, "Coordinates of Φq");
+    CoordinateChoice choice = ui.session.lesson().coordinates;
+    if (choose_coordinates("##coordinates", -1.0F, choice)) { ui.requests.add(SetCoordinates{choice}); }
+}
+
+/// A tick for what takes part, a name to choose what is looked at below.
+void parts(const LessonUi& ui) {
+    section(ui, "Joints and drivers");
+    const Lesson& lesson = ui.session.lesson();
+    const Lesson& written = ui.session.as_written();
+    for (const Addition& addition : written.order) {
+        const auto k = static_cast<std::size_t>(addition.index);
+        const bool is_joint = addition.kind == Addition::Kind::joint;
+        const std::string& name =
+            is_joint ? lesson.mechanism.joints[k].name : lesson.mechanism.drivers[k].name;
+        bool present = std::ranges::find(lesson.order, addition) != lesson.order.end();
+        ImGui::PushID(is_joint ? "joint" : "driver");
+        ImGui::PushID(addition.index);
+        if (ImGui::Checkbox("##present", &present)) { ui.requests.add(SetPresent{addition, present}); }
+        if (ImGui::IsItemHovered()) { ImGui::SetTooltip(present ? "take it out" : "put it back"); }
+        ImGui::SameLine();
+        const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : "driver";
+        const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;
+        if (ImGui::Selectable((name + "   " + type).c_str(), chosen)) {
+            (is_joint ? ui.state.experiment_joint : ui.state.experiment_driver) = addition.index;
+        }
+        ImGui::PopID();
+        ImGui::PopID();
+    }
+}
+
+/// The equations of which taking out any single one costs no rank.
+void repeated_equations(const LessonUi& ui) {
+    const RankReport& report = ui.session.rank();
+    if (report.redundant_rows.empty()) { return; }
+    const System& system = *ui.session.step().system;
+    section(ui, "Equations that repeat each other");
+    const std::vector<std::string>& combinations = ui.session.view().rank.combinations;
+    for (std::size_t k = 0; k < combinations.size(); ++k) {
+        note(ui, combinations[k]);
+        if (!ImGui::IsItemHovered()) { continue; }
+        // the one that repeats and those that it repeats
+        const RedundantRow& repeated = report.redundant_rows[k];
+        ui.requests.lit_rows.push_back(repeated.row);
+        for (const RedundantRow::Term& term : repeated.terms) { ui.requests.lit_rows.push_back(term.row); }
+    }
+    note(
+        ui, report.redundant() == 1 ? "Taking out any one of these restores full row rank:"
+                                    : "Taking out any one of these leaves the rank as it is:");
+    for (const int row : removable_rows(report)) {
+        ImGui::PushID(row);
+        const RowOrigin origin = system.origin(row);
+        if (origin.kind == RowOrigin::Kind::constraint) {
+            const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
+            if (ImGui::SmallButton("take out")) {
+                ui.requests.add(SetEquationPresent{c.joint, {c.role, origin.component}, false});
+            }
+            ImGui::SameLine();
+        }
+        ImGui::TextUnformatted(row_label(system, row).c_str());
+        if (ImGui::IsItemHovered()) { ui.requests.lit_rows.push_back(row); }
+        ImGui::PopID();
+    }
+}
+
+void freedoms(const LessonUi& ui) {
+    const RankReport& report = ui.session.rank();
+    section(ui, "Freedoms");
+    if (report.free_motions.empty()) { return note(ui, "Nothing can move: every direction is held."); }
+    const System& system = *ui.session.step().system;
+    for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
+        ImGui::PushID(static_cast<int>(k));
+        const bool plays = ui.state.playback.freedom() == static_cast<int>(k);
+        if (toggle_button(ui, plays ? "Stop" : "Move", plays, ui.px(52.0F))) {
+            if (plays) {
+                ui.requests.add(Command::let_go);
+            } else {
+                ui.state.playback.follow(static_cast<int>(k));
+            }
+        }
+        ImGui::SameLine();
+        note(ui, free_motion_text(system, report.free_motions[k]));
+        if (plays) {
+            if (const auto finite = ui.session.shown_freedom_is_finite()) {
+                note(
+                    ui, *finite ? "It goes on: a finite motion."
+                                : "It cannot be followed: the equations allow it for an instant only.");
+            }
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+int experiment_joint_of(const LessonUi& ui) {
+    const auto count = static_cast<int>(ui.session.lesson().mechanism.joints.size());
+    if (ui.state.experiment_joint >= 0 && ui.state.experiment_joint < count) {
+        return ui.state.experiment_joint;
+    }
+    if (const auto subject = subject_of(ui.session.lesson(), ui.session.step())) {
+        if (subject->kind == Addition::Kind::joint) { return subject->index; }
+        const int driven =
+            ui.session.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
+        if (driven >= 0) { return driven; }
+    }
+    if (ui.session.story().featured_joint() >= 0) { return ui.session.story().featured_joint(); }
+    return count > 0 ? 0 : -1;
+}
+
+void experiment_tab(const LessonUi& ui, const panels::Box& box) {
+    Area area(ui, "try it", box, true);
+    verdict(ui);
+    history(ui);
+    if (const int joint = experiment_joint_of(ui); joint >= 0) { experiment_joint(ui, joint); }
+    repeated_equations(ui);
+    freedoms(ui);
+    parts(ui);
+    experiment_drivers(ui);
+    coordinates(ui);
+}
+
+}  // namespace jw::host

@@ -1,0 +1,123 @@
+#include "app/host/tabs/newton_tab.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <imgui.h>
+
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/plot/newton_comparison.hpp"
+#include "app/session/wording/labels.hpp"
+#include "lessons/enum_words.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+
+// more ghosts than this hide each other
+constexpr std::size_t kMostGhosts = 12;
+
+/// The step from which the joint or driver shown was closed, -1 if there is none.
+int start_of_solve(const Session& session) {
+    const std::vector<Step>& steps = session.story().steps();
+    int k = session.index();
+    if (steps[static_cast<std::size_t>(k)].kind == Step::Kind::motion) {
+        k = session.story().last_assembled();
+    }
+    while (k > 0 && steps[static_cast<std::size_t>(k)].kind != Step::Kind::equations) { --k; }
+    return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
+}
+
+void choose_method(float width, NewtonMethod& method) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##method", label_of(kNewtonMethods, method))) { return; }
+    const NewtonMethod before = method;
+    for (const auto& [value, word, label] : kNewtonMethods) {
+        if (ImGui::Selectable(label, value == before)) { method = value; }
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void NewtonTab::controls(const LessonUi& ui) {
+    if (choice_of_ != ui.session.told()) {
+        choice_of_ = ui.session.told();
+        choice_ = ui.session.lesson().coordinates;
+    }
+    if (ImGui::RadioButton("methods, in", compared_ == Compared::methods)) { compared_ = Compared::methods; }
+    ImGui::SameLine(ui.px(150.0F));
+    ImGui::BeginDisabled(compared_ != Compared::methods);
+    choose_coordinates("##choice", ui.px(210.0F), choice_);
+    ImGui::EndDisabled();
+    if (ImGui::RadioButton("coordinates, by", compared_ == Compared::coordinates)) {
+        compared_ = Compared::coordinates;
+    }
+    ImGui::SameLine(ui.px(150.0F));
+    ImGui::BeginDisabled(compared_ != Compared::coordinates);
+    choose_method(ui.px(210.0F), method_);
+    ImGui::EndDisabled();
+    ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
+}
+
+void NewtonTab::compute(const Session& session, int start) {
+    const NewtonPlan plan{compared_ == Compared::methods, choice_, method_, normalisation_};
+    const Key key{session.told(), start, plan};
+    if (key == key_) { return; }
+    key_ = key;
+    runs_ = run_newton(session.story(), start, plan);
+    choose(chosen_);
+}
+
+void NewtonTab::choose(int run) {
+    ghosts_.clear();
+    ++version_;
+    if (runs_.traces.empty()) { return; }
+    chosen_ = std::clamp(run, 0, static_cast<int>(runs_.traces.size()) - 1);
+    for (const NewtonIterate& iterate : runs_.traces[static_cast<std::size_t>(chosen_)].iterates) {
+        if (ghosts_.size() < kMostGhosts) { ghosts_.push_back(iterate.state); }
+    }
+}
+
+void NewtonTab::draw(const LessonUi& ui, const Box& box) {
+    Area area(ui, "newton", box);
+    const int start = start_of_solve(ui.session);
+    if (start < 0) {
+        forget_ghosts();
+        return note(ui, "Nothing is solved with the free bodies: go to a joint or a driver.");
+    }
+    const Step& from = ui.session.story().steps()[static_cast<std::size_t>(start)];
+    const Addition subject = *subject_of(ui.session.lesson(), from);
+    const auto k = static_cast<std::size_t>(subject.index);
+    const Mechanism& mechanism = ui.session.lesson().mechanism;
+    const std::string name =
+        subject.kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
+    section(ui, ("Closing " + name + " from the same start, compared").c_str());
+    controls(ui);
+    compute(ui.session, start);
+    if (ghosts_.empty()) { choose(chosen_); }
+
+    ImGui::TextUnformatted("Iterates in the picture:");
+    for (int run = 0; run < static_cast<int>(runs_.comparison.rows.size()); ++run) {
+        const auto way = static_cast<std::size_t>(run);
+        const char* const text = key_.plan.by_method ? kNewtonMethods[way].label : kChoices[way].label;
+        if (ImGui::RadioButton(text, chosen_ == run)) { choose(run); }
+        if (run % 2 == 0) { ImGui::SameLine(ui.px(240.0F)); }
+    }
+    const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
+    const bool iterates =
+        std::ranges::any_of(runs_.traces, [](const NewtonTrace& trace) { return trace.iterates.size() > 1; });
+    if (!iterates) {
+        return note(
+            ui,
+            "It is closed at the start estimate already: there is nothing to iterate. Pull a body "
+            "away at the step before and come back.");
+    }
+    const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
+    plot_.hovered = chosen_;
+    panels::newton_comparison_panel(ui.canvas, place, runs_.comparison, plot_);
+}
+
+}  // namespace jw::host

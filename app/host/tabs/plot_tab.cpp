@@ -1,0 +1,141 @@
+#include "app/host/tabs/plot_tab.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/host/tabs/experiment_tab.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/parts.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+using panels::Point;
+
+constexpr double kZoomPerNotch = 1.25;
+constexpr float kReach = 12.0F;  // pixels at 720
+
+}  // namespace
+
+const char* PlotTab::name() const { return word_of(kTopics, topic_); }
+
+const SeriesSet& PlotTab::set(const Session& session, int joint) {
+    if (told_ != session.told()) {
+        // told anew: numbers are others, what was chosen to be seen stays
+        told_ = session.told();
+        sets_ = {};
+    }
+    if (topic_ == Topic::conditions && joint != joint_) { sets_[static_cast<std::size_t>(topic_)].reset(); }
+    joint_ = joint;
+    std::optional<SeriesSet>& set = sets_[static_cast<std::size_t>(topic_)];
+    if (set) { return *set; }
+    const Story& story = session.story();
+    switch (topic_) {
+        case Topic::quantities: {
+            const PictureStyle& style = session.style();
+            set = motion_series(story, {style.traced_body, style.traced_point_local});
+            break;
+        }
+        case Topic::residuals: set = newton_series(story); break;
+        case Topic::singular_values: set = singular_value_series(story); break;
+        case Topic::conditions: set = condition_series(story, joint); break;
+    }
+    return *set;
+}
+
+std::string PlotTab::csv(const Session& session) { return csv_of(set(session, joint_)); }
+
+void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
+    if (ImGui::Button("Curves")) { ImGui::OpenPopup("curves"); }
+    if (!ImGui::BeginPopup("curves")) { return; }
+    std::vector<int> chosen = panels::shown_series(shown, state());
+    for (std::size_t k = 0; k < shown.series.size(); ++k) {
+        const auto index = static_cast<int>(k);
+        const auto found = std::ranges::find(chosen, index);
+        bool on = found != chosen.end();
+        ImGui::PushID(index);
+        const Series& series = shown.series[k];
+        const std::string label = series.name + (series.unit == "-" ? "" : "  [" + series.unit + "]");
+        if (ImGui::Checkbox(label.c_str(), &on)) {
+            if (on) {
+                chosen.push_back(index);
+            } else {
+                chosen.erase(found);
+            }
+            std::ranges::sort(chosen);
+            state().shown = chosen;
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndPopup();
+}
+
+void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttons = ImGui::CalcTextSize("CurvesAllCSV").x + 6.0F * style.FramePadding.x +
+                          3.0F * style.ItemSpacing.x + 1.0F;
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
+    if (const Topic now = topic_; ImGui::BeginCombo("##topic", label_of(kTopics, now))) {
+        for (const auto& [topic, word, label] : kTopics) {
+            if (ImGui::Selectable(label, topic == now)) { topic_ = topic; }
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    choose_curves(ui, shown);
+    ImGui::SameLine();
+    if (ImGui::Button("All")) { state() = panels::unzoomed(state()); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("everything in sight again"); }
+    ImGui::SameLine();
+    command_button(ui, Command::save_csv, "CSV");
+}
+
+void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const SeriesSet& shown) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Point mouse{io.MousePos.x, io.MousePos.y};
+    ImGui::SetCursorScreenPos({layout.box.x, layout.box.y});
+    ImGui::InvisibleButton(
+        "plot", {std::max(1.0F, layout.box.width), std::max(1.0F, layout.box.height)},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    state().hovered = -1;
+    if (ImGui::IsItemActive() && io.MouseDown[1]) {
+        state() = panels::panned(state(), layout, mouse, {io.MouseDelta.x, io.MouseDelta.y});
+        return;
+    }
+    const std::optional<double> at = panels::at_of_pixel(layout, mouse);
+    if (ImGui::IsItemActive() && at) {
+        // the timeline follows
+        const int point = panels::point_near(shown, *at);
+        if (point >= 0) {
+            ui.state.playback.pause();
+            ui.requests.add(GoTo{shown.steps[static_cast<std::size_t>(point)]});
+        }
+    }
+    if (!ImGui::IsItemHovered()) { return; }
+    if (io.MouseWheel != 0.0F && at) {
+        state() = panels::zoomed(
+            state(), layout, mouse, std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)));
+    }
+    if (const auto hit = panels::hit_of(layout, shown, mouse, ui.px(kReach))) {
+        state().hovered = hit->series;
+    }
+}
+
+void PlotTab::draw(const LessonUi& ui, const Box& box) {
+    const SeriesSet& shown = set(ui.session, experiment_joint_of(ui));
+    Area area(ui, "plots", box);
+    controls(ui, shown);
+    const float top = ImGui::GetCursorScreenPos().y + ui.px(6.0F);
+    const float margin = ui.px(14.0F);
+    const Box place{box.x + margin, top, box.width - 2.0F * margin, box.bottom() - top - ui.px(10.0F)};
+    state().cursor = panels::point_of_step(shown, ui.session.index());
+    const panels::PlotLayout layout = panels::layout_plot(ui.canvas, place, shown, state());
+    panels::draw_plot(ui.canvas, layout, shown, state());
+    handle(ui, layout, shown);
+}
+
+}  // namespace jw::host

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/host/ui/ui.hpp"
+#include "app/panels/plot/plot.hpp"
+#include "app/session/view/series.hpp"
+#include "lessons/enum_words.hpp"
+
+namespace jw::host {
+
+/// "Plots": series of the story over time or over iterations, the cursor where the timeline is.
+class PlotTab {
+public:
+    void draw(const LessonUi& ui, const panels::Box& box);
+    /// What is shown now as CSV.
+    std::string csv(const Session& session);
+    /// "quantities": for the name of a file.
+    const char* name() const;
+
+private:
+    enum class Topic { quantities, residuals, singular_values, conditions };
+    static constexpr std::array kTopics{
+        EnumWord<Topic>{Topic::quantities, "quantities", "Quantities over time"},
+        EnumWord<Topic>{Topic::residuals, "residuals", "‖Φ‖ over all iterations"},
+        EnumWord<Topic>{Topic::singular_values, "singular-values", "Singular values over time"},
+        EnumWord<Topic>{Topic::conditions, "conditions", "Condition of the pairs over time"}};
+
+    const SeriesSet& set(const Session& session, int joint);
+    void controls(const LessonUi& ui, const SeriesSet& shown);
+    void choose_curves(const LessonUi& ui, const SeriesSet& shown);
+    void handle(const LessonUi& ui, const panels::PlotLayout& layout, const SeriesSet& shown);
+    panels::PlotState& state() { return states_[static_cast<std::size_t>(topic_)]; }
+
+    Topic topic_ = Topic::quantities;
+    int joint_ = -1;  ///< of the conditions
+    std::uint64_t told_ = 0;
+    std::array<std::optional<SeriesSet>, kTopics.size()> sets_;
+    std::array<panels::PlotState, kTopics.size()> states_;
+    bool panning_ = false;
+};
+
+}  // namespace jw::host

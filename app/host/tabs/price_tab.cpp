@@ -1,0 +1,114 @@
+#include "app/host/tabs/price_tab.hpp"
+
+#include <imgui.h>
+
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/plot/price_panel.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+using panels::Point;
+
+/// Why this lesson cannot be measured; empty if it can.
+std::string why_not(const Lesson& lesson) {
+    if (!lesson.dynamics) {
+        return "This lesson has no masses: nothing is integrated, so no digit of it has a price. The lessons "
+               "of dynamics have one, dynamics/andrews for example.";
+    }
+    if (!lesson.dynamics->point) {
+        return "Errors are those of one point's path: name it as 'point' in [dynamics] of the lesson.";
+    }
+    return {};
+}
+
+}  // namespace
+
+void PriceTab::forget() {
+    job_.reset();
+    news_ = {};
+    prices_.reset();
+    seen_ = 0;
+}
+
+void PriceTab::begin(const Session& session) {
+    std::optional<Reference> reference;
+    if (!session.is_changed()) { reference = stored_reference(lesson_file_); }
+    BenchPlan plan;
+    plan.treatment = treatment_;
+    forget();  // one at a time: two would slow each other
+    job_ = std::make_unique<BenchJob>(session.lesson(), std::move(reference), plan);
+}
+
+void PriceTab::look_at_news() {
+    if (!job_ || job_->version() == seen_) { return; }
+    seen_ = job_->version();
+    news_ = job_->news();
+    prices_ = prices_of(news_.runs);
+}
+
+void PriceTab::controls(const LessonUi& ui) {
+    if (is_measuring()) {
+        if (ImGui::Button("Stop")) {
+            job_.reset();
+            news_.done = true;
+        }
+    } else {
+        if (ImGui::Button("Measure")) { begin(ui.session); }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("a sweep of tolerances by every method, some seconds on this machine");
+        }
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(is_measuring());
+    ImGui::SetNextItemWidth(ui.px(150.0F));
+    if (ImGui::BeginCombo("constraints", std::string(entry_of(treatment_).name).c_str())) {
+        for (const TreatmentName& entry : kTreatments) {
+            // implicit methods only, and they take it for projection already
+            if (entry.treatment == Treatment::tangent) { continue; }
+            if (ImGui::Selectable(std::string(entry.name).c_str(), entry.treatment == treatment_)) {
+                treatment_ = entry.treatment;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
+}
+
+void PriceTab::draw(const LessonUi& ui, const Box& box) {
+    Area area(ui, "price", box);
+    if (told_ != ui.session.told()) {
+        told_ = ui.session.told();
+        forget();
+    }
+    const std::string unfit = why_not(ui.session.lesson());
+    section(ui, "What a digit costs");
+    if (!unfit.empty()) { return note(ui, unfit); }
+    controls(ui);
+    look_at_news();
+    if (!news_.failure.empty()) { return note(ui, news_.failure); }
+    if (!job_ && !prices_) {
+        return note(
+            ui,
+            "Every adaptive method integrates this lesson with tolerances from 3e-2 to 1e-13; the error is "
+            "that of the lesson's point at 100 times. A method that is fast at three digits need not be at "
+            "nine.");
+    }
+    if (!news_.origin.empty()) { note(ui, "Compared with: " + news_.origin); }
+    const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
+    const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
+    std::string progress = news_.origin.empty() ? "computing the reference …" : "measuring …";
+    if (news_.done) { progress = "CPU time on this machine"; }
+    const panels::ComparisonLayout layout =
+        panels::price_panel(ui.canvas, place, prices_.value_or(Prices{}), progress, plot_);
+    plot_.hovered = -1;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    for (std::size_t k = 0; k < layout.rows.size(); ++k) {
+        if (layout.rows[k].contains(Point{mouse.x, mouse.y})) { plot_.hovered = static_cast<int>(k); }
+    }
+}
+
+}  // namespace jw::host

@@ -1,0 +1,92 @@
+#include "app/host/tabs/tabs.hpp"
+
+#include <imgui.h>
+
+#include "app/host/tabs/experiment_tab.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/column/column.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+namespace theme = panels::theme;
+
+Command command_of(Tab tab) {
+    switch (tab) {
+        case Tab::step: return Command::tab_step;
+        case Tab::experiments: return Command::tab_experiments;
+        case Tab::plot: return Command::tab_plot;
+        case Tab::newton: return Command::tab_newton;
+        case Tab::price: break;
+    }
+    return Command::tab_price;
+}
+
+void tab_strip(const LessonUi& ui, const Box& strip) {
+    const panels::Canvas& canvas = ui.canvas;
+    canvas.fill(strip, theme::kShade);
+    Area area(ui, "tabs", strip);
+    constexpr int count = static_cast<int>(kTabs.size());
+    for (int k = 0; k < count; ++k) {
+        const Tab tab = kTabs[static_cast<std::size_t>(k)].value;
+        const Box box = panels::column_of(strip, k, count);
+        const bool chosen = ui.state.tab == tab;
+        ImGui::SetCursorScreenPos({box.x, box.y});
+        ImGui::PushID(k);
+        if (ImGui::InvisibleButton("tab", {box.width, box.height})) { ui.requests.add(command_of(tab)); }
+        const bool hovered = ImGui::IsItemHovered();
+        if (hovered) {
+            const CommandInfo& info = info_of(command_of(tab));
+            ImGui::SetTooltip("%s  (%s)", info.text, info.keys);
+        }
+        ImGui::PopID();
+        if (chosen) {
+            canvas.fill(box, theme::kPaper);
+            canvas.fill({box.x, box.y, box.width, canvas.px(3.0F)}, theme::kAccent);
+        }
+        const ImFont* const font = chosen ? canvas.fonts().bold : canvas.fonts().normal;
+        const float y = box.centre().y - 0.5F * canvas.line_height(font);
+        canvas.text(
+            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft, label_of(kTabs, tab),
+            panels::Align::centre);
+    }
+    canvas.fill({strip.x, strip.y, panels::hairline(canvas), strip.height}, theme::kLine);
+}
+
+}  // namespace
+
+const char* area_of(Tab tab) {
+    switch (tab) {
+        case Tab::experiments: return "try it";
+        case Tab::plot: return "plots";
+        case Tab::newton: return "newton";
+        case Tab::price: return "price";
+        case Tab::step: break;
+    }
+    return "tabs";
+}
+
+void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs) {
+    tab_strip(ui, layout.tabs);
+    if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
+    if (ui.state.tab == Tab::step) {
+        panels::draw_column(ui.canvas, layout.column, ui.session.view());
+        return;
+    }
+    ui.canvas.fill(layout.column, theme::kPaper);
+    ui.canvas.fill(
+        {layout.column.x, layout.column.y, panels::hairline(ui.canvas), layout.column.height}, theme::kLine);
+    switch (ui.state.tab) {
+        case Tab::experiments: return experiment_tab(ui, layout.column);
+        case Tab::plot: return tabs.plot.draw(ui, layout.column);
+        case Tab::newton: return tabs.newton.draw(ui, layout.column);
+        case Tab::price: return tabs.price.draw(ui, layout.column);
+        case Tab::step: return;
+    }
+}
+
+}  // namespace jw::host

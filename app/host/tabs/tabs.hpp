@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/host/tabs/newton_tab.hpp"
+#include "app/host/tabs/plot_tab.hpp"
+#include "app/host/tabs/price_tab.hpp"
+#include "app/host/ui/ui.hpp"
+
+/// What stands beside the picture: the panels of the step, or a tab to experiment and compare.
+namespace jw::host {
+
+/// ImGui's name of the part of the window that holds its widgets.
+const char* area_of(Tab tab);
+
+/// What the tabs remember.
+struct Tabs {
+    PlotTab plot{};
+    NewtonTab newton{};
+    PriceTab price{};
+};
+
+/// The tabs and the column under them.
+void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs);
+
+}  // namespace jw::host

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/host/ui/input.hpp"
+
+/// Everything that keys, buttons and the menu can ask for. One table: the menu, the list of keys and what a
+/// key does cannot differ.
+namespace jw::host {
+
+enum class Command {
+    // timeline
+    next,
+    back,
+    play,
+    next_joint,
+    previous_joint,
+    first,
+    last,
+    faster,
+    slower,
+    // what stands beside the picture
+    tab_step,
+    tab_experiments,
+    tab_plot,
+    tab_newton,
+    tab_price,
+    next_tab,
+    panel_keys,
+    // experiments
+    undo,
+    redo,
+    start_over,
+    play_freedom,
+    let_go,
+    // picture
+    fit,
+    view_front,
+    view_back,
+    view_left,
+    view_right,
+    view_top,
+    view_bottom,
+    view_free,
+    turn_left,
+    turn_right,
+    turn_up,
+    turn_down,
+    zoom_in,
+    zoom_out,
+    dark,
+    larger_text,
+    smaller_text,
+    // lessons and files
+    lessons,
+    reload,
+    save_picture,
+    record,
+    save_lesson,
+    copy_equation,
+    copy_matrix,
+    copy_matrix_csv,
+    save_csv,
+    help,
+    quit,
+};
+
+enum class Group { timeline, panels, experiments, picture, files };
+
+struct CommandInfo {
+    Command command;
+    Group group;
+    const char* text;      ///< in menus and the list of keys
+    const char* keys;      ///< as people read them: "Right, n"
+    Key key = Key::none;   ///< without Ctrl
+    char character = 0;    ///< typed, whatever the layout of the keyboard
+    Key ctrl = Key::none;  ///< with Ctrl
+    bool shift = false;    ///< of `key`
+};
+
+std::span<const CommandInfo> command_table();
+const CommandInfo& info_of(Command command);
+const char* name_of(Group group);
+
+/// Keys that are held down while others are pressed.
+struct Modifiers {
+    bool ctrl = false;
+    bool shift = false;
+};
+
+/// What a key or a typed character asks for; nullptr if nothing.
+const CommandInfo* command_for(const InputEvent& event, const Modifiers& modifiers);
+
+}  // namespace jw::host

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/host/lesson/playback.hpp"
+#include "app/host/lesson/shown_picture.hpp"
+#include "app/host/ui/commands.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/canvas.hpp"
+#include "app/session/try/session.hpp"
+#include "lessons/enum_words.hpp"
+
+/// What the parts of the interface share: what they see, and what they ask for. Nothing is changed while a
+/// frame is drawn; the host carries out the requests afterwards.
+namespace jw::host {
+
+enum class Tab { step, experiments, plot, newton, price };
+inline constexpr std::array kTabs{
+    EnumWord<Tab>{Tab::step, "step", "Step"}, EnumWord<Tab>{Tab::experiments, "try", "Try it"},
+    EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
+    EnumWord<Tab>{Tab::price, "price", "Price"}};
+
+/// What is on the screen beyond the lesson itself.
+struct UiState {
+    Tab tab = Tab::step;
+    bool browser = false;  ///< the lessons instead of a lesson
+    bool help = false;     ///< the list of keys over everything
+    bool dark = false;
+    float text_scale = 1.0F;
+
+    Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
+    std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
+    Lit lit() const { return {pointed_at, lit_rows}; }
+    /// Another lesson follows, or the lesson as it was changed: what was pointed at need not be there.
+    void forget_pointed() {
+        pointed_at = {};
+        lit_rows.clear();
+    }
+
+    bool panel_keys = false;  ///< the keyboard moves among the widgets of the panel
+
+    Playback playback;
+
+    int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
+    int experiment_driver = 0;
+};
+
+/// What was asked for in one frame.
+struct Requests {
+    std::vector<Experiment> experiments;
+    std::vector<Command> commands;
+    std::optional<std::string> open;  ///< lesson file
+    std::optional<std::string> copy;  ///< text for the clipboard
+    std::vector<int> lit_rows;        ///< for the next frame
+
+    void add(const Experiment& experiment) { experiments.push_back(experiment); }
+    void add(Command command) { commands.push_back(command); }
+};
+
+/// What a part of the interface works with.
+struct Ui {
+    UiState& state;
+    const panels::Canvas& canvas;
+    Requests& requests;
+
+    float px(float at_720) const { return canvas.px(at_720); }
+};
+
+/// The same where a lesson is open.
+struct LessonUi : Ui {
+    const Session& session;
+    const render::Camera& camera;
+
+    LessonUi(const Ui& ui, const Session& open, const render::Camera& seen_by)
+        : Ui(ui), session(open), camera(seen_by) {}
+};
+
+}  // namespace jw::host

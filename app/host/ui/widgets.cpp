@@ -1,0 +1,135 @@
+#include "app/host/ui/widgets.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "lessons/enum_words.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace theme = panels::theme;
+
+ImVec4 vec(const render::Colour& c) { return {c.r, c.g, c.b, c.a}; }
+
+ImVec4 vec(const Ui& ui, const render::Colour& c) {
+    return vec(render::toned(c, ui.state.dark ? render::Tone::dark : render::Tone::light));
+}
+
+}  // namespace
+
+Area::Area(const Ui& ui, const char* name, const panels::Box& box, bool scrolls) {
+    ImGui::SetNextWindowPos({box.x, box.y});
+    ImGui::SetNextWindowSize({box.width, box.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12.0F), ui.px(8.0F)});
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                             ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+    if (scrolls) { flags &= ~(ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse); }
+    ImGui::Begin(name, nullptr, flags);
+    ImGui::PopStyleVar();
+}
+
+Area::~Area() { ImGui::End(); }
+
+void set_style(ImGuiStyle& style, float scale, bool dark) {
+    style = ImGuiStyle();
+    style.ScaleAllSizes(scale);
+    style.WindowRounding = 0.0F;
+    style.FrameRounding = 4.0F * scale;
+    style.GrabRounding = 4.0F * scale;
+    style.PopupRounding = 4.0F * scale;
+    style.ScrollbarRounding = 4.0F * scale;
+    style.WindowBorderSize = 0.0F;
+    style.FrameBorderSize = 1.0F;
+    style.AntiAliasedLinesUseTex = false;  // our atlas has no baked lines
+    const render::Tone tone = dark ? render::Tone::dark : render::Tone::light;
+    const auto set = [&](ImGuiCol which, const render::Colour& colour) {
+        style.Colors[which] = vec(render::toned(colour, tone));
+    };
+    set(ImGuiCol_Text, theme::kInk);
+    set(ImGuiCol_TextDisabled, theme::kFaint);
+    set(ImGuiCol_WindowBg, theme::kPaper);
+    set(ImGuiCol_PopupBg, theme::kWhite);
+    set(ImGuiCol_Border, theme::kLine);
+    set(ImGuiCol_FrameBg, theme::kWhite);
+    set(ImGuiCol_FrameBgHovered, theme::kShade);
+    set(ImGuiCol_FrameBgActive, theme::kSubject);
+    set(ImGuiCol_Button, theme::kShade);
+    set(ImGuiCol_ButtonHovered, theme::kSubject);
+    set(ImGuiCol_ButtonActive, theme::kSubjectMark);
+    set(ImGuiCol_Header, theme::kSubject);
+    set(ImGuiCol_HeaderHovered, theme::kShade);
+    set(ImGuiCol_HeaderActive, theme::kSubject);
+    set(ImGuiCol_CheckMark, theme::kAccent);
+    set(ImGuiCol_SliderGrab,
+        render::mix(theme::kAccent, theme::kWhite, 0.6F));  // a number is read through it
+    set(ImGuiCol_SliderGrabActive, theme::kSubjectMark);
+    set(ImGuiCol_ScrollbarBg, theme::kPaper);
+    set(ImGuiCol_ScrollbarGrab, theme::kLine);
+    set(ImGuiCol_ScrollbarGrabHovered, theme::kFaint);
+    set(ImGuiCol_ScrollbarGrabActive, theme::kSoft);
+    set(ImGuiCol_Separator, theme::kLine);
+    set(ImGuiCol_NavHighlight, theme::kAccent);
+    set(ImGuiCol_TextSelectedBg, theme::kSubject);
+    set(ImGuiCol_ModalWindowDimBg, render::with_alpha(theme::kInk, 0.35F));
+}
+
+void command_button(const Ui& ui, Command command, const char* label, float width) {
+    const CommandInfo& info = info_of(command);
+    ImGui::PushID(static_cast<int>(command));
+    if (ImGui::Button(label, {width, 0.0F})) { ui.requests.add(command); }
+    ImGui::PopID();
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s  (%s)", info.text, info.keys); }
+}
+
+bool toggle_button(const Ui& ui, const char* label, bool on, float width) {
+    if (on) {
+        ImGui::PushStyleColor(ImGuiCol_Button, vec(ui, theme::kSubject));
+        ImGui::PushStyleColor(ImGuiCol_Border, vec(ui, theme::kSubjectMark));
+    }
+    const bool pressed = ImGui::Button(label, {width, 0.0F});
+    if (on) { ImGui::PopStyleColor(2); }
+    return pressed;
+}
+
+void section(const Ui& ui, const char* title) {
+    ImGui::Dummy({0.0F, ui.px(4.0F)});
+    ImGui::PushFont(ui.canvas.fonts().bold);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    ImGui::Separator();
+}
+
+void note(const Ui& ui, const std::string& text) {
+    if (text.empty()) { return; }
+    ImGui::PushFont(ui.canvas.fonts().small);
+    ImGui::PushStyleColor(ImGuiCol_Text, vec(ui, theme::kSoft));
+    // ImGui would break lines within numbers
+    const float room = std::max(ui.px(60.0F), ImGui::GetContentRegionAvail().x);
+    std::string lines;
+    for (const std::string& line :
+         panels::wrapped(*ui.canvas.fonts().small, panels::with_minus_signs(text), room)) {
+        lines += (lines.empty() ? "" : "\n") + line;
+    }
+    ImGui::TextUnformatted(lines.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+bool choose_coordinates(const char* id, float width, CoordinateChoice& choice) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo(id, label_of(kChoices, choice))) { return false; }
+    const CoordinateChoice before = choice;
+    for (const auto& [value, word, label] : kChoices) {
+        if (ImGui::Selectable(label, value == before)) { choice = value; }
+    }
+    ImGui::EndCombo();
+    return choice != before;
+}
+
+}  // namespace jw::host

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "app/host/ui/ui.hpp"
+
+struct ImGuiStyle;
+
+/// Buttons, sliders and the like in the look of the panels.
+namespace jw::host {
+
+/// A part of the window that holds ImGui's own widgets: no title, no border, does not move.
+class Area {
+public:
+    /// @param scrolls  a bar at the side where the contents do not fit
+    Area(const Ui& ui, const char* name, const panels::Box& box, bool scrolls = false);
+    ~Area();
+    Area(const Area&) = delete;
+    Area& operator=(const Area&) = delete;
+};
+
+/// Colours and sizes of ImGui's widgets as those of the panels.
+void set_style(ImGuiStyle& style, float scale, bool dark);
+
+/// A button for a command, with its keys as a tip. `label` may be short; the table's words are in the tip.
+void command_button(const Ui& ui, Command command, const char* label, float width = 0.0F);
+
+/// A button that stays down while `on`.
+bool toggle_button(const Ui& ui, const char* label, bool on, float width = 0.0F);
+
+/// Bold words with a hairline below.
+void section(const Ui& ui, const char* title);
+
+/// Wrapped words in the small font.
+void note(const Ui& ui, const std::string& text);
+
+/// A list of the four coordinate choices, to choose one from.
+/// @return true if another one was chosen
+bool choose_coordinates(const char* id, float width, CoordinateChoice& choice);
+
+}  // namespace jw::host
