@@ -198,7 +198,7 @@ void limit_size(GLFWwindow* window, const render::GlFunctions& gl) {
     }
 }
 
-/// Where that is which was tried and not saved, as the end of a sentence; empty if there is none.
+/// Says where unsaved experiments are kept, as the end of a sentence; empty if there are none.
 std::string kept(Host& host) {
     host.keep_unsaved();
     if (host.unsaved_copy().empty()) { return {}; }

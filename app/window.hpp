@@ -30,7 +30,7 @@ void run_window(const WindowSetup& setup);
 /// @throws std::runtime_error as run_window
 void with_hidden_window(const std::function<void(const render::GlFunctions& gl)>& use);
 
-/// Whether this machine says that there is a display: DISPLAY or WAYLAND_DISPLAY is set.
+/// True if the environment names a display: DISPLAY or WAYLAND_DISPLAY is set.
 bool has_display();
 
 }  // namespace jw

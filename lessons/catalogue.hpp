@@ -18,8 +18,8 @@ std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& fo
 /// others.
 std::size_t chapter_place(const std::filesystem::path& file);
 
-/// What somebody has named: lessons by their file's name without .toml where `shipped` has them, else paths
-/// as they are.
+/// Paths of named lessons: by their file's name without .toml where `shipped` has them, else paths as they
+/// are.
 std::vector<std::filesystem::path> named_lessons(
     const std::vector<std::string>& names, const std::vector<std::filesystem::path>& shipped);
 

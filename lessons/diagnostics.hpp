@@ -8,7 +8,7 @@
 
 #include "lessons/source_span.hpp"
 
-/// What is wrong with a lesson file: where, what, what was expected and what to do.
+/// Diagnostics of a lesson file: where something is wrong, what is wrong, what was expected and what to do.
 namespace jw {
 
 /// No more than this are collected of one file.

@@ -13,7 +13,7 @@
 #include "core/motion/loads.hpp"
 #include "lessons/claims.hpp"
 
-/// What enumerators are called: one table for each enum, looked up both ways.
+/// Words of enumerators: one table for each enum, looked up both ways.
 namespace jw {
 
 template <class E>
@@ -50,7 +50,7 @@ constexpr std::optional<E> value_of(const std::array<EnumWord<E>, N>& table, std
     return std::nullopt;
 }
 
-/// In the order of the table.
+/// Words of a table, in its order.
 template <class E, std::size_t N>
 std::vector<std::string> words_of(const std::array<EnumWord<E>, N>& table) {
     std::vector<std::string> words;

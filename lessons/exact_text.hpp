@@ -17,10 +17,10 @@ std::string number_text(double value);
 std::string list_text(std::span<const double> values);
 std::string vector_text(const Vec3& v);
 
-/// In double quotes, or between triple ones where the text has several lines. Everything that TOML does not
-/// take literally is escaped.
+/// Text in TOML: in double quotes, or between triple ones where it has several lines. Everything that TOML
+/// does not take literally is escaped.
 std::string string_text(const std::string& text);
-/// The same for a text whose line feeds at the end do not count: several lines get a line each.
+/// Text in TOML whose line feeds at the end do not count: several lines get a line each.
 std::string words_text(const std::string& text);
 
 /// The number with the fewest digits, at most `most_digits`, near `guess` that reads back as it should.

@@ -34,11 +34,11 @@ public:
         : table_(&table), what_(std::move(what)), problems_(&problems) {}
 
     bool has(std::string_view key);
-    /// Of the table's header, or of a key's value.
+    /// Place of the table's header, or of a key's value.
     SourceSpan span() const { return span_of(table_->source()); }
     SourceSpan span(std::string_view key) const;
     Problems& problems() const { return *problems_; }
-    /// What the table is called in messages: "joint", "joint 'hinge'".
+    /// Name of the table in messages: "joint", "joint 'hinge'".
     const std::string& what() const { return what_; }
     void call(std::string what) { what_ = std::move(what); }
 
@@ -58,7 +58,7 @@ public:
         std::string_view expected = {});
     /// Three rows of three numbers.
     std::optional<Located<Mat3>> matrix(std::string_view key);
-    /// Whether the entries of a list are lists themselves.
+    /// True if the entries of a list are lists themselves.
     bool is_nested(std::string_view key);
     std::optional<Located<std::vector<Located<std::string>>>> texts(std::string_view key);
     std::optional<Fields> table(std::string_view key);
@@ -78,9 +78,9 @@ public:
 
     /// Says that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
-    /// The same, unless the key is there (right or wrong).
+    /// Reports that a key is missing, unless it is there (right or wrong).
     void require(std::string_view key, std::string_view expected);
-    /// At most one of the keys may be there.
+    /// Reports if more than one of the keys is there.
     bool at_most_one(const std::vector<std::string>& keys);
     /// Reports unknown keys.
     void finish();

@@ -2,7 +2,7 @@
 
 #include "core/model/joint_types.hpp"
 
-/// What of a joint's geometry a lesson says.
+/// Parts of a joint's geometry that a lesson has to give.
 namespace jw {
 
 /// Which vectors the primitives of a type use.

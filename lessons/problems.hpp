@@ -18,7 +18,7 @@ struct Located {
     SourceSpan span;
 };
 
-/// Where errors go.
+/// Collects the errors and warnings of a file.
 class Problems {
 public:
     explicit Problems(std::string file) : file_(std::move(file)) {}

@@ -42,7 +42,7 @@ void refuse(Fields& fields, const Located<std::string>& text, const Named& named
         text.span, in_quotes(text.value) + " is no quantity of " + of + "; expected one of " + possible);
 }
 
-/// Whether the name is of something that is there; reports it if not.
+/// Finds the owner in a quantity's name; reports it if there is none.
 const Named* owner_of(Fields& fields, const Located<std::string>& text, const Reading& reading) {
     const std::string owner(owner_in(text.value));
     const auto found = reading.names.find(owner);

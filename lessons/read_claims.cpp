@@ -12,7 +12,8 @@ constexpr int kLargestCount = 100000;
 
 using Facts = std::vector<std::pair<Fact, SourceSpan>>;
 
-/// Of [motion], or of the motion by masses and forces: the one that there is, or the one that `of` says.
+/// Reads a time of [motion] or of the motion by masses and forces: the one that the lesson has, or the one
+/// that `of` names.
 std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     const auto t = fields.number("at_s");
     const auto of = fields.word("of", {"motion", "dynamics"});
@@ -107,7 +108,7 @@ void read_dropped(Fields& fields, const Reading& reading, const std::optional<Mo
     facts.emplace_back(DroppedClaim{joint->index, role, static_cast<int>(component)}, text->span);
 }
 
-/// What follows "value" and "tolerance" in their keys, for each way to write the unit.
+/// Endings of the keys "value" and "tolerance", one for each way to write the unit.
 std::vector<std::string> endings_of(const QuantityClaim& claim) {
     const UnitRate dimension = dimension_of(claim.quantity);
     if (dimension.unit != Unit::radian) { return {""}; }
@@ -137,7 +138,8 @@ void read_value(Fields& fields, QuantityClaim& claim) {
     }
 }
 
-/// Of the key; `of` says how many derivatives the quantity has, and how many of them its name is.
+/// Reads the key `derivative`; `of` says how many derivatives the quantity has and how many are part of its
+/// name.
 int read_derivative(
     Fields& fields, const std::optional<Moment>& when, const std::optional<NamedQuantity>& of,
     SourceSpan name) {

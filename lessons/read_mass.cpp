@@ -37,7 +37,8 @@ std::optional<Located<Mat3>> read_tensor(Fields& fields) {
     return std::nullopt;
 }
 
-/// What no body of mass above zero has: a moment of 0 or less, or one larger than the other two together.
+/// Reports moments of inertia that no body of positive mass has: 0 or less, or one larger than the other two
+/// together.
 /// @return whether `J` is possible, after saying what is not
 bool check_moments(Fields& fields, const Located<Mat3>& J) {
     const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(J.value, Eigen::EigenvaluesOnly).eigenvalues();

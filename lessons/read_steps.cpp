@@ -20,7 +20,7 @@ void set_text(Fields& fields, const Located<std::string>& at, const std::string&
     text = words;
 }
 
-/// Where the text of the step goes, nullptr if there is no such step.
+/// Finds the place for the text of a step; nullptr if there is no such step.
 std::string* text_of(const Located<std::string>& at, Reading& reading) {
     StepTexts& texts = reading.lesson.step_texts;
     if (at.value == "bodies") { return &texts.bodies; }

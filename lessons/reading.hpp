@@ -15,7 +15,7 @@ inline constexpr std::size_t kMostBodies = 500;
 inline constexpr std::size_t kMostJoints = 1000;
 inline constexpr std::size_t kMostDrivers = 500;
 
-/// What a name of the lesson stands for.
+/// Thing that a name of the lesson stands for.
 struct Named {
     enum class Kind { body, joint, driver };
     Kind kind = Kind::body;
@@ -42,7 +42,7 @@ struct Reading {
     /// Marks the thing of that name as not to be trusted.
     void distrust(const std::string& name);
 
-    /// What a name refers to; reports a name that is unknown or of another kind.
+    /// Thing that a name refers to; reports a name that is unknown or of another kind.
     const Named* body(const Located<std::string>& name) const;
     const Named* joint(const Located<std::string>& name) const;
     /// A joint or a driver.
@@ -84,7 +84,7 @@ std::optional<Colour> read_colour(Fields& fields);
 std::optional<Mat3> read_frame(Fields& fields);
 /// The function of time of a driver; an angle has its unit in the keys.
 TimeFunction read_time_function(Fields& fields, bool angle);
-/// Whether one of its keys is there.
+/// True if one of its keys is there.
 bool has_time_function(Fields& fields, bool angle);
 /// Reports values that nothing has, between two times: overflow, or below zero where that cannot be.
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative);

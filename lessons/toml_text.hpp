@@ -5,7 +5,7 @@
 
 #include "lessons/fields.hpp"
 
-/// From the bytes of a file to a TOML table.
+/// Reads the bytes of a file into a TOML table.
 namespace jw::reading {
 
 /// The table that `source` holds; if there is none, says why. A byte order mark is removed from `source` and

@@ -10,8 +10,8 @@
 
 #include "core/numerics/linear.hpp"
 
-/// From what is typed in a lesson to what the program computes with: words and conversions that the reader
-/// applies and the writer must undo exactly.
+/// Conversions from what is typed in a lesson to what the program computes with; the reader applies them and
+/// the writer must undo them exactly.
 namespace jw {
 
 inline double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
@@ -28,7 +28,7 @@ inline Vec3 unit_of(const Vec3& v) {
     return std::abs(v.squaredNorm() - 1.0) <= kUnitUpToRounding ? v : Vec3(v.normalized());
 }
 
-/// Whether the columns are a right-handed frame up to rounding.
+/// True if the columns are a right-handed frame up to rounding.
 inline bool is_frame(const Mat3& A) {
     return (A.transpose() * A - Mat3::Identity()).cwiseAbs().maxCoeff() <= kUnitUpToRounding &&
            A.determinant() > 0.0;

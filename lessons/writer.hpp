@@ -12,8 +12,8 @@ namespace jw {
 /// double exactly; vectors are written in the frames of their bodies. Joints and drivers that are not in
 /// Lesson::order are left out, with the drivers along such joints and the claims about either.
 ///
-/// What the format asks of a lesson must hold (bodies[0] is the ground, |p| = 1 up to 0.001, sides
-/// perpendicular to axes, names without dots): otherwise the reader refuses the text, and says why.
+/// The lesson must be as the format demands (bodies[0] is the ground, |p| = 1 up to 0.001, sides
+/// perpendicular to axes, names without dots); otherwise the reader refuses the text and says why.
 /// @throws std::invalid_argument for a driver or a rotational spring that no lesson can describe, and for
 ///         numbers not finite
 std::string lesson_text(const Lesson& lesson);

@@ -23,7 +23,7 @@ public:
     void key(const std::string& name, const Vec3& value, const std::string& comment = {});
     /// The unit is appended to the name.
     void angle(const std::string& name, double radians_of, const std::string& per = {});
-    /// The same for several, in one list.
+    /// Writes several angles as one list.
     void angles(const std::string& name, std::span<const double> radians_of, const std::string& per = {});
 
     std::string take() { return std::move(text_); }
@@ -32,7 +32,7 @@ private:
     std::string text_;
 };
 
-/// What of a lesson is written.
+/// Parts of a lesson that are written.
 struct Written {
     explicit Written(const Lesson& whole);
 

@@ -18,7 +18,7 @@ namespace jw::render {
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
-/// Whether `write_file_atomically` has a chance: to be asked before what is written is computed.
+/// Checks that `write_file_atomically` can succeed, before the content is computed.
 /// @throws std::runtime_error as that, where the name cannot be that of a file or its folder is not there
 void check_can_be_written(const std::filesystem::path& path);
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-/// Where a picture is taken from, and where on it a point comes to lie. No GL.
+/// Camera of a picture, and where a point appears on it. No GL.
 namespace jw::render {
 
 using Eigen::Matrix4d;
@@ -53,7 +53,7 @@ Matrix4d view_matrix(const Camera& camera);
 /// Camera frame to clip space of GL, for a picture with aspect = width / height.
 Matrix4d projection_matrix(const Camera& camera, double aspect);
 
-/// Where a point is seen.
+/// Place where a point is seen.
 struct Projected {
     double x = 0.0;      ///< pixels from the left edge of the frame
     double y = 0.0;      ///< pixels from the top edge of the frame

@@ -33,7 +33,7 @@ public:
     /// The whole file, for others who read it.
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
-    /// From the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
+    /// Distance from the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
     double line_height() const;
 
     /// Glyph of `character`, or nothing if the font has none.

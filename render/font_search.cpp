@@ -46,7 +46,7 @@ bool is_of_debian(const std::filesystem::path& path) {
     return std::ranges::find(kFolders, path.parent_path().string()) != kFolders.end();
 }
 
-/// What to do about a font that is there and cannot be used.
+/// Remedy for a font that exists and cannot be used.
 std::string remedy_for(const std::filesystem::path& path, const FontFile& file) {
     if (is_of_debian(path)) { return "apt-get install --reinstall " + std::string(file.package); }
     return "replace the file, or take its folder out of JOINTWISE_FONTS";

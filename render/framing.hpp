@@ -10,8 +10,8 @@
 /// Composes the camera: everything in sight, nothing cut off, no number chosen by hand.
 namespace jw::render {
 
-/// What must be in sight: spheres and points. Unlike a box it is tight from every direction. Bounds of many
-/// poses of a scene, one included after the other, frame its whole motion.
+/// Bounds of what must be in sight: spheres and points. Unlike a box they are tight from every direction.
+/// Bounds of many poses of a scene, one included after the other, frame its whole motion.
 class Bounds {
 public:
     void include(const Vector3d& centre, double radius = 0.0);
@@ -43,7 +43,7 @@ private:
 Bounds bounds_of(const Scene& scene);
 
 struct Framing {
-    /// From the eye to the scene; need not be unit.
+    /// Direction from the eye to the scene; need not be unit.
     Vector3d direction = {-0.55, 0.75, -0.45};
     Vector3d up = Vector3d::UnitZ();
     double field_of_view = 0.5;
@@ -57,7 +57,7 @@ struct Framing {
 /// @throws std::invalid_argument if `safe` is empty or `direction` is zero or along `up`.
 Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Rect& safe, const Framing& framing = {});
 
-/// The same with a margin of 8 % of the smaller side all around.
+/// Frames a scene with a margin of 8 % of the smaller side all around.
 Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Framing& framing = {});
 
 /// A ground plane under the scene that suits its size: just below its lowest point along `normal`, with a

@@ -86,7 +86,7 @@ void GroundPass::draw(
     gl_.Scissor(whole.x, whole.y, whole.width, whole.height);
 }
 
-/// The same triangles in every part, so that no seam shows.
+/// Draws the plane in one part; the triangles are the same in every part, so that no seam shows.
 void GroundPass::draw_plane(const DeviceRect& part) const {
     gl_.Scissor(part.x, part.y, part.width, part.height);
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

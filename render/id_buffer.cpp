@@ -124,7 +124,7 @@ void IdBuffer::draw(const SceneView& view) const {
     gl_.Disable(GL_CULL_FACE);
 }
 
-/// What lies behind something.
+/// Begins to draw only what lies behind something.
 void IdBuffer::begin_hidden() const {
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_FALSE);

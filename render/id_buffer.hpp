@@ -8,7 +8,7 @@
 
 namespace jw::render {
 
-/// What of a scene the pointer hits: the scene drawn once more with ids for colours, by the same meshes and
+/// Finds what the pointer hits: the scene is drawn once more with ids for colours, by the same meshes and
 /// vertex shaders as the picture, so that both agree to the pixel. No blending, no multisampling.
 ///
 /// Vectors, points and lines that are seen through bodies are hit through bodies. Opaque bodies without an id
@@ -33,7 +33,7 @@ public:
     int nearest_id(double x, double y, double radius) const;
 
 private:
-    /// Everything that `update` compares.
+    /// Inputs that `update` compares.
     struct Seen {
         std::uint64_t version = 0;
         Camera camera;

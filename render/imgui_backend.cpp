@@ -36,8 +36,8 @@ out vec4 pixel;
 void main() { pixel = tint * texture(picture, texel); }
 )";
 
-/// What draw data call the font atlas: the id that ImGui gives an atlas without a texture, and no texture of
-/// GL has. Draw data so stay valid when the atlas is uploaded anew under another name.
+/// Id of the font atlas in draw data: the one that ImGui gives an atlas without a texture, which no texture
+/// of GL has. So draw data stay valid when the atlas is uploaded anew under another name.
 constexpr GLuint kAtlas = 0;
 
 /// The atlas holds coverage only; the texture reads as white of that opacity.

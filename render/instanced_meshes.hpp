@@ -44,7 +44,7 @@ private:
     GlBuffer segments_;
 };
 
-/// What every program that draws scenes needs on the graphics card.
+/// Meshes on the graphics card that every program that draws scenes needs.
 struct SceneMeshes {
     explicit SceneMeshes(const GlFunctions& gl) : solids(gl), lines(gl) {}
 

@@ -8,7 +8,7 @@
 #include "render/scene.hpp"
 #include "render/shapes.hpp"
 
-/// From a scene to what the graphics card draws: copies of few meshes. No GL.
+/// Turns a scene into what the graphics card draws: copies of few meshes. No GL.
 namespace jw::render {
 
 /// One copy of a mesh, laid out as the vertex shader reads it.

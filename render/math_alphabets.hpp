@@ -15,7 +15,7 @@ char32_t math_italic(char32_t letter);
 char32_t math_bold(char32_t letter);
 char32_t math_bold_italic(char32_t letter);
 
-/// Where a font for mathematics keeps what the formula fonts show at `code_point`.
+/// Place where a font for mathematics keeps what the formula fonts show at `code_point`.
 struct MathGlyph {
     char32_t code_point;  ///< private, 16 bits
     char32_t unicode;

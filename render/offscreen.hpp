@@ -30,7 +30,7 @@ public:
     const GlFunctions& gl() const;
     FrameSize size() const;
 
-    /// What draws: e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
+    /// Name of the renderer: e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
     std::string renderer() const;
 
     /// Samples per pixel in effect; 1 if drawn at double size.

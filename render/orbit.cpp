@@ -18,7 +18,7 @@ constexpr double kHighest = 0.5 * kPi - 1e-3;
 constexpr double kNearestInSizes = 0.01;
 constexpr double kFarthestInSizes = 10.0;
 
-/// Where the eye stands on the sphere around the target.
+/// Place of the eye on the sphere around the target.
 struct Stand {
     double azimuth = 0.0;    ///< about up, from the level axis
     double elevation = 0.0;  ///< from the horizontal plane, within ±kHighest

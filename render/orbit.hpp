@@ -26,17 +26,17 @@ enum class StandardView { front, back, left, right, top, bottom, isometric };
 /// it, else y; made perpendicular to `up`. Unit.
 Vector3d level_axis(const Vector3d& up);
 
-/// From another side, around the same target at the same distance. With up = z, front looks along y with x
-/// to the right, `right` looks along −x, and top shows x to the right and y up; with up = y, front looks
+/// View from another side, around the same target at the same distance. With up = z, front looks along y with
+/// x to the right, `right` looks along −x, and top shows x to the right and y up; with up = y, front looks
 /// along −z.
 Camera standard_view(const Camera& camera, StandardView view);
 
-/// On the way from one camera to another: around the target, not through it. Fraction 0 gives `from` and 1
+/// Camera on the way from one to another: around the target, not through it. Fraction 0 gives `from` and 1
 /// gives `to`, exactly.
 Camera blended(const Camera& from, const Camera& to, double fraction);
 
-/// Where the ray through (x, y) meets the plane through `through` that is parallel to the picture: what is
-/// grabbed at `through` and dragged to (x, y) comes to lie there. `through` must be in front of the eye.
+/// Point where the ray through (x, y) meets the plane through `through` that is parallel to the picture: a
+/// point grabbed at `through` and dragged to (x, y) moves there. `through` must be in front of the eye.
 Vector3d point_at_depth(
     const Camera& camera, const Rect& viewport, double x, double y, const Vector3d& through);
 

@@ -51,7 +51,7 @@ Vector3d linear_from_oklab(const Vector3d& lab) {
 
 bool in_gamut(const Vector3d& linear) { return linear.minCoeff() >= 0.0 && linear.maxCoeff() <= 1.0; }
 
-/// Of this lightness and hue, the colour nearest in chroma that a screen can show.
+/// Colour of this lightness and hue that is nearest in chroma among those that a screen can show.
 Vector3d shown(const Vector3d& lab) {
     const Vector3d linear = linear_from_oklab(lab);
     if (in_gamut(linear)) { return linear; }

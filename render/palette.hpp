@@ -83,8 +83,8 @@ inline constexpr Colour kGroundShadow = from_hex(0x6B7683, 0.55F);
 /// Dark ink on light paper, or the other way round.
 enum class Tone { light, dark };
 
-/// What a colour of the palette becomes: itself in the light; in the dark of inverted lightness, with hue
-/// and, where a screen can show it, chroma as they are.
+/// Colour of the palette in a tone: unchanged in the light one; in the dark one its lightness is inverted,
+/// and hue and, where a screen can show it, chroma stay.
 Colour toned(const Colour& colour, Tone tone);
 
 }  // namespace jw::render

@@ -8,7 +8,7 @@
 /// Pictures as PNG files, byte-deterministic.
 namespace jw::render {
 
-/// The same picture gives the same bytes on every machine with the same libdeflate.
+/// Encodes a picture as PNG. The same picture gives the same bytes on every machine with the same libdeflate.
 /// @throws std::invalid_argument if the picture is empty or its size and its data disagree.
 std::vector<std::uint8_t> encode_png(const Image& image);
 

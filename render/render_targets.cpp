@@ -48,7 +48,8 @@ Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
     return image;
 }
 
-/// What is wanted where there is multisampling, else 1: softpipe says 1 and fails on more.
+/// Number of samples: the wanted one where there is multisampling, else 1: softpipe reports 1 and fails on
+/// more.
 int supported_samples(const GlFunctions& gl, int wanted) {
     const int most = integer(gl, GL_MAX_SAMPLES);
     return most < 2 ? 1 : std::clamp(wanted, 1, most);

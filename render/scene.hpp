@@ -8,7 +8,7 @@
 
 #include "render/palette.hpp"
 
-/// What is to be drawn, as plain values: no mechanism, no GL, no window. Lengths in m, global frame.
+/// Scene to be drawn, as plain values: no mechanism, no GL, no window. Lengths in m, global frame.
 ///
 /// An `id` names what the pointer hits (see `IdBuffer`): 1 to `kMostIds`, several parts may share one; 0: the
 /// pointer does not see it.

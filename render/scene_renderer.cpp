@@ -37,7 +37,7 @@ const SceneRenderer::Surface SceneRenderer::kAnnotation{0.0F, 0.45F, 1.0F};
 const SceneRenderer::Surface SceneRenderer::kHidden{0.0F, 0.45F, kHiddenAlpha};
 const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
-/// What all steps of one frame share.
+/// Values that all passes of one frame share.
 struct SceneRenderer::Pass : SceneView {
     Tone tone;
     Light light;

@@ -29,13 +29,13 @@ public:
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
         Tone tone = Tone::light) const;
 
-    /// For an `IdBuffer` of the same context.
+    /// Meshes for an `IdBuffer` of the same context.
     const SceneMeshes& meshes() const { return meshes_; }
 
 private:
     struct Pass;
 
-    /// How surfaces answer to light.
+    /// Response of surfaces to light.
     struct Surface {
         float shadow_strength;  ///< of the key light, what a body can take from this one
         float flatness;         ///< 0: shaded, 1: its own colour whatever the light

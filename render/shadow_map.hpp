@@ -20,7 +20,7 @@ public:
     /// bound bound.
     void update(const SceneMeshes& meshes, const InstanceLists& casters, const ShadowView& view);
 
-    /// To texture unit 0.
+    /// Binds the map to texture unit 0.
     void bind() const;
 
     /// Uniforms of the fragment shaders that look shadows up.

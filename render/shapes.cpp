@@ -47,7 +47,7 @@ std::vector<SectionPoint> circle(int points) {
     return section;
 }
 
-/// At each corner the normal turns by 60 degrees.
+/// Section of a hexagonal prism; at each corner the normal turns by 60 degrees.
 std::vector<SectionPoint> hexagon() {
     constexpr int steps = 6;
     std::vector<SectionPoint> section;

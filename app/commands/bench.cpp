@@ -79,7 +79,7 @@ std::vector<TextColumn> columns_for(std::size_t numbers) {
     return columns;
 }
 
-/// What every run cost, and how good it was.
+/// Table of all runs: cost and error.
 std::string runs_text(const SceneResult& result) {
     TextRows table{
         {"method", "setting", "CPU ms", "position m", "velocity", "energy", "constraint", "evaluations",

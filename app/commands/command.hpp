@@ -8,7 +8,7 @@
 
 #include "lessons/lesson.hpp"
 
-/// What all commands share.
+/// Parts that all commands share: exit status, streams, errors in the command line.
 namespace jw {
 
 /// Exit status of the program.
@@ -29,15 +29,15 @@ private:
     Exit exit_;
 };
 
-/// What is wrong with an option of a command, with a hint at its help.
+/// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
 
-/// Where a command writes; tests give their own.
+/// Streams that a command writes to; tests pass their own.
 struct Streams {
     std::ostream& out;
     std::ostream& err;
     bool err_is_terminal = false;
-    /// Whether `out` or `err` goes into a file; nothing: it does not.
+    /// True if `out` or `err` is redirected into that file; empty: never.
     std::function<bool(const std::filesystem::path&)> goes_into = {};
 };
 
@@ -45,7 +45,7 @@ struct Streams {
 /// @throws CommandError (bad_input) with all diagnostics of the file, or if `streams` go into it
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
-/// For CLI11's `check`: what is wrong with a whole number below 0, empty if nothing is.
+/// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
 std::string fault_of_step(const std::string& text);
 
 /// A bar on a terminal, nothing elsewhere; gone when it is destroyed.

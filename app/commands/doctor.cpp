@@ -74,7 +74,7 @@ SurfaceReport examine_window(const SurfaceDoctor& doctor_window) {
     return report;
 }
 
-/// What to install, each package once.
+/// Packages to install, each once.
 std::set<std::string> packages_of(const Diagnosis& diagnosis) {
     std::set<std::string> packages;
     for (const SurfaceReport& surface : diagnosis.surfaces) {

@@ -10,7 +10,7 @@
 #include "app/session/output/json.hpp"
 #include "render/fonts.hpp"
 
-/// What `jointwise doctor` finds and says.
+/// Checks of `jointwise doctor`, and its report.
 namespace jw {
 
 /// The lessons that the program offers.

@@ -19,7 +19,7 @@ std::vector<std::string> coordinate_names() {
     return names;
 }
 
-/// What a method does not read is no use to whoever typed it.
+/// Rejects options that the chosen method does not read: whoever typed them expects an effect.
 void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& method) {
     if (method.adaptive && options.step) {
         throw bad_option(

@@ -12,7 +12,7 @@ class App;
 /// Options of all commands that integrate.
 namespace jw {
 
-/// Of a table of methods, treatments or formulations.
+/// Names in a table of methods, treatments or formulations.
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;

@@ -33,7 +33,7 @@ struct OpenOptions {
 constexpr PixelSize kSmallest{320, 200};
 constexpr PixelSize kLargest{7680, 7680};
 
-/// What the window shows, drawn into a file; needs no display.
+/// Draws the window into a file; needs no display.
 void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);

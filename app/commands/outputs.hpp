@@ -14,7 +14,7 @@ void check_output(
     const std::string& option, const std::filesystem::path& output,
     const std::vector<std::filesystem::path>& inputs);
 
-/// Whether `path` is the regular file that standard output or standard error goes into.
+/// True if `path` is the regular file that standard output or standard error is redirected into.
 bool is_own_output(const std::filesystem::path& path);
 
 }  // namespace jw

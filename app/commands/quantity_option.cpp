@@ -9,7 +9,8 @@ namespace jw {
 
 namespace {
 
-/// What it could have been: names of the same thing, or the things that there are.
+/// Error for an unknown quantity, with the names that could have been meant: quantities of the same owner, or
+/// the owners that exist.
 CommandError unknown(const std::string& option, const std::string& name, const Mechanism& mechanism) {
     std::vector<std::string> names;
     std::vector<std::string> of_owner;

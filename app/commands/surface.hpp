@@ -8,7 +8,7 @@
 #include "render/image.hpp"
 #include "render/render_targets.hpp"
 
-/// Whether a surface, memory or a window, can be drawn on: for `jointwise doctor`.
+/// Tests whether a surface, in memory or in a window, can be drawn on, for `jointwise doctor`.
 namespace jw {
 
 struct SurfaceReport {
@@ -63,7 +63,7 @@ inline constexpr int kTestHeight = 120;
 /// Draws it with the context that is current, on `targets` of its size.
 /// @throws std::runtime_error with the driver's words
 render::Image draw_test_picture(const render::GlFunctions& gl, render::RenderTargets& targets);
-/// What is wrong with a test picture, empty if nothing is.
+/// Says what is wrong with a test picture; empty if nothing is.
 std::string fault_of(const render::Image& picture);
 
 }  // namespace jw

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTurns = 3.0;
 constexpr double kSecondsPerTurn = 4.0;  // of the lesson's motor: 90 deg a second
 
-/// What became of the coupler, which never turns in a parallelogram.
+/// Motion of the coupler, which never turns in a parallelogram.
 struct Journey {
     int frames = 0;
     int on_branch = 0;

@@ -19,7 +19,7 @@ struct DynamicScene {
 /// @param name below lessons/catalogue; it has a stored reference
 DynamicScene shipped_scene(std::string_view name);
 
-/// As the equations of motion want it; its flat start is flat_start(scene.mechanism).
+/// Lesson as a scene for the equations of motion; its flat start is flat_start(scene.mechanism).
 Centroidal centroidal_of(const Lesson& lesson);
 
 /// Energies at a flat state.

@@ -27,7 +27,7 @@ Passage pass(const DynamicScene& scene, const SimulationSettings& settings) {
 
 }  // namespace
 
-/// The same method with the same tolerance, with and without a treatment of the constraints.
+/// Compares one method at one tolerance with and without a treatment of the constraints.
 Result four_bar_through_its_line() {
     SimulationSettings naive = adaptive(Method::explicit_8, 1e-6);
     naive.treatment = Treatment::none;

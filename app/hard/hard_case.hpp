@@ -11,7 +11,7 @@
 /// Jointwise does there. Every case is a test too: its numbers have bounds.
 namespace jw::hard {
 
-/// What a number may be; without limits it is only shown.
+/// Limits of a number; without limits it is only shown.
 struct Bounds {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();

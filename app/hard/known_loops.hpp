@@ -30,7 +30,7 @@ struct Verdicts {
     void add_naive(const KnownLoop& loop, int rank) { naive_right += rank == loop.rank ? 1 : 0; }
 };
 
-/// Of singular values, by the largest one.
+/// Largest change of singular values, relative to the largest of them.
 inline double relative_change(const VectorX& now, const VectorX& before) {
     return (now - before).cwiseAbs().maxCoeff() / before(0);
 }

@@ -36,7 +36,7 @@ struct Flips {
     double first = 0.0;  ///< [s]
     double last = 0.0;
 
-    /// Of the time between them.
+    /// Error of the time between the first and the last flip [s].
     double error(double period) const { return std::abs(last - first - (count - 1) * period); }
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr long kSteps = 1'000'000;
 
-/// What a free body keeps.
+/// Invariants of a free body.
 struct Kept {
     double p = 1.0;                ///< |p|
     double energy = 0.0;           ///< [J]

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRotations = 50;
 
-/// What a rank on paper often is taken of: Φq in (r, p) without the rows pᵀp = 1.
+/// Rank of Φq in (r, p) without the rows pᵀp = 1, as it is often computed on paper.
 int rank_without_normalisation(const Mechanism& mechanism) {
     const System system(mechanism, everything(mechanism));
     Assembler<ModifiedEulerParameters> assembler(system, false);

@@ -80,7 +80,7 @@ Velocities velocities_of(const Mechanism& mechanism) {
     return velocities;
 }
 
-/// Of any body [deg].
+/// Largest turn of any body in one Newton step [deg].
 double largest_step(const System& system, const State& start, NewtonMethod method) {
     double turn = 0.0;
     for (const NewtonIterate& iterate : trace_newton<OmegaLocal>(system, start, 0.0, method).iterates) {

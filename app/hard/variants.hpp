@@ -17,7 +17,7 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 /// The joints of a shipped lesson, nothing driven; it starts at the pose that the lesson closes to.
 /// @param name below lessons/catalogue
 Mechanism assembled_mechanism(std::string_view name);
-/// The same of a lesson that has been altered.
+/// Assembled mechanism of a lesson that has been altered.
 Mechanism assembled_mechanism(const Lesson& lesson);
 
 /// p1 and p2 of all joints in this form.
@@ -43,7 +43,7 @@ VectorX by_normal_equations(const MatrixX& J, const VectorX& b);
 /// Grübler's count at all revolutes, prismatic joints ...: 6 for each moving body less what joints take.
 int mobility_by_counting(const Mechanism& mechanism);
 
-/// The same random numbers on every machine.
+/// Random numbers that are the same on every machine.
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}

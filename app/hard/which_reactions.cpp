@@ -58,7 +58,7 @@ std::vector<Wrench> wrenches_with(
     return out;
 }
 
-/// How far two answers are apart, over components called unique and over the others [N, N m].
+/// Difference of two solutions, over components marked as unique and over the others [N, N m].
 struct Apart {
     double unique = 0.0;
     double others = 0.0;

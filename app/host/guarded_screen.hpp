@@ -20,17 +20,17 @@ public:
 /// the lesson with all that was tried in it stays as it is.
 class GuardedScreen {
 public:
-    /// As Screen; `log` must outlive this.
+    /// Makes a screen as Screen does; `log` must outlive this object.
     GuardedScreen(const render::GlFunctions& gl, Host& host, std::ostream& log);
     ~GuardedScreen();
     GuardedScreen(const GuardedScreen&) = delete;
     GuardedScreen& operator=(const GuardedScreen&) = delete;
 
-    /// As Screen::draw.
+    /// Draws as Screen::draw does.
     /// @return whether there is a picture to `show`
     /// @throws GraphicsLost after kMostFailures failures without a picture between them
     bool draw();
-    /// As Screen::show. Only after a `draw` that returned true.
+    /// Shows the picture as Screen::show does; only after a `draw` that returned true.
     void show();
 
     static constexpr int kMostFailures = 20;

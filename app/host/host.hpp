@@ -61,7 +61,7 @@ public:
     void frame(double seconds);
     /// The next frame is due at once.
     void rouse() { settle_ = 2; }
-    /// How long after the last frame another one would show anything new without an event [s]; 0: at once,
+    /// Time after the last frame until another one would show something new without an event [s]; 0: at once,
     /// infinity: never.
     double seconds_to_change() const;
 

@@ -36,7 +36,7 @@ bool is_software(const render::GlFunctions& gl) {
            renderer.find("softpipe") != std::string_view::npos;
 }
 
-/// What the bodies were drawn from: while that is the same, only panels are drawn anew.
+/// Inputs that the bodies were drawn from: while they are the same, only panels are drawn anew.
 struct Drawn {
     std::uint64_t version = 0;
     render::Camera camera;

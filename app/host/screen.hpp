@@ -25,7 +25,7 @@ public:
     const std::string& complaint() const { return complaint_; }
     /// Number of the thing drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
     int pick(float x, float y);
-    /// Whether pictures of lessons are still missing in the browser.
+    /// True if no picture of a lesson is missing in the browser.
     bool is_complete() const;
     /// The picture as it was drawn.
     render::Image read();

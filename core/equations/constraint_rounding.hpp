@@ -27,7 +27,7 @@ inline constexpr double kRepeatsUpTo = 1e-6;
 inline constexpr double kAskedFrom = 1e-6;
 inline constexpr double kAskedAgain = 10.0;
 
-/// Whether a projection has converged.
+/// True if a projection has converged.
 /// @param worst residual of this iteration
 /// @param last residual of the one before, infinite for the first
 inline bool is_at_rounding(double worst, double last) {

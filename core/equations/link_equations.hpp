@@ -88,8 +88,8 @@ std::vector<Link> with_drivers_joined(std::vector<Link> links);
 double up_to_turns(const LinkPrimitive& primitive, double phi);
 
 /// Sets the turns of a screw at `t` [s] from bodies with their motion set; does nothing for other primitives.
-/// At a start the displacement determines them; after that they are counted by the rates at both ends of a
-/// step.
+/// Source of a screw's turns: at a start the displacement determines them; after that they are counted by the
+/// rates at both ends of a step.
 enum class Turns { of_start, of_motion };
 void tell_turns(
     LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,

@@ -38,7 +38,7 @@ struct DriverConstraint {
     double unit = 1.0;
 };
 
-/// Where a row comes from.
+/// Origin of a row: a constraint, a driver or the normalisation of a body.
 struct RowOrigin {
     enum class Kind { constraint, driver, normalisation };
     Kind kind = Kind::constraint;

@@ -188,7 +188,7 @@ void ExplicitIntegrator::take_up_rows() {
     pivot_at_choice_ = verdict_.smallest_pivot;
 }
 
-/// Whether the end of the step violates the kept rows. False for NaN, which other checks report.
+/// True if the end of the step violates the kept rows. False for NaN, which other checks report.
 bool ExplicitIntegrator::is_off_constraints() const {
     const double drift = is_fixed() ? 0.0 : kDriftShare * options_.tolerance;
     return options_.project && verdict_new_.violation > std::max(kMet, drift);
@@ -258,7 +258,7 @@ bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, d
     return met;
 }
 
-/// Whether the error is rounding: the previous attempt was longer, and its error hardly larger, whereas the
+/// True if the error is rounding: the previous attempt was longer, and its error hardly larger, whereas the
 /// error of the method falls with its order.
 bool ExplicitIntegrator::is_rounding(double error, double h) const {
     return h < rejected_.h && error > std::pow(h / rejected_.h, 2) * rejected_.error;

@@ -26,7 +26,7 @@ public:
 
     /// Chooses rows and coordinates at y, those of joints first. @return x there
     VectorX choose(double t, const double* y) override;
-    /// Whether the choice still distinguishes the freedoms at the last evaluation, and the kept rows are
+    /// True if the choice still distinguishes the freedoms at the last evaluation, and the kept rows are
     /// still sound.
     bool is_sound() const override;
 

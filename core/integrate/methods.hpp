@@ -86,7 +86,7 @@ constexpr const TreatmentName& entry_of(Treatment treatment) {
     return *std::ranges::find(kTreatments, treatment, &TreatmentName::treatment);
 }
 
-/// Whether the state may leave the constraints, a little more with every step.
+/// True if the state may leave the constraints, a little more with every step.
 constexpr bool drifts(Treatment treatment) {
     return treatment == Treatment::none || treatment == Treatment::baumgarte;
 }

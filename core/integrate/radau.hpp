@@ -87,7 +87,7 @@ private:
     };
     Turning turning_of_stages() const;
     bool turned_too_far(double h);
-    /// Whether the stages follow from the start by the rates of all bodies, not only by those of the few
+    /// True if the stages follow from the start by the rates of all bodies, not only by those of the few
     /// coordinates.
     bool is_one_motion(double h) const;
     bool try_otherwise(double h, const NewtonEnd& newton, Trial& trial);

@@ -36,7 +36,7 @@ RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {
     return turning;
 }
 
-/// Whether a body turned too far; sets h_ to a shorter step then. From rest, or where a driver begins to
+/// True if a body turned too far; sets h_ to a shorter step then. From rest, or where a driver begins to
 /// turn, the rate is known only within the step; and a pose that no velocity leads to belongs to another
 /// solution of the same equations.
 bool RadauIntegrator::turned_too_far(double h) {

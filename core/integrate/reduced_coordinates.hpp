@@ -16,20 +16,20 @@ public:
 
     /// Chooses coordinates at y. @return x there
     virtual VectorX choose(double t, const double* y) = 0;
-    /// Whether the choice is still valid at the last evaluation.
+    /// True if the choice is still valid at the last evaluation.
     virtual bool is_sound() const = 0;
     /// Smallest pivot of the rows at the last evaluation, relative to the best at any choice: falls as
     /// (distance)² towards a singular position.
     virtual double pivot_left() const { return 1.0; }
-    /// The same for rows and coordinates together, relative to their pivots at this choice: falls also where
-    /// the coordinates stop distinguishing the freedoms.
+    /// Smallest pivot of rows and coordinates together, relative to their pivots at this choice: falls also
+    /// where the coordinates stop distinguishing the freedoms.
     virtual double pivot_with_coordinates_left() const { return 1.0; }
     /// Moves y, an estimate, to the state with coordinates x, and computes ẏ and ẋ.
     virtual void evaluate(
         double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) = 0;
     /// Continues the count of whole turns at y, the next state of the motion.
     virtual void follow_turns(double /*t*/, const double* /*y*/) {}
-    /// Whether `evaluate` projects y.
+    /// True if `evaluate` projects y.
     virtual bool are_projected() const { return true; }
     /// Verdict of the equations at the last evaluation.
     virtual RowsVerdict verdict() const { return {}; }

@@ -23,7 +23,7 @@ struct RungeKuttaTable {
     Row e{};
     Row e_third{};  ///< weights of order three of an 8(5,3) pair, else zero
 
-    /// Whether the last stage is evaluated at the end of the step and is the first stage of the next (FSAL).
+    /// True if the last stage is evaluated at the end of the step and is the first stage of the next (FSAL).
     bool is_first_same_as_last() const { return a[static_cast<std::size_t>(stages) - 1] == b; }
 };
 

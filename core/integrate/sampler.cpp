@@ -138,7 +138,7 @@ bool Sampler::meets(double t, const std::vector<double>& y) const {
            velocity <= std::max(tolerance_, kLeastRateOff) * fastest;
 }
 
-/// Whether a state meets the constraints as well as the ends of its step do. Redundant rows hold only to the
+/// True if a state meets the constraints as well as the ends of its step do. Redundant rows hold only to the
 /// precision of the typed lesson, between steps as at their ends.
 bool Sampler::meets_as_well_as_nodes(double t, const std::vector<double>& y) {
     if (meets(t, y)) { return true; }

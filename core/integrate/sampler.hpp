@@ -63,7 +63,7 @@ private:
     HermitePolynomial& polynomial_between(const Node* ends);
     const Node& node_before(double t) const;
     void read(const Node& node, std::vector<double>& y) const;
-    /// Whether a state, in the numbers of the equations, meets the tolerance.
+    /// True if a state, in the numbers of the equations, meets the tolerance.
     bool meets(double t, const std::vector<double>& y) const;
     bool meets_as_well_as_nodes(double t, const std::vector<double>& y);
     void give(double t, const std::vector<double>& y);

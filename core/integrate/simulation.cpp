@@ -48,7 +48,7 @@ void require(const SimulationSettings& settings) {
     }
 }
 
-/// Whether joint coordinates are an option. Fixed steps and drift are for teaching and need bodies; with a
+/// True if joint coordinates are an option. Fixed steps and drift are for teaching and need bodies; with a
 /// tolerance only the result counts.
 bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     if (settings.formulation != Formulation::automatic) {

@@ -18,7 +18,7 @@ class StiffnessTest {
 public:
     explicit StiffnessTest(const RungeKuttaTable& table);
 
-    /// Whether the state of this stage must be passed to `keep`.
+    /// True if the state of this stage must be passed to `keep`.
     bool wants(std::size_t stage) const { return stage == stage_; }
     /// Stores the state of the stage that the result is compared with.
     void keep(const std::vector<double>& y) { y_stage_ = y; }

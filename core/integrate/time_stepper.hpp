@@ -96,7 +96,7 @@ public:
     virtual const IntegrationCounts& counts() const = 0;
     /// Share of recent steps whose length stability bounded, not accuracy: 0 to 1.
     virtual double bound_by_stability() const { return 0.0; }
-    /// Whether the method has dense output over the last step.
+    /// True if the method has dense output over the last step.
     virtual bool has_polynomial() const { return false; }
     /// Computes y within the last step from that polynomial, on the constraints. @return false if the result
     /// does not belong to this motion

@@ -5,7 +5,7 @@
 /// A body as the equations want it, from its pose and its motion.
 namespace jw {
 
-/// Where it is; its motion is not set.
+/// Kinematics of a body at a pose; its motion is not set.
 template <class C>
 BodyKinematics<C> kinematics_at(const Vec3& r, const Vec4& p) {
     BodyKinematics<C> body;
@@ -28,8 +28,8 @@ BodyKinematics<C> kinematics_at(const Vec3& r, const Vec4& p, const Vec3& r_dot,
 template <class C>
 using Angular = Eigen::Matrix<double, C::kAngular, 1>;
 
-/// Of ω' at p, which need not be unit: stages of an integrator leave that. ω̇', ω̇ and p̈ without its part along
-/// p follow in the same way (slide 13).
+/// Sets the motion from ω' at p, which need not be a unit quaternion: stages of an integrator are not. ω̇',
+/// ω̇ and p̈ without its part along p follow in the same way (slide 13).
 template <class C>
 Angular<C> angular_of(const Vec4& p, const Vec3& omega_local) {
     if constexpr (C::kNormalised) {

@@ -13,15 +13,14 @@
 /// | omega local               | r, ω' (6) | G Lᵀ | -A s̃'                 | ω x (ω x A s')             |
 /// | omega global              | r, ω (6)  | G Lᵀ | -(A s')~              | ω x (ω x A s')             |
 ///
-/// What they compute are templates: whoever only names a choice has nothing of it to compile.
+/// The functions of the choices are templates, so code that only names a choice compiles nothing of it.
 ///
 /// @source tables of pp. 201, 203 and 299 (slides 20-22) in the right forms of docs/notation.md
 namespace jw {
 
 enum class CoordinateChoice { true_euler_parameters, modified_euler_parameters, omega_local, omega_global };
 
-/// What the equations need to know of one body, computed once per body and state.
-/// The members of motion (`r_dot` and below) are set only where velocities matter.
+/// Kinematics of one body as the equations need it, computed once per body and state.
 template <class C>
 struct BodyKinematics {
     Vec3 r = Vec3::Zero();

@@ -84,8 +84,7 @@ auto measured(
     return artificial<C, K>(theta.value, theta.rate);
 }
 
-/// What a driver asks of its measure at a time: the time function itself, or its square for a squared
-/// distance.
+/// Target of a driver's measure at a time: the time function itself, or its square for a squared distance.
 inline TimeFunction::Value target_of(const Measure& measure, const TimeFunction& function, double t) {
     const TimeFunction::Value f = function.at(t);
     if (!std::holds_alternative<SquaredDistanceMeasure>(measure)) { return f; }

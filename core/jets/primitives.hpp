@@ -213,7 +213,7 @@ struct ScrewAdvance {
     }
 };
 
-/// How a screw ties θ to the bodies.
+/// Form of the equation that ties θ of a screw to the bodies.
 enum class ScrewAngleForm {
     rotation,  ///< (u_i x u_j)·s cosθ - (u_i·u_j) sinθ: sound at every θ, condition 1.44
     cosine,    ///< u_i·u_j - cosθ of slide 11: no derivative at θ = kπ, mirrored branch beyond

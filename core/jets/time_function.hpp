@@ -14,7 +14,8 @@ struct TimeFunction {
 
         bool operator==(const Harmonic&) const = default;
     };
-    /// From `from` before `start` to `to` after `end` along 6u⁵ - 15u⁴ + 10u³: two continuous derivatives.
+    /// Step from `from` before `start` to `to` after `end` along 6u⁵ - 15u⁴ + 10u³: two continuous
+    /// derivatives.
     struct SmoothStep {
         double from = 0.0;
         double to = 0.0;

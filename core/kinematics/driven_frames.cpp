@@ -10,8 +10,8 @@ namespace jw {
 
 namespace {
 
-/// What must be left of every row beside the others, squared: measured on Bennett's mechanism near its folded
-/// position, accelerations are then good to 1e-13, and lose a digit for every digit below.
+/// Least squared part of a row that must be independent of the others. Measured on Bennett's mechanism near
+/// its folded position: accelerations are then good to 1e-13, and lose a digit for every digit below.
 constexpr double kLeastPivot = kSurelyIndependent;
 /// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
 constexpr double kHolds = 1e-13;

@@ -19,10 +19,10 @@ public:
     static bool can_follow(const System& system);
     explicit DrivenFrames(const System& system);
 
-    /// From here on; the rows that repeat others are found here.
+    /// Starts at a pose and determines which rows repeat others.
     /// @return false where the rows leave something open, or too little is left of one of them
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
-    /// To time `t`, by Newton from where velocity and acceleration lead.
+    /// Advances to time `t` by Newton's method from the pose that velocity and acceleration predict.
     /// @return false where a rank has to be decided or Newton led elsewhere; nothing has changed then
     bool advance(double t);
     /// Numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.

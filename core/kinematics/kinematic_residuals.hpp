@@ -9,7 +9,7 @@ namespace jw {
 struct EquationResidual {
     double residual = 0.0;  ///< largest residual of a row, divided by its size (System::row_unit)
     double bound = 0.0;     ///< bound of `residual`
-    /// Whether rounding explains the residual.
+    /// True if rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 

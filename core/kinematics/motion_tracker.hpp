@@ -32,8 +32,8 @@ struct MotionFrame {
 
 /// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and halves
 /// the step where the correction is not small against the step, which indicates a jump to another branch.
-/// Where the rows are sound and leave no freedom, the quick solver DrivenFrames is used; everywhere else
-/// ranks are determined.
+/// Where the rows are sound and leave no freedom, it uses the fast solver DrivenFrames; elsewhere it
+/// determines ranks.
 class MotionTracker {
 public:
     /// @param system must outlive this; the rows of p1 / p2 are chosen again between frames

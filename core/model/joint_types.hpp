@@ -36,10 +36,10 @@ enum Vectors : unsigned {
     kSidesU = 1U << 5U,  ///< u_i and u_j
 };
 
-/// What Φ is for unit axes: a number, a length [m] or the square of one [m²].
+/// Dimension of Φ for unit axes: a number, a length [m] or its square [m²].
 enum class Dimension { none, length, square };
 
-/// What a role's equations are called and made of.
+/// Name and parts of the equations of a role.
 struct RoleTraits {
     Role role;
     std::string_view name;  ///< beside the rows of a joint; of its own within every joint
@@ -106,7 +106,7 @@ enum class Freedom {
 };
 constexpr int freedoms_of(Freedom freedom) { return freedom == Freedom::ball ? 3 : 1; }
 
-/// What a joint looks like; nothing but its vectors where it has no glyph.
+/// Glyph of a joint; `none` shows its vectors only.
 enum class JointGlyph {
     none,
     pin,

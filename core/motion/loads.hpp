@@ -60,7 +60,7 @@ struct RotationalSpring {
     double twist_before = 0.0;
 };
 
-/// Whether the spring acts about the axis of the joint, between its bodies, with the same zero angle.
+/// True if the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
 
 /// Masses of the bodies, and the loads on them.

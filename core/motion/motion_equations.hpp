@@ -56,7 +56,7 @@ struct AccelerationResidual {
     int driver = -1;
 };
 
-/// What the numbers of y mean: their count and scales, the flat state that they stand for, and what is
+/// Meaning of the numbers of y: their count and scales, the flat state that they stand for, and what is
 /// interpolated between two of them.
 class StateLayout {
 public:
@@ -164,14 +164,14 @@ public:
     /// Refines the accelerations of the last `evaluate` by their residual in Φq q̈ = γ: twice the digits near
     /// singular positions.
     virtual void refine(double* y_dot) = 0;
-    /// Whether light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
+    /// True if light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
     /// `choose_rows`.
     virtual bool masses_are_apart() const = 0;
     /// Makes `project` independent of the masses from the next choice of rows on: for fully driven
     /// mechanisms, where exactly one pose and one motion satisfy the equations. There heavy bodies would hide
     /// how well light ones are held.
     virtual void forget_masses() = 0;
-    /// Whether the rows at y, taken node after node, have no pivot below `kSurelyIndependent`; then a choice
+    /// True if the rows at y, taken node after node, have no pivot below `kSurelyIndependent`; then a choice
     /// of rows costs no more than an evaluation. The previous choice is lost.
     virtual bool rows_are_sound(double t, const double* y) = 0;
     /// Stores the pivots of the last factorisation as the reference of `share_of_pivots`.

@@ -25,17 +25,17 @@ struct Reaction {
     /// itself, global.
     Mat3 axes = Mat3::Identity();
     Wrench wrench;
-    /// Whether each component along `axes` is the same in every solution.
+    /// True if each component along `axes` is the same in every solution.
     std::array<bool, 3> force_unique{true, true, true};
     std::array<bool, 3> torque_unique{true, true, true};
-    /// The same for the components along the global axes x, y, z.
+    /// True if each component along the global axes x, y, z is the same in every solution.
     std::array<bool, 3> force_unique_global{true, true, true};
     std::array<bool, 3> torque_unique_global{true, true, true};
     /// Force or torque of a driver along the quantity that it prescribes: effort times rate is its power [N,
     /// N m].
     double effort = 0.0;
 
-    /// Whether all components are the same in every solution.
+    /// True if all components are the same in every solution.
     bool unique() const;
 };
 
@@ -55,7 +55,7 @@ struct Reactions {
     double bound = 0.0;
 
     bool unique() const { return family.empty(); }
-    /// Whether rounding explains the residual.
+    /// True if rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 
@@ -67,8 +67,8 @@ Reactions find_reactions(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const Motion& acceleration);
 
-/// The same for state and velocity of the frames as given. The acceleration is still that of the centroidal
-/// frames, since that is the result of the equations of motion.
+/// Reactions from state and velocity of the body frames as given. The acceleration is still that of the
+/// centroidal frames, since that is the result of the equations of motion.
 Reactions reactions_from_body_frames(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const Motion& centroidal_acceleration);

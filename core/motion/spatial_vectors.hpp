@@ -22,7 +22,7 @@ struct InertiaOf {
     Columns<V> J;
 };
 
-/// In memory.
+/// Spatial vector as it is stored.
 struct Six {
     Triple linear;
     Triple angular;
@@ -39,7 +39,7 @@ struct Six {
     }
 };
 
-/// In memory.
+/// Inertia of a body or of a branch of the tree as it is stored.
 struct Inertia6 {
     Triples M;
     Triples H;

@@ -63,7 +63,7 @@ JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     *reinterpret_cast<Bits*>(cosine) = ((c_bits & ~is_odd) | (s_bits & is_odd)) ^ ((count + 1) >> 1 << 63);
 }
 
-/// Whether the standard library is needed; true for NaN.
+/// True if the standard library is needed; true for NaN.
 bool is_far(double angle) { return !(std::abs(angle) < kFar); }
 
 }  // namespace

@@ -43,7 +43,7 @@ public:
     ///        with the same columns form a group, and the order is by minimum degree
     SparseQrStructure(const SparseRows& rows, const std::vector<int>& group_of_row);
 
-    /// Whether the rows have the columns for which this structure was made.
+    /// True if the rows have the columns for which this structure was made.
     bool fits(const SparseRows& rows) const;
     const std::vector<Front>& fronts() const { return fronts_; }
 

@@ -28,7 +28,7 @@ struct SparseRank {
     std::vector<int> repeating;  ///< redundant rows, ascending; see group_of_row below
     std::vector<SparseCombination> combinations;  ///< one per redundant row
 
-    /// Whether the bounds prove the verdict of the singular values: σ_r above the threshold, σ_(r+1) not.
+    /// True if the bounds prove the verdict of the singular values: σ_r above the threshold, σ_(r+1) not.
     bool is_proved() const { return next_at_most <= threshold && (rank == 0 || last_at_least > threshold); }
 };
 

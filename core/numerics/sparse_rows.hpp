@@ -18,7 +18,7 @@ struct SparseRow {
     std::array<std::array<double, kMostColumns>, 2> block{};
     double theta = 0.0;
 
-    /// Whether two rows have the same columns, whatever their numbers.
+    /// True if two rows have the same columns, whatever their numbers.
     bool same_columns(const SparseRow& other) const {
         return first_column == other.first_column && theta_column == other.theta_column;
     }

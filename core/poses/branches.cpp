@@ -30,7 +30,7 @@ double alignment(const Joint& joint, const State& state) {
     return s_i.dot(turned(state, joint.body_j, joint.geometry.s_j_local.normalized()));
 }
 
-/// Whether the axes of the constraint's joint are held together; false where equations were removed by hand.
+/// True if the axes of the constraint's joint are held together; false where equations were removed by hand.
 bool axes_held(const System& system, const Constraint& c, const State& state) {
     for (const Constraint& other : system.constraints()) {
         if (other.joint != c.joint || other.role != Role::axes_parallel || other.taken_out == 0) { continue; }

@@ -29,12 +29,12 @@ std::vector<int> intended_sides(const System& system);
 std::optional<WrongBranch> find_wrong_branch(
     const System& system, const State& state, const std::vector<int>& sides);
 
-/// Whether the equations dropped by the rule of slide 5 hold. If one does not although the others do, the
+/// True if the equations dropped by the rule of slide 5 hold. If one does not although the others do, the
 /// kept pair has lost rank on the way, and rows must be chosen again. Rows left out on purpose are not
 /// checked.
 bool left_out_rows_hold(const System& system, const State& state);
 
-/// Whether a state is on no wrong branch and the dropped rows hold.
+/// True if a state is on no wrong branch and the dropped rows hold.
 bool is_meant(const System& system, const State& state, const std::vector<int>& sides);
 
 /// Turns a body (or θ) by half a turn about the joint, so that Newton's method starts near the right branch.
@@ -43,13 +43,13 @@ void leave_branch(const System& system, const WrongBranch& wrong, State& state);
 /// Largest movement of a body between two states, in the scene's unit of length and rad.
 double movement(const System& system, const State& from, const State& to);
 
-/// Whether Newton's correction of a prediction along the tangent is small compared with the whole step:
+/// True if Newton's correction of a prediction along the tangent is small compared with the whole step:
 /// beyond a third of it prediction and solution are on different curves.
 /// @param step, correction movements in the scene's unit of length and rad; without movement the result is
 ///        true
 bool is_on_tangent(double step, double correction);
 
-/// Whether the state `reached` by Newton's method from a `prediction` along the tangent at `from` is on the
+/// True if the state `reached` by Newton's method from a `prediction` along the tangent at `from` is on the
 /// same curve; a state on a wrong branch or with a violated equation is not.
 /// @param sides from `intended_sides`
 bool same_curve(

@@ -72,7 +72,7 @@ State fit_of_others(const System& system, const State& fit, double t, const IsLa
 /// Length of a squared distance; 0 if rounding made it negative.
 double length_of(double square) { return std::sqrt(std::max(square, 0.0)); }
 
-/// What misses in a constraint at `state`: an angle [rad], a way, or a difference of lengths [m].
+/// Gap of a constraint at `state`: an angle [rad], a distance or a difference of lengths [m].
 double gap_of(const System& system, const Constraint& c, const State& state) {
     const VectorX values = values_of(c, state);
     const JointGeometry& g = system.mechanism().joints[static_cast<std::size_t>(c.joint)].geometry;

@@ -60,7 +60,7 @@ Fit closest_fit_from(const System& system, const State& start, const State& reac
     return fit.flatness < kFlatGradient ? fit : fit_at(system, closest_fit(system, start, t), t);
 }
 
-/// Whether the fit improves after a perturbation: then it was not a closest fit.
+/// True if the fit improves after a perturbation: then it was not a closest fit.
 bool gives_way(const System& system, const Fit& fit, double t) {
     // at a maximum the residual has the size of the parts; a smaller one comes from typed digits
     if (fit.phi.cwiseAbs().maxCoeff() < kLargestSlack) { return false; }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-15;  // singular values below this part of the largest are rounding
 
-/// Of the two directions that p1 / p2 rows can have, or of the one that a single row has.
+/// Condition of two rows of p1 or p2, or of a single row.
 double condition_of_rows(const MatrixX& rows) {
     const VectorX sigma = singular_values_of(rows);
     const Eigen::Index directions = std::min<Eigen::Index>(rows.rows(), 2);

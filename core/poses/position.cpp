@@ -36,7 +36,7 @@ bool slide_screws(const System& system, State& state) {
     return any;
 }
 
-/// Whether the equations hold to the precision of typed numbers.
+/// True if the equations hold to the precision of typed numbers.
 bool is_met(const System& system, const State& state, double t) {
     ScaledEquations equations(system, t);
     equations.look(state);

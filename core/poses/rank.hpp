@@ -38,7 +38,7 @@ using FreeMotion = VectorX;
 struct FreeMotionProof {
     double residual = 0.0;
     double bound = 0.0;
-    /// Whether rounding explains the residual.
+    /// True if rounding explains the residual.
     bool holds() const { return residual <= bound; }
 };
 

@@ -13,7 +13,7 @@
 /// Quantities at an instant: the one place where they are evaluated.
 namespace jw {
 
-/// What is known of a mechanism at one time. What is expensive is found when somebody asks, and once.
+/// Known state of a mechanism at one time. Expensive results are computed when first asked for, once.
 class Instant {
 public:
     double t = 0.0;  ///< [s]
@@ -25,7 +25,7 @@ public:
     std::shared_ptr<const Centroidal> scene;
     /// r̈, ω̇' of the centroidal frames; nothing: found from `acceleration`.
     std::optional<Motion> centroidal_acceleration;
-    /// As the run knows it that the instant is from; nothing: found from the state.
+    /// Energies as the run of this instant summed them; if absent they are computed from the state.
     std::optional<Energy> energy;
 
     const RankReport& rank() const;
@@ -33,7 +33,7 @@ public:
     const Reactions& reactions() const;
     /// @throws std::logic_error without a scene
     Energy find_energy() const;
-    /// Of the centroidal frames. @throws std::logic_error without a scene or an acceleration
+    /// Acceleration of the centroidal frames. @throws std::logic_error without a scene or an acceleration
     Motion find_centroidal_acceleration() const;
 
 private:

@@ -23,35 +23,35 @@ std::string name_of(const Quantity& quantity, int derivative, const Mechanism& m
 
 struct ReadName {
     NamedQuantity named;
-    /// Not empty: `text` is a name of before, this is the one of today.
+    /// Present name, if `text` is a former one; else empty.
     std::string name_of_today;
     /// The name leaves the point of a body open: "crank.point.x".
     bool wants_point = false;
 };
 
-/// What a name stands for, names of before included; nothing if there is no such quantity.
+/// Finds the quantity of a name, former names included; nothing if there is no such quantity.
 std::optional<ReadName> read_name(std::string_view text, const Mechanism& mechanism);
 
-/// What the name says it is of: up to the first dot, without a bar.
+/// Owner in a name: the text up to the first dot, without a bar.
 std::string_view owner_in(std::string_view name);
 
 /// Every quantity of a mechanism with all its derivatives, but those that need points or directions.
 std::vector<NamedQuantity> quantities_of(const Mechanism& mechanism);
-/// Of one body, joint or driver: what can stand behind its name.
+/// Quantities of one body, joint or driver: all that can stand behind its name.
 std::vector<NamedQuantity> quantities_of_body(int body);
 std::vector<NamedQuantity> quantities_of_joint(const Mechanism& mechanism, int joint);
 std::vector<NamedQuantity> quantities_of_driver(const Mechanism& mechanism, int driver);
 
 /// All measures of a joint: its angle, its displacement, its distance.
 std::vector<MeasureQuantity> measures_of(const Mechanism& mechanism, int joint);
-/// What a driver prescribes.
+/// Quantity that a driver prescribes.
 MeasureQuantity measure_of_driver(const Mechanism& mechanism, int driver);
 
 /// "s", "p1", "theta": the equation of a role in names, as in `without` of a lesson.
 std::string_view word_of(Role role);
 /// "x" of three, "a" of a pair, nothing of a single equation.
 std::string_view component_word(const Joint& joint, Role role, int component);
-/// How many equations a role has in this joint.
+/// Number of equations of a role in this joint.
 int equations_of(const Joint& joint, Role role);
 
 }  // namespace jw

@@ -49,7 +49,7 @@ std::optional<Vec3> take_vector(std::string_view& text) {
 
 ReadName plain(const Quantity& quantity, int derivative = 0) { return {{quantity, derivative}, {}, false}; }
 
-/// Of a list, the one whose name it is.
+/// Finds the entry of a list that has this name.
 std::optional<ReadName> found_in(
     const std::vector<NamedQuantity>& list, std::string_view text, const Mechanism& mechanism) {
     for (const NamedQuantity& named : list) {
@@ -96,7 +96,7 @@ std::optional<ReadName> between(std::string_view word, int body, const Mechanism
     return plain(DirectionsQuantity{body, *on_i, other, *on_j}, derivative);
 }
 
-/// Of the names of today.
+/// Reads a present name.
 std::optional<ReadName> read_today(std::string_view text, const Mechanism& mechanism) {
     std::vector<NamedQuantity> whole;
     for (int k = 0; k < kEnergyParts; ++k) {
@@ -126,7 +126,7 @@ bool take_end(std::string_view& text, std::string_view end) {
     return true;
 }
 
-/// What a name of before is called today; what is no such name comes back as it is.
+/// Present name of a former name; any other text is returned unchanged.
 std::string today_of(std::string_view text) {
     if (text == "kinetic_J") { return "energy.kinetic"; }
     if (text == "potential_J") { return "energy.potential"; }

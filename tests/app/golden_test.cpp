@@ -11,10 +11,10 @@
 
 /// Pictures that were looked at. `./dev golden` draws them anew; look at each before it is committed.
 ///
-/// The same machine gives equal bytes (frames_test.cpp). Across machines the software rasteriser may round
-/// differently at edges, by its vector width, so: on average less than half a grey level of 255, and at most
-/// 0.5 % of the pixels more than 24 levels away. A moved label, a wrong digit or a missing line is far beyond
-/// both.
+/// Golden images are equal byte for byte on one machine (frames_test.cpp). Across machines the software
+/// rasteriser may round differently at edges, by its vector width, so: on average less than half a grey level
+/// of 255, and at most 0.5 % of the pixels more than 24 levels away. A moved label, a wrong digit or a
+/// missing line is far beyond that.
 namespace jw::test {
 namespace {
 

@@ -27,7 +27,7 @@ MatrixX jacobian_at(const Step& step, CoordinateChoice choice) {
     return jacobian;
 }
 
-/// As the rank is judged: in the scene's units.
+/// Jacobian in the scene's units, in which the rank is judged.
 MatrixX scaled_jacobian_at(const Step& step) {
     const Scaling scaling = scaling_of<OmegaLocal>(*step.system);
     return scaling.row.cwiseInverse().asDiagonal() * jacobian_at(step, CoordinateChoice::omega_local) *
@@ -36,7 +36,7 @@ MatrixX scaled_jacobian_at(const Step& step) {
 
 double off_by(const VectorX& sigma, const VectorX& exact) { return (sigma - exact).cwiseAbs().maxCoeff(); }
 
-/// What Eigen's divide and conquer makes of it: right mostly, and wrong on some of these.
+/// Singular values by Eigen's divide and conquer: right for most matrices, wrong for some of these.
 Svd by_eigen(const MatrixX& matrix) {
     const Eigen::BDCSVD<MatrixX> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeFullV);
     Svd out;
@@ -47,7 +47,8 @@ Svd by_eigen(const MatrixX& matrix) {
     return out;
 }
 
-/// Of the motion every tenth moment and all change points: long double takes its time.
+/// True for the steps that are checked: of a motion every tenth moment and all change points, since long
+/// double takes its time.
 bool is_looked_at(const Step& step, std::size_t index) {
     return step.kind != Step::Kind::motion || step.change_point || index % 10 == 0;
 }

@@ -10,7 +10,8 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
-/// What a folder may include besides the standard library. A name that ends in '/' stands for all below it.
+/// Headers that a folder may include besides the standard library. A name that ends in '/' stands for all
+/// below it.
 struct FolderRule {
     std::string_view folder;
     Names allowed;

@@ -12,8 +12,8 @@
 #include "render/offscreen.hpp"
 #include "tests/bench/clock.hpp"
 
-/// What the interface costs: a frame at rest, a step that is shown anew, a pull at a body, and the start.
-/// CPU time of one run on one machine.
+/// Processor time of the interface: a frame at rest, a step shown anew, a pull on a body, and the start; one
+/// run on one machine.
 namespace jw::bench {
 namespace {
 

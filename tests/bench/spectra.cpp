@@ -20,7 +20,7 @@ MatrixX jacobian_of(const Lesson& lesson, bool euler_parameters) {
                             : test::jacobian_of<OmegaLocal>(lesson.mechanism);
 }
 
-/// Of one decomposition; small ones are repeated until they can be measured.
+/// Time of one decomposition [ms]; small ones are repeated until they can be measured.
 template <class F>
 double milliseconds(Eigen::Index columns, F&& decompose) {
     const int count = columns > 100 ? 1 : static_cast<int>(20'000 / (columns * columns));

@@ -7,7 +7,7 @@
 #include "tests/support/random_mechanisms.hpp"
 #include "tests/support/scenes.hpp"
 
-/// What cannot be met is told with who contradicts whom, and by how much.
+/// Contradictions are reported with who contradicts whom, and by how much.
 using namespace jw;
 
 namespace {

@@ -54,7 +54,8 @@ VectorX columns_of(const Mechanism& mechanism, const Motion& global) {
     return Layout<OmegaLocal>(system).columns_of(start_state(mechanism), motion);
 }
 
-/// At φ = 0 of the parallelogram: crank and rocker turn at these rates, the coupler by half the difference.
+/// Velocities of the parallelogram at φ = 0: crank and rocker turn at these rates, the coupler by half the
+/// difference.
 VectorX parallelogram_motion(double crank, double rocker) {
     const Mechanism mechanism = test::parallelogram(0.0);
     Motion motion = zero_motion(mechanism);

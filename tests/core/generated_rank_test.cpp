@@ -10,7 +10,7 @@ using namespace jw;
 
 namespace {
 
-/// As the rank is judged: in the scene's units.
+/// Jacobian in the scene's units, in which the rank is judged.
 MatrixX scaled_jacobian_of(const Mechanism& mechanism) {
     const System system(mechanism, everything(mechanism));
     const Scaling scaling = scaling_of<OmegaLocal>(system);
@@ -18,7 +18,8 @@ MatrixX scaled_jacobian_of(const Mechanism& mechanism) {
            scaling.column.asDiagonal();
 }
 
-/// In long double, of the matrix as it stands: row − Σ coefficient · row, by the sizes of what is subtracted.
+/// Residual of a combination in long double, of the matrix as it stands: row − Σ coefficient · row, relative
+/// to what is subtracted.
 double miss_of(const test::MatrixL& J, const RedundantRow& redundant) {
     Eigen::Matrix<long double, 1, Eigen::Dynamic> rest = J.row(redundant.row);
     long double size = rest.norm();

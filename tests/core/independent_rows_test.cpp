@@ -22,7 +22,7 @@ RowChoice choice_for(const Vec3& axis, ParallelForm form) {
     return explain_choice(system, 0, start_state(scene.mechanism), -1);
 }
 
-/// How often the dropped index changes along a path of axes.
+/// Number of changes of the dropped index along a path of axes.
 template <class Axis>
 int switches_along(int steps, const Axis& axis) {
     int switches = 0;

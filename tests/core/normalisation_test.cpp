@@ -7,7 +7,7 @@
 #include "core/poses/newton.hpp"
 #include "tests/support/scenes.hpp"
 
-/// What the rows pᵀp = 1 do for Newton.
+/// Effect of the rows pᵀp = 1 on Newton's method.
 using namespace jw;
 using test::radians;
 

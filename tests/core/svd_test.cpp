@@ -36,7 +36,7 @@ void check_against_others(const MatrixX& A) {
     CHECK(std::ranges::is_sorted(svd.sigma, std::ranges::greater{}));
 }
 
-/// In a choice of coordinates, with rows divided by nothing: as `inspect` shows it.
+/// Checks the Jacobian in a choice of coordinates, its rows not scaled, as `inspect` shows it.
 template <class C>
 void check_jacobian(const Mechanism& mechanism) {
     const MatrixX J = test::jacobian_of<C>(mechanism);

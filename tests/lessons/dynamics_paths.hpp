@@ -56,7 +56,7 @@ inline Path path_of(
     return path;
 }
 
-/// Where the lesson's point is in the states.
+/// Positions of the lesson's point in the states.
 inline std::vector<Vec3> points_of(const Lesson& lesson, const Path& path) {
     const Simulation simulation(lesson.mechanism, lesson.dynamics->loads, {});
     std::vector<Vec3> points;

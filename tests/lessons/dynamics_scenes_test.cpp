@@ -26,7 +26,7 @@ struct Scene {
         pack(start_state(centred.mechanism), start_motion(centred.mechanism), moving, y.data());
     }
 
-    /// Where the lesson's point is at `end`.
+    /// Position of the lesson's point at `end`.
     Vec3 point_at(const std::vector<double>& end) const {
         State state = start_state(centred.mechanism);
         Motion motion = start_motion(centred.mechanism);

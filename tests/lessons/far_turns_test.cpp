@@ -5,7 +5,8 @@
 #include "tests/lessons/support.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
-/// What turns far: springs over several turns, axes that leave their pair of rows, drivers with nothing free.
+/// Large rotations: springs over several turns, axes that leave their pair of rows, drivers with nothing
+/// free.
 namespace jw {
 
 using test::all_ways;

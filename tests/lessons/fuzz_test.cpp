@@ -207,7 +207,7 @@ private:
     bool all_finite_ = true;
 };
 
-/// What the equations of motion take for granted.
+/// True if the loads are as the equations of motion assume.
 bool loads_are_sound(const Mechanism& m, const Loads& loads) {
     const auto moves = [&](int index) {
         return index >= 0 && index < static_cast<int>(m.bodies.size()) &&

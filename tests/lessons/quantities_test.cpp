@@ -28,7 +28,7 @@ std::vector<Lesson> shipped_lessons() {
     return lessons;
 }
 
-/// With one of each kind that needs points or directions.
+/// Quantities of a mechanism, with one of each kind that needs points or directions.
 std::vector<NamedQuantity> every_quantity(const Mechanism& mechanism) {
     std::vector<NamedQuantity> list = quantities_of(mechanism);
     const int last = static_cast<int>(mechanism.bodies.size()) - 1;

@@ -11,7 +11,7 @@
 /// Lessons that say everything a lesson can say, all numbers random.
 namespace jw::test {
 
-/// What the format says of a joint of this type; everything else as a lesson has it.
+/// Geometry with the members that the format gives for a joint of this type; all others as a lesson has them.
 inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& any) {
     const JointNeeds needs(type);
     JointGeometry g;

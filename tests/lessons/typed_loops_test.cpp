@@ -18,7 +18,7 @@ using test::times_until;
 
 namespace {
 
-/// What is left of numbers typed with so many digits.
+/// Rounds numbers as if typed with so many digits.
 void type(auto& numbers, int digits) {
     for (double& x : numbers.reshaped()) {
         std::array<char, 32> text{};

@@ -15,7 +15,7 @@ namespace {
 using namespace jw::mutation;
 namespace fs = std::filesystem;
 
-/// What stays right with the other sign, and why.
+/// Place that stays right with the other sign, and why.
 struct Exemption {
     std::string text;
     std::string reason;
@@ -66,7 +66,7 @@ std::vector<Source> sources_of(const fs::path& list) {
     return sources;
 }
 
-/// Whether the list has this text, a line or "NAME OF A MUTANT: line".
+/// True if the list has this text, a line or "NAME OF A MUTANT: line".
 bool is_exempt(Source& source, const std::string& text) {
     const auto exemption = std::ranges::find(source.exemptions, text, &Exemption::text);
     if (exemption == source.exemptions.end()) { return false; }

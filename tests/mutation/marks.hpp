@@ -19,14 +19,14 @@ enum class Kind {
 /// Mutants that one mark stands for.
 constexpr int mutants_of(Kind kind) { return kind == Kind::jet ? 4 : 1; }
 
-/// What is marked: the text [begin, end), of a term its beginning only.
+/// Marked text [begin, end); of a term its beginning only.
 struct Mark {
     Kind kind = Kind::term;
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
-/// What is marked besides signs and numbers.
+/// Options: what is marked besides signs and numbers.
 struct Besides {
     bool jets = false;      ///< jets that are returned
     bool branches = false;  ///< conditions of loops and ifs

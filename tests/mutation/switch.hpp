@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-/// What the marked copies of the sources call where they can be made wrong; see marks.hpp.
+/// Functions that the marked copies of the sources call where they can be made wrong; see marks.hpp.
 namespace jw::mutation {
 
 /// Number of the one mutant that is at work in this run, from the environment; 0: none.
@@ -14,7 +14,7 @@ inline int active() {
     return number;
 }
 
-/// Of the term that follows.
+/// Sign of the term that follows.
 inline double sign(int mutant) { return active() == mutant ? -1.0 : 1.0; }
 
 inline double number(int mutant, double value) { return active() == mutant ? 1.25 * value : value; }

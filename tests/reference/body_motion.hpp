@@ -2,7 +2,7 @@
 
 #include "tests/reference/scene.hpp"
 
-/// Where bodies are and how they move, the equations of joints between them, and the forces on them.
+/// Positions and motions of bodies, the equations of joints between them, and the forces on them.
 namespace jw::reference {
 
 struct BodyMotion {

@@ -19,7 +19,7 @@ struct Modulus {
     Real k_prime = 1.0L;
 };
 
-/// By descending Landen transformations (arithmetic-geometric mean).
+/// Jacobi's elliptic functions by descending Landen transformations (arithmetic-geometric mean).
 Jacobi jacobi(Real x, const Modulus& modulus);
 /// Quarter period K.
 Real quarter_period(const Modulus& modulus);

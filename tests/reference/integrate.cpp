@@ -61,8 +61,8 @@ Attempt fehlberg_step(Ode& ode, const VecX& y, const VecX& y_dot, Real h) {
     return {y + h * sum, relative_error(error, y)};
 }
 
-/// How far y moves in `steps` steps (even) of the modified midpoint rule; the error has even powers of the
-/// step only. Movements are summed up, not y itself: they are shorter, and so is their rounding.
+/// Change of y over `steps` steps (an even number) of the modified midpoint rule; the error has even powers
+/// of the step only. Changes are summed up, not y itself: they are smaller, and so is their rounding.
 VecX midpoint_rule(Ode& ode, const VecX& y, const VecX& y_dot, Real h, int steps) {
     const Real small = h / static_cast<Real>(steps);
     VecX before = VecX::Zero(y.size());

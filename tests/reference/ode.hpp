@@ -5,7 +5,7 @@
 
 #include "tests/reference/scene.hpp"
 
-/// What an integrator needs of equations of motion, and two integrators.
+/// Interface of equations of motion for an integrator, and two integrators.
 namespace jw::reference {
 
 /// y' = f(y) with a manifold that y stays on.
@@ -26,13 +26,14 @@ enum class Method {
     extrapolation,         ///< of the modified midpoint rule (Gragg, Bulirsch, Stoer), order 14
 };
 
-/// From 0 to `duration`, stepping on every sample's time. `tolerance`: of a step, against 1 + |y|.
+/// Integrates from 0 to `duration` with a step ending at every sample's time. `tolerance`: of a step, against
+/// 1 + |y|.
 Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance);
 
 using Receive = std::function<void(const VecX& y)>;
 
-/// The same from the first of `times` to the last, every one of them the end of a step that `receive` is
-/// given: sampled moments, and those where a derivative jumps.
+/// Integrates from the first of `times` to the last; a step ends at each of them and is passed to `receive`:
+/// sampled moments, and those where a derivative jumps.
 /// @throws std::runtime_error after `most_steps` or where no step is short enough
 void integrate(
     Ode& ode, const std::vector<Real>& times, Method method, Real tolerance, const Receive& receive,

@@ -31,7 +31,7 @@ std::vector<Scene> cheap_scenes() {
             free_asymmetric_body()};
 }
 
-/// Where the point is at the end, as others found it who computed these scenes; NaN: not given.
+/// End position of the point as published by others who computed these scenes; NaN: not given.
 struct End {
     const char* name;
     Vec3 r;

@@ -65,7 +65,7 @@ struct Sample {
     Vec3 v = Vec3::Zero();
 };
 
-/// At 101 equal times from 0 to the scene's duration.
+/// Samples at 101 equal times from 0 to the scene's duration.
 using Trajectory = std::vector<Sample>;
 inline constexpr int kIntervals = 100;
 

@@ -2,7 +2,7 @@
 
 #include "tests/reference/scene.hpp"
 
-/// What scenes are built of.
+/// Parts that scenes are built of.
 namespace jw::reference {
 
 inline Scene scene_named(const char* name, const char* what, const Vec3& gravity, Real duration) {

@@ -11,7 +11,7 @@ namespace {
 const Rect kViewport{40.0, 30.0, 600.0, 400.0};
 const Vector3d kUp = Vector3d::UnitZ();
 
-/// Where a ray from the light through `point` meets the plane z = height.
+/// Point where a ray from the light through `point` meets the plane z = height.
 Vector3d shadow_of(const Vector3d& point, const Vector3d& towards_light, double height) {
     return point - towards_light * ((point.z() - height) / towards_light.z());
 }

@@ -10,7 +10,7 @@
 namespace jw::render::test {
 namespace {
 
-/// Where the vertex shader puts a vertex of an instance of typical size; threads are not rounded.
+/// Place where the vertex shader puts a vertex of an instance of typical size; threads are not rounded.
 Eigen::Vector3f placed(const MeshVertex& vertex, MeshKind kind) {
     const float across = vertex.core.w() > 0.5F ? 0.6F : 1.0F;
     const float rounding = kind == MeshKind::right_thread || kind == MeshKind::left_thread ? 0.0F : 0.1F;

@@ -12,7 +12,7 @@
 #include "render/scene_renderer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// What several tests of the renderer need.
+/// Parts shared by several tests of the renderer.
 namespace jw::render::test {
 
 inline Vector3d random_vector(std::mt19937& random, double size) {

@@ -22,8 +22,8 @@ double allowed(long double condition) {
     return 1e-9 + 1e-12 * c * c;
 }
 
-/// In joint coordinates heavy bodies add their inertia to light ones that carry them, and what these have of
-/// their own is lost below the rounding of that; arms square the ratio of lengths besides.
+/// Tolerance in joint coordinates. Heavy bodies add their inertia to light ones that carry them, and the
+/// light ones' own inertia is lost below the rounding of that; arms square the ratio of lengths besides.
 double allowed_in_joints(const Loads& loads) {
     double heaviest = 0.0;
     double lightest = HUGE_VAL;
@@ -44,7 +44,7 @@ std::string off_by(const char* what, double difference, double limit) {
     return text;
 }
 
-/// Everything at one state, against the reference there.
+/// Compares everything at one state with the reference there.
 class AtState {
 public:
     AtState(const Generated& generated, const Centroidal& scene, general::Mechanics& reference)

@@ -4,7 +4,7 @@
 
 #include "tests/support/generators/recipe.hpp"
 
-/// How rapidcheck makes recipes, and makes them smaller: lists lose parts, numbers go to 0, seeds stay.
+/// Generator of recipes for rapidcheck, and their shrinking: lists lose parts, numbers go to 0, seeds stay.
 namespace rc {
 
 namespace soak {

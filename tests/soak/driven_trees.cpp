@@ -20,7 +20,7 @@ constexpr double kDuration = 0.3;
 // of six bodies in a row and rates within a step multiply that, seen up to 1e-7
 constexpr double kAllowed = 1e-6;
 
-/// What a driver adds to the angle or the displacement since the start, and its rate.
+/// Change of the angle or displacement of a driver since the start, and its rate.
 struct Added {
     Real way = 0.0L;
     Real rate = 0.0L;
@@ -130,7 +130,7 @@ double apart(const general::PlacedBodies& found, const general::PlacedBodies& ex
     return most;
 }
 
-/// Where the run ends, or by how much it is off.
+/// Says where the run ends early, or by how much it is off.
 std::string wrong_by(const Generated& generated, Way way, const std::vector<double>& times) {
     way.settings.tolerance = 1e-9;
     way.settings.most_steps = 20000;

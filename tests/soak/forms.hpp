@@ -9,10 +9,10 @@
 /// Accelerations r̈ and ω̇' of the centroidal frames, in every form of the equations of motion.
 namespace jw::test {
 
-/// Of a flat rate.
+/// Accelerations in a flat rate.
 Motion accelerations_in(const Centroidal& scene, const std::vector<double>& flat_dot);
 
-/// What joint coordinates give at y with ẏ.
+/// Accelerations by joint coordinates at y with ẏ.
 Motion accelerations_in_joints(
     TreeEquations& tree, const Centroidal& scene, double t, const std::vector<double>& y,
     const std::vector<double>& y_dot);
@@ -22,7 +22,7 @@ struct Form {
     Motion accelerations;
 };
 
-/// At the start pose: block equations, joint coordinates, the four dense choices.
+/// Accelerations at the start pose: by block equations, joint coordinates, and the four dense choices.
 std::vector<Form> accelerations_in_all_forms(const Centroidal& scene);
 
 }  // namespace jw::test

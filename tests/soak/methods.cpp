@@ -19,7 +19,7 @@ constexpr long double kReferenceTolerance = 1e-12L;
 // global errors of a run with tolerance 1e-9: a hundred steps, and what the motion multiplies in 0.3 s
 constexpr double kAllowed = 1e-6;
 
-/// As many as tell that a singular pose is passed between two of them.
+/// Times of the samples, so many that a singular pose passed between two of them shows.
 std::vector<double> samples() {
     std::vector<double> times;
     for (int k = 0; k <= kSamples; ++k) { times.push_back(kDuration * k / kSamples); }

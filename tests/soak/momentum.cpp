@@ -61,8 +61,8 @@ Momentum momentum_rate(
     return out;
 }
 
-/// What a velocity (or acceleration) of one length (and one radian) in all bodies would give: momenta that
-/// cancel each other, and those of a scene at rest, are measured by it.
+/// Momentum that a velocity (or acceleration) of one length (and one radian) in all bodies would give: the
+/// scale for momenta that cancel each other and for those of a scene at rest.
 double size_of_unit(const general::Model& model, const general::PlacedBodies& placed, double length) {
     long double size = 0.0L;
     for (std::size_t b = 0; b < placed.size(); ++b) {
@@ -88,7 +88,7 @@ std::string changes(const char* of, const std::string& where, double by) {
     return text;
 }
 
-/// Of accelerations: the rates add up to nothing.
+/// Checks that the rates of momentum, from the accelerations, add up to zero.
 Verdict rates_vanish(const Generated& generated, general::Mechanics& reference) {
     const reference::VecX y = reference.start();
     const general::Accelerations a = reference.accelerations_at(y);

@@ -27,7 +27,7 @@ inline reference::general::PlacedBodies placed_of(
     return placed;
 }
 
-/// The same accelerations as core says them: r̈ of the centres of mass and ω̇'.
+/// Accelerations as core expresses them: r̈ of the centres of mass and ω̇'.
 inline Motion motion_of(
     const reference::general::Accelerations& a, const reference::general::PlacedBodies& placed) {
     Motion out;
@@ -38,8 +38,8 @@ inline Motion motion_of(
     return out;
 }
 
-/// What accelerations are compared by [1/s²]: the largest there is, or would be without the constraints that
-/// take it up; 1 at least.
+/// Scale of accelerations [1/s²]: the largest there is, or would be without the constraints that take it up;
+/// 1 at least.
 inline double size_of(const reference::general::Accelerations& a, double length) {
     long double size = 1.0L;
     for (std::size_t b = 0; b < a.v_dot.size(); ++b) {

@@ -6,7 +6,7 @@
 
 #include "tests/support/generators/mechanism_of.hpp"
 
-/// What must be true of every mechanism.
+/// Property that must hold for every mechanism.
 namespace jw::test {
 
 struct Verdict {
@@ -16,7 +16,7 @@ struct Verdict {
 };
 inline Verdict holds() { return {}; }
 inline Verdict fails(const std::string& why) { return {Verdict::Kind::fails, why}; }
-/// For a mechanism that the question makes no sense for.
+/// Verdict for a mechanism that the property does not apply to.
 inline Verdict not_asked(const std::string& why) { return {Verdict::Kind::not_asked, why}; }
 
 struct Property {
@@ -24,8 +24,8 @@ struct Property {
     std::string says;  ///< a sentence that can be false
     int most_bodies;   ///< about so many in the largest mechanisms
     std::function<Verdict(const Generated&)> of;
-    /// What a recipe is changed to first, where the sentence is about mechanisms of a kind; none: nothing.
-    /// Changed twice it is the same.
+    /// Converts a recipe first, for properties of mechanisms of one kind; empty: no conversion. Converting
+    /// twice changes nothing more.
     std::function<Recipe(Recipe)> kind = {};
 };
 

@@ -16,7 +16,7 @@ const test::Property& property(const std::string& name) {
     return test::properties().front();
 }
 
-/// Of so many mechanisms each of the first seeds; hours of it are ./dev soak.
+/// Checks `count` mechanisms for each of the first seeds; ./dev soak checks hours of it.
 void ask_of_first_seeds(const std::string& name, int count) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         test::Asked asked;

@@ -15,7 +15,7 @@ namespace {
 
 namespace general = reference::general;
 
-/// Of each kind or not, as the seed says.
+/// Change of a generated mechanism: each kind of change or not, as the seed says.
 Change change_of(const Generated& generated) {
     Random random(static_cast<unsigned>(generated.recipe.seed) * 49979687U + 29U);
     const auto maybe = [&] { return random.number() < 0.0; };
@@ -90,7 +90,7 @@ constexpr double kDuration = 0.1;
 // there and back: two runs with tolerance 1e-9, see methods.cpp
 constexpr double kAllowed = 2e-6;
 
-/// Where a run comes to, in the frames of the author.
+/// End of a run, in the frames of the author.
 std::optional<Snapshot> end_of(const Generated& generated, const Way& way) {
     Simulation simulation(generated.mechanism, generated.loads, way.settings);
     Snapshot end;
@@ -119,7 +119,7 @@ void begin_at(Mechanism& mechanism, const Snapshot& snapshot) {
     }
 }
 
-/// Of poses and, by the fastest there is, of velocities that are opposite.
+/// Difference of the poses and of the opposite velocities, the latter relative to the fastest.
 double difference_back(const Mechanism& start, const Snapshot& back, double length) {
     double most = 0.0;
     double fastest = 1.0;
@@ -169,7 +169,7 @@ bool winds_springs(const Generated& there, const Generated& back) {
     return false;
 }
 
-/// By how much it misses its start; nothing where a run says nothing.
+/// Distance by which the motion played backwards misses its start; nothing where a run has no result.
 std::optional<double> misses(const Generated& generated, Way way, double tolerance) {
     way.settings.tolerance = tolerance;
     way.settings.most_steps = 5000;

@@ -19,7 +19,7 @@ struct Analysis {
     AccelerationOutcome acceleration;
 };
 
-/// At an assembled state, all equations.
+/// Analysis of all equations at an assembled state.
 template <class C = OmegaLocal>
 Analysis analyse(const Mechanism& mechanism, const State& state, double t = 0.0) {
     const System system(mechanism, everything(mechanism));

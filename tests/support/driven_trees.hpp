@@ -26,7 +26,7 @@ struct DrivenTree {
     Loads loads;
     std::vector<Limb> limbs;  ///< of body 1 and those after it
 
-    /// What has become of the start placement of every body, the ground first.
+    /// Placement of every body at time t relative to its start placement, the ground first.
     std::vector<Eigen::Isometry3d> moved(double t) const {
         std::vector<Eigen::Isometry3d> out{Eigen::Isometry3d::Identity()};
         for (const Limb& limb : limbs) {

@@ -22,7 +22,8 @@ Colour colour_named(std::string_view name) {
     return {part(16U), part(8U), part(0U)};
 }
 
-/// With 15 digits: 0.1 · 0.1 = 0.01, as anybody would type it. Far below what any reference is known to.
+/// Inertia rounded to 15 digits: 0.1 · 0.1 = 0.01, as anybody would type it. Far below what any reference is
+/// known to.
 Mat3 typed(const Mat3& J) {
     return J.unaryExpr([](double x) {
         std::array<char, 40> text{};

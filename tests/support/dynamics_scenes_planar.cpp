@@ -24,8 +24,8 @@ MassProperties planar(double mass, double J_z) {
     return {mass, Vec3::Zero(), Vec3(0.5 * J_z, 0.5 * J_z, J_z).asDiagonal()};
 }
 
-/// Where the tip of rod 0 of the n four-bar is after 10 s: in units of the rod, of one freedom,
-/// φ̈ = -g cos φ ((n+1)/2 + n) / ((n+1)/3 + n), integrated with 25 digits.
+/// Position of the tip of rod 0 of the n four-bar after 10 s: in units of the rod, of one freedom, φ̈ = -g
+/// cos φ ((n+1)/2 + n) / ((n+1)/3 + n), integrated with 25 digits.
 std::optional<Vec3> end_of_four_bar(int n) {
     switch (n) {
         case 1: return Vec3(0.478385057760971, 0.878150177791209, 0.0);

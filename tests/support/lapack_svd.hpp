@@ -11,7 +11,7 @@
 /// Singular values by LAPACK: the same mathematics as core/numerics/svd, written by others in Fortran.
 namespace jw::test {
 
-/// By dgejsv, which has relative accuracy. Largest first.
+/// Singular values by dgejsv, which has relative accuracy; largest first.
 inline VectorX lapack_singular_values(const MatrixX& matrix) {
     // dgejsv wants at least as many rows as columns
     MatrixX A = matrix.rows() < matrix.cols() ? MatrixX(matrix.transpose()) : matrix;

@@ -5,8 +5,8 @@
 /// Mechanisms on a path of which velocity and acceleration are known, and differences along it.
 namespace jw::test {
 
-/// Where `state` is after `t` seconds [s] of this velocity and constant r̈, p̈ and θ̈; those of `acceleration`
-/// (ω̇') at t = 0. p stays unit to second order, which is as far as differences look.
+/// State after a time `t` [s] of this velocity and constant r̈, p̈ and θ̈; those of `acceleration` (ω̇') at t
+/// = 0. p stays unit to second order, which is as far as differences look.
 inline State moved_along(State state, const Motion& velocity, const Motion& acceleration, double t) {
     for (std::size_t b = 0; b < state.r.size(); ++b) {
         const Vec4 p = state.p[b];

@@ -51,7 +51,7 @@ struct ParallelCranks {
         return out;
     }
 
-    /// Of the moving bodies' centres of mass.
+    /// Centre of mass of a moving body.
     Vec3 centre(std::size_t body, double angle) const {
         return bearings[body] + Eigen::AngleAxisd(angle, axis) * arms[body];
     }

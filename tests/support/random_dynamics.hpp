@@ -157,7 +157,7 @@ struct Moment {
     Motion motion;
 };
 
-/// Of the moving bodies, as the equations of motion have it.
+/// Flat state of the moving bodies, as the equations of motion use it.
 inline std::vector<double> flat_of(const Centroidal& scene, const Moment& moment) {
     const std::vector<int> moving = moving_bodies_of(scene.mechanism);
     std::vector<double> y(kNumbersPerBody * moving.size());
@@ -219,7 +219,7 @@ Motion accelerations_of(
     return moment.motion;
 }
 
-/// Of the equations of motion in a coordinate choice.
+/// Accelerations by the dense equations of motion in a coordinate choice.
 template <class C>
 Motion dense_accelerations(
     const Centroidal& scene, const Moment& moment, double t, const Baumgarte& baumgarte = {}) {

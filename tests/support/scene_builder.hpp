@@ -70,7 +70,7 @@ public:
         return joint;
     }
 
-    /// From which global directions (at this pose) the joint's angle is measured.
+    /// Sets the global directions (at this pose) from which the joint's angle is measured.
     void measure_angle(Joint& joint, const Vec3& u_i, const Vec3& u_j) const {
         joint.geometry.u_i_local = local(joint.body_i, u_i.normalized());
         joint.geometry.u_j_local = local(joint.body_j, u_j.normalized());

@@ -13,7 +13,7 @@ namespace jw::test {
 inline constexpr double kPi = std::numbers::pi;
 inline double radians(double degrees) { return degrees * kPi / 180.0; }
 
-/// Where the circles about `a` and `b` in the plane z = 0 meet, left of a -> b for side = +1.
+/// Point where the circles about `a` and `b` in the plane z = 0 meet, left of a -> b for side = +1.
 inline Vec3 circles_meet(const Vec3& a, double radius_a, const Vec3& b, double radius_b, double side) {
     const double distance = (b - a).norm();
     const Vec3 along = (b - a) / distance;

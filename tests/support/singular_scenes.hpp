@@ -18,7 +18,7 @@ inline Mechanism stretched_bars() {
     return scene.mechanism;
 }
 
-/// The same of revolutes: three rows are redundant besides.
+/// Stretched bars with revolute joints: three more rows are redundant.
 inline Mechanism stretched_revolutes() {
     Mechanism mechanism = stretched_bars();
     for (Joint& joint : mechanism.joints) { joint.type = find_joint_type("revolute"); }

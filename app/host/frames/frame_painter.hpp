@@ -16,7 +16,7 @@ public:
     /// `story` must outlive this. Width and height in pixels.
     /// @throws std::runtime_error if OSMesa or a font is missing
     FramePainter(const Story& story, int width, int height);
-    /// The same in a context that is there already: it must be current here, in `paint` and at destruction.
+    /// Paints in an existing context, which must be current here, in `paint` and at destruction.
     FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl);
     ~FramePainter();
     FramePainter(const FramePainter&) = delete;

@@ -15,9 +15,9 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
     ReadResult read();
-    /// Whether it was written since it was read; not while it is gone.
+    /// True if the file was written since it was read; false while it does not exist.
     bool is_saved_anew() const;
-    /// It counts as saved anew, whenever it was written.
+    /// Makes the file count as saved anew, whenever it was written.
     void distrust() { written_ = {}; }
 
 private:

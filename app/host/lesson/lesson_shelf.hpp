@@ -37,7 +37,7 @@ public:
     void choose(int index) { chosen_ = index; }
     /// Moves the choice by `by` among what the search shows.
     void move_choice(int by);
-    /// Where nothing is chosen, the first that the search shows; nullptr if there is none.
+    /// The chosen lesson, or the first that the search shows if none is chosen; nullptr if there is none.
     const CatalogueEntry* chosen_or_first();
 
 private:

@@ -6,7 +6,7 @@
 
 namespace jw::host {
 
-/// What moves by itself: the story from step to step, or one of the free motions there and back.
+/// Playback of what moves by itself: the story from step to step, or one of the free motions there and back.
 class Playback {
 public:
     bool plays() const { return playing_; }
@@ -26,9 +26,9 @@ public:
 
     /// A step is shown from its beginning, and no free motion.
     void begin_step();
-    /// The same, paused.
+    /// Begins the step anew and pauses.
     void stop();
-    /// From the pose that is shown; pauses the story.
+    /// Follows a free motion from the shown pose; pauses the story.
     void follow(int freedom);
     void leave_freedom() { freedom_ = -1; }
 
@@ -36,7 +36,7 @@ public:
     std::optional<int> step_after(double seconds, const Session& session);
     /// The pose to be shown after so many seconds more; nothing if no free motion is followed.
     std::optional<ShowFreedom> freedom_after(double seconds);
-    /// Until one of them is another; infinity: it stays.
+    /// Time until the step or the pose changes [s]; infinity if nothing moves.
     double seconds_to_change(const Session& session) const;
 
 private:

@@ -8,7 +8,7 @@
 /// Files that are made of the open lesson, and what to say of them.
 namespace jw::host {
 
-/// What whoever draws is asked for, until it is done.
+/// Task for whoever draws, kept until it is done.
 enum class DrawingTask { none, save_picture, record };
 
 /// End of the name of what a task makes at a step: "-step-12.png", "-frames".

@@ -9,7 +9,7 @@
 /// The 3D picture of the open lesson as a person sees it.
 namespace jw::host {
 
-/// What lights up, with everything that belongs to it.
+/// Selection that lights up, with everything that belongs to it.
 struct Lit {
     Pointable pointed_at;
     std::vector<int> rows;  ///< of the system
@@ -29,12 +29,12 @@ struct Ghosts {
 class ShownPicture {
 public:
     const Picture& of(const Session& session, const Lit& lit, const Ghosts& ghosts);
-    /// As it was made last; empty before.
+    /// The picture that was made last; empty before.
     const Picture& picture() const { return picture_; }
 
     /// Another session follows: its versions say nothing about those of the one before.
     void forget_session() { made_of_.session = 0; }
-    /// The same picture is to be drawn in other colours.
+    /// Has the same picture drawn again, in other colours.
     void redraw() { ++version_; }
 
     /// Grows with every change of the picture.

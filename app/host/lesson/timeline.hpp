@@ -27,7 +27,8 @@ int last_step(const Story& story);
 /// last step and the first.
 int next_joint(const Story& story, int step, int direction);
 
-/// Where in a lesson to begin: "12" (as the window counts, from 1), the name of a joint or driver, "t=0.5".
+/// Finds the step to begin at: "12" (as the window counts, from 1), the name of a joint or driver, or
+/// "t=0.5".
 /// @return index of the step, or nothing if `at` is none of these
 std::optional<int> step_at(const Story& story, const std::string& at);
 

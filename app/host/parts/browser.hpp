@@ -9,7 +9,7 @@ namespace jw::host {
 /// @param has_lesson  one is open: there is a way back to it
 void browser(const Ui& ui, const panels::Box& window, LessonShelf& shelf, bool has_lesson);
 
-/// What keys and letters do while the lessons are shown.
+/// Handles keys and letters while the lessons are shown.
 /// @return whether the event was for the browser
 bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests);
 

@@ -7,8 +7,8 @@
 /// Words on sheets over the 3D picture.
 namespace jw::host {
 
-/// What is to be read at the foot of the picture: what was done or why it was not, for a while, and the
-/// mistakes of a file until they are gone.
+/// Text at the foot of the picture: what was done, or why it was not, for a few seconds; and the mistakes of
+/// a file until they are corrected.
 class Notice {
 public:
     /// In place of what was said before, unless there is nothing to say.
@@ -19,7 +19,7 @@ public:
     void blame(const std::string& mistakes) { mistakes_ = mistakes; }
 
     const std::string& text() const { return text_; }
-    /// Until it goes out; infinity where nothing is said.
+    /// Time until the message disappears [s]; infinity if there is none.
     double seconds_left() const;
     const std::string& mistakes() const { return mistakes_; }
 
@@ -33,7 +33,7 @@ private:
     std::string mistakes_;
 };
 
-/// That the pose is not one of the lesson.
+/// Draws the badge that says that the pose is not one of the lesson.
 void draw_badge(const Ui& ui, const panels::Box& scene);
 
 }  // namespace jw::host

@@ -6,7 +6,7 @@
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/try/session.hpp"
 
-/// What the pointer is over, and what is said beside it.
+/// Finds what the pointer is over and the tip beside it.
 namespace jw::host {
 
 /// In the panels; of a cell of the matrix, its row and its column.

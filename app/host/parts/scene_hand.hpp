@@ -16,7 +16,7 @@ using Picker = std::function<int(float x, float y)>;
 class SceneHand {
 public:
     const render::Camera& camera() const { return camera_; }
-    /// Until the person turns it, the camera is the story's own.
+    /// True until the person turns the camera: it is the story's own.
     bool is_own() const { return own_; }
 
     /// The story's own view; at once, or turning there.
@@ -26,7 +26,7 @@ public:
 
     /// Without it nothing in 3D can be pointed at.
     void set_picker(Picker picker) { pick_ = std::move(picker); }
-    /// What the mouse does in one frame.
+    /// Handles the mouse in one frame.
     /// @param reachable  nothing lies over the picture: what is drawn there can be pointed at
     void handle(const LessonUi& ui, const render::Rect& viewport, bool reachable);
     /// Lets a turning camera go on. @return true while it turns

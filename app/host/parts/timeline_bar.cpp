@@ -20,7 +20,8 @@ using panels::Canvas;
 using panels::Point;
 namespace theme = panels::theme;
 
-/// What a step is, told apart by shape as well: a square adds, a dot iterates, a ring is closed, × failed.
+/// Draws the mark of a step; shapes differ as well as colours: a square adds, a dot iterates, a ring is
+/// closed, × failed.
 void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
     const float size = canvas.px(present ? 9.0F : 6.0F);
     const render::Colour ink = present ? theme::kSubjectMark : theme::kSoft;

@@ -6,8 +6,8 @@
 /// The bar at the bottom: play, step, speed, and the whole lesson as one line to jump and scrub on.
 namespace jw::host {
 
-/// Where each stretch lies on a line: motion may have hundreds of steps and a joint five, so a stretch gets
-/// room for its name and shares of the rest.
+/// Places of the stretches on a line. A motion may have hundreds of steps and a joint five, so a stretch gets
+/// room for its name and a share of the rest.
 class TimelineScale {
 public:
     TimelineScale(const std::vector<Stretch>& stretches, float left, float width);

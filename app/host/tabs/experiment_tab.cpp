@@ -14,7 +14,7 @@ namespace jw::host {
 
 namespace {
 
-/// How Newton closed what has been added last: "Newton: 4 iterations, the last ‖Φ‖ 1e-16".
+/// Summary of the last Newton solve: "Newton: 4 iterations, the last ‖Φ‖ 1e-16".
 std::string newton_text(const Session& session) {
     const std::vector<NewtonRow>& rows = session.view().newton;
     if (rows.empty()) { return {}; }
@@ -24,7 +24,7 @@ std::string newton_text(const Session& session) {
            " ‖Φ‖ = " + number_text(rows.back().phi_norm, 2);
 }
 
-/// What everything tried so far has led to: one line that is always in sight.
+/// Draws the result of everything tried so far in one line that is always in sight.
 void verdict(const LessonUi& ui) {
     const RankView& rank = ui.session.view().rank;
     std::string text = std::to_string(rank.rows) + " equations, rank " + std::to_string(rank.rank) + ", " +

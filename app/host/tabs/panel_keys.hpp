@@ -12,7 +12,7 @@ namespace jw::host {
 /// @return what somebody at the keyboard then has to know, if anything
 std::string use_panel_keys(UiState& state, bool on);
 
-/// What an event does while the widgets have the keyboard.
+/// Handles an event while the widgets have the keyboard.
 /// @return whether it was for them
 bool act_in_panel(const InputEvent& event, UiState& state);
 

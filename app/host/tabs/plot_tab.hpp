@@ -14,7 +14,7 @@ namespace jw::host {
 class PlotTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
-    /// What is shown now as CSV.
+    /// The shown curves as CSV.
     std::string csv(const Session& session);
     /// "quantities": for the name of a file.
     const char* name() const;

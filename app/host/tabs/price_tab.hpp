@@ -21,13 +21,13 @@ public:
     explicit PriceTab(std::filesystem::path lesson_file) : lesson_file_(std::move(lesson_file)) {}
 
     void draw(const LessonUi& ui, const panels::Box& box);
-    /// Whether there will be something new without an event.
+    /// True while a measurement runs, so that something new will come without an event.
     bool is_measuring() const { return job_ && !news_.done; }
 
 private:
     void controls(const LessonUi& ui);
     void begin(const Session& session);
-    /// What was measured, and what still is.
+    /// Drops what was measured, and what is still being measured.
     void forget();
     void look_at_news();
 

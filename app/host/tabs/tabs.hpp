@@ -5,13 +5,13 @@
 #include "app/host/tabs/price_tab.hpp"
 #include "app/host/ui/ui.hpp"
 
-/// What stands beside the picture: the panels of the step, or a tab to experiment and compare.
+/// Column beside the picture: the panels of the step, or a tab to experiment and compare.
 namespace jw::host {
 
 /// ImGui's name of the part of the window that holds its widgets.
 const char* area_of(Tab tab);
 
-/// What the tabs remember.
+/// State that the tabs keep between frames.
 struct Tabs {
     PlotTab plot{};
     NewtonTab newton{};

@@ -5,8 +5,8 @@
 
 #include "app/host/ui/input.hpp"
 
-/// Everything that keys, buttons and the menu can ask for. One table: the menu, the list of keys and what a
-/// key does cannot differ.
+/// Commands of keys, buttons and menus. They stand in one table, so the menu, the list of keys and the effect
+/// of a key cannot differ.
 namespace jw::host {
 
 enum class Command {
@@ -89,7 +89,7 @@ struct Modifiers {
     bool shift = false;
 };
 
-/// What a key or a typed character asks for; nullptr if nothing.
+/// Command of a key or a typed character; nullptr if it has none.
 const CommandInfo* command_for(const InputEvent& event, const Modifiers& modifiers);
 
 }  // namespace jw::host

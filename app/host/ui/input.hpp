@@ -5,7 +5,7 @@
 
 struct ImGuiIO;
 
-/// What a person does with mouse and keyboard, as values: a window makes them, and so do tests.
+/// Mouse and keyboard events as values; a window makes them, and so do tests.
 namespace jw::host {
 
 enum class Key {

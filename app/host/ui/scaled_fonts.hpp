@@ -9,7 +9,7 @@ namespace jw::host {
 /// The letters of the interface, for one size of the window at a time.
 class ScaledFonts {
 public:
-    /// Whether the letters that are there are those for this scale.
+    /// True if the loaded fonts are those for this scale.
     bool fit(float scale) const;
     /// Loads those for another scale, between two frames of the current ImGui context.
     /// @return why they cannot be loaded, for people: the letters that are there stay; else empty

@@ -12,7 +12,7 @@
 #include "app/session/try/session.hpp"
 #include "lessons/enum_words.hpp"
 
-/// What the parts of the interface share: what they see, and what they ask for. Nothing is changed while a
+/// Values shared by the parts of the interface: what they see and what they request. Nothing changes while a
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
@@ -22,7 +22,7 @@ inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
     EnumWord<Tab>{Tab::price, "price", "Price"}};
 
-/// What is on the screen beyond the lesson itself.
+/// State of the screen beyond the lesson itself.
 struct UiState {
     Tab tab = Tab::step;
     bool browser = false;  ///< the lessons instead of a lesson
@@ -47,7 +47,7 @@ struct UiState {
     int experiment_driver = 0;
 };
 
-/// What was asked for in one frame.
+/// Requests of one frame.
 struct Requests {
     std::vector<Experiment> experiments;
     std::vector<Command> commands;
@@ -59,7 +59,7 @@ struct Requests {
     void add(Command command) { commands.push_back(command); }
 };
 
-/// What a part of the interface works with.
+/// Everything that a part of the interface works with.
 struct Ui {
     UiState& state;
     const panels::Canvas& canvas;
@@ -68,7 +68,7 @@ struct Ui {
     float px(float at_720) const { return canvas.px(at_720); }
 };
 
-/// The same where a lesson is open.
+/// Everything that a part of the interface works with while a lesson is open.
 struct LessonUi : Ui {
     const Session& session;
     const render::Camera& camera;

@@ -66,7 +66,7 @@ Block equations_block(const View& view) {
     }};
 }
 
-/// What Newton-Raphson works on: values without the reasons for the choice of rows.
+/// Block of the equations with their values only, without the reasons for the choice of rows.
 Block values_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density) {
         if (view.equations.empty()) { return 0.0F; }

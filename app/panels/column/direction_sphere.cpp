@@ -97,7 +97,7 @@ void name_lines(const SphereView& view, const std::vector<SphereLine>& lines, La
     }
 }
 
-/// Of the rule: what is dropped in each cap, and the worst that can happen, at a corner.
+/// Labels of the rule: the component dropped in each cap, and the worst condition, at a corner.
 void name_caps(const SphereView& view, Labels& labels) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 pole = (view.faces(Vec3::Unit(k)) ? 1.0 : -1.0) * Vec3::Unit(k);
@@ -241,7 +241,7 @@ void draw_present(
     labels.keep_clear({at.x - 2.0F * radius, at.y - 2.0F * radius, 4.0F * radius, 4.0F * radius});
 }
 
-/// From 0 to 1 in the colours of the sphere, with the values of its lines.
+/// Draws the colour scale of the sphere from 0 to 1, with the values of its lines.
 void draw_scale(const Canvas& canvas, const Box& box) {
     const ImFont* const small = canvas.fonts().small;
     constexpr int parts = 48;

@@ -8,10 +8,10 @@
 #include "core/numerics/linear.hpp"
 #include "render/camera.hpp"
 
-/// Which pair of p1 / p2 rows is good for which direction of the axis s_i: a sphere of all directions, shaded
-/// by the smallest singular value of the two rows in use.
+/// Sphere of all directions of the axis s_i, coloured by the smaller singular value of the two rows of p1 or
+/// p2 in use: it shows which pair is good for which direction.
 ///
-/// With s_i unit and everything assembled the rows that are left when component k is dropped have singular
+/// With s_i unit and everything assembled, the rows that are left when component k is dropped have singular
 /// values 1 and |s_k| (core/equations/independent_rows.hpp).
 namespace jw::panels {
 
@@ -35,7 +35,7 @@ struct SphereView {
     Vec3 up = Vec3::UnitZ();
     Vec3 towards = -Vec3::UnitY();  ///< to the eye
 
-    /// Of a point at `size` radii in the direction `d`.
+    /// Pixel of the point at `size` radii in the direction `d`.
     Point pixel(const Vec3& d, double size = 1.0) const;
     bool faces(const Vec3& d) const { return d.dot(towards) >= 0.0; }
     /// The direction under a pixel, on the side that is seen; beyond the rim the nearest one on it. Empty

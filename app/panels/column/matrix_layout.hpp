@@ -6,7 +6,7 @@
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/view/view.hpp"
 
-/// Where the cells and labels of a matrix come to lie. Nothing is drawn here.
+/// Places of the cells and labels of a matrix. Nothing is drawn here.
 namespace jw::panels {
 
 /// Neighbouring rows or columns with the same name.

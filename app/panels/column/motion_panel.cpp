@@ -78,7 +78,8 @@ void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
 
 Box name_cell(const Box& row) { return {row.x, row.y, kNamePart * row.width, row.height}; }
 
-/// Of three vectors the first, r, has a figure more than the others; of two, r and p, it has three of seven.
+/// Cell of a vector in a row. Of three vectors the first, r, has one more figure than the others; of two, r
+/// and p, it has three of the seven.
 Box vector_cell(const Box& row, int index, int count) {
     const float name = kNamePart * row.width;
     const float width = row.width - name;

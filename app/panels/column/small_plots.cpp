@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLowestPower = -16;  // what is smaller is zero to double precision
 
-/// What is beyond the axis lies at its end.
+/// Height of a value; values beyond the axis lie at its end.
 float height_of(const Axis& axis, double value) {
     return axis.pixel(std::clamp(value, axis.range.from, axis.range.to));
 }

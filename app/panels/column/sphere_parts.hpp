@@ -2,7 +2,7 @@
 
 #include "app/panels/column/direction_sphere.hpp"
 
-/// What the files of the sphere share.
+/// Parts shared by the files of the sphere.
 namespace jw::panels {
 
 /// Lines on the surface: contours, borders, the circle where rank is lost.

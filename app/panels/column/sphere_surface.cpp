@@ -36,7 +36,8 @@ std::vector<Vec3> circle(int k, double value) {
     return points;
 }
 
-/// Where |s_a| = |s_b| is the largest component, with signs: from corner to corner of the cube (±1, ±1, ±1).
+/// Line on which |s_a| = |s_b| is the largest component, with signs: from corner to corner of the cube (±1,
+/// ±1, ±1).
 std::vector<Vec3> border(int c, double sign_a, double sign_b) {
     const double end = std::atan(1.0 / std::numbers::sqrt2);
     std::vector<Vec3> points;

@@ -8,7 +8,7 @@ namespace jw::panels {
 /// Lesson and step, source, number of the step, time; the line below is how far the story has come.
 void draw_title(const Canvas& canvas, const Box& box, const View& view);
 
-/// What happened, and what the author has to say about it.
+/// Draws what happened in the step and the author's words about it.
 void draw_caption(const Canvas& canvas, const Box& box, const View& view);
 
 /// Lines of a lesson's file run on; an empty line starts a paragraph.

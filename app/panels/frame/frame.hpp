@@ -24,7 +24,7 @@ float scale_of(int width, int height);
 
 FrameLayout layout_of(int width, int height);
 
-/// The same in a part of a window.
+/// Layout of a frame in a part of a window.
 /// @param scale  of text, see scale_of
 /// @param tabs_height  left free above the column of panels
 FrameLayout layout_in(const Box& frame, float scale, float tabs_height);
@@ -36,7 +36,7 @@ void draw_frame(
     const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
     const render::Fonts& fonts);
 
-/// The same into any canvas.
+/// Draws the frame on any canvas.
 void draw_frame(
     const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
     const FrameLayout& layout);

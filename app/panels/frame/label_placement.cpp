@@ -26,7 +26,7 @@ Box candidate(const Label& label, float angle, float distance) {
     return {x - 0.5F * label.width, y - 0.5F * label.height, label.width, label.height};
 }
 
-/// How little it is where one would look for it: 0 is best.
+/// Cost of a label's place by how far it is from where one would look for it; 0 is best.
 float cost_of(const Label& label, float angle, std::size_t ring) {
     const float length = std::hypot(label.towards.x, label.towards.y);
     float turned_away = 0.0F;

@@ -24,7 +24,7 @@ struct HotSpot {
     Pointable link;
 };
 
-/// Where panels are drawn: a draw list of ImGui and the fonts.
+/// Canvas that panels are drawn on: a draw list of ImGui and the fonts.
 ///
 /// Without a list nothing is drawn: a panel run on such a canvas returns the height that it takes, from the
 /// same code that draws it. Minus signs of numbers are set as − wherever text is drawn.
@@ -32,16 +32,16 @@ class Canvas {
 public:
     Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
 
-    /// The same on another draw list.
+    /// Copies a canvas to another draw list.
     Canvas(ImDrawList* list, const Canvas& other) : Canvas(other) { list_ = list; }
 
-    /// The same fonts, nothing drawn.
+    /// Canvas with the same fonts that draws nothing.
     Canvas measuring() const { return {static_cast<ImDrawList*>(nullptr), *fonts_}; }
 
-    /// The same, for a picture that can be pointed at: what is `lit` stands out, and where things come to lie
-    /// is added to `spots`. Both must outlive the canvas.
+    /// Canvas for a picture that can be pointed at: what is `lit` stands out, and the places of things are
+    /// added to `spots`. Both must outlive the canvas.
     Canvas pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const;
-    /// The same with every colour as it is in that tone.
+    /// Canvas that draws every colour in its variant for that tone.
     Canvas in(render::Tone tone) const;
 
     /// `box` stands for `link`.

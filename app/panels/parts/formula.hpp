@@ -17,7 +17,7 @@ struct FormulaFonts {
 
 FormulaFonts formula_fonts(const render::Fonts& fonts);
 FormulaFonts large_formula_fonts(const render::Fonts& fonts);
-/// For tables and pictures: the script font is also the base.
+/// Fonts of formulas in tables and pictures: the script font is also the base.
 FormulaFonts small_formula_fonts(const render::Fonts& fonts);
 
 /// Which body a vector belongs to: its colour is the one it has in the 3D picture.

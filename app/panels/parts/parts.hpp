@@ -8,13 +8,13 @@
 /// Pieces that several panels are made of. Those that return a height took it from the top of their box.
 namespace jw::panels {
 
-/// How much room a panel takes: what is least needed goes first.
+/// Room that a panel takes; what is needed least is left out first.
 enum class Density { roomy, compact, tight };
 
 /// Bold title at the left, soft note at the right, a hairline below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
 
-/// The same with a formula before the title: "@Φ_q".
+/// Draws a heading with a formula before the title: "@Φ_q".
 float heading(
     const Canvas& canvas, const Box& box, std::string_view symbol, std::string_view title,
     std::string_view note);
@@ -28,7 +28,7 @@ float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines = 100);
 
-/// Of an equation: "0.0123", "-1.2e-07", and "0" for rounding.
+/// Value of an equation as text: "0.0123", "-1.2e-07", and "0" for rounding.
 std::string live_text(double value);
 
 /// Fewer decimals from 100 on, so that a column of numbers holds any of them and the point rarely moves.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr char32_t kUnreadable = 0xFFFD;
 
-/// Of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
+/// True for characters of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -27,7 +27,7 @@ std::size_t bytes_of(unsigned char first) {
     return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// Is the hyphen at `k` the sign of a number or of an exponent?
+/// True if the hyphen at `k` is the sign of a number or of an exponent.
 bool is_minus(std::string_view text, std::size_t k) {
     if (k + 1 >= text.size() || !is_digit(text[k + 1])) { return false; }
     if (k == 0) { return true; }

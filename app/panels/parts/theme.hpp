@@ -2,7 +2,7 @@
 
 #include "render/palette.hpp"
 
-/// What colours mean in panels; the hues are those of the whole picture.
+/// Colours of panels by their meaning; the hues are those of the whole picture.
 namespace jw::panels::theme {
 
 using render::Colour;

@@ -17,7 +17,7 @@ struct ComparisonLayout {
     PlotLayout plot;        ///< empty panes where there is no room for it
 };
 
-/// What differs from one comparison to the next.
+/// Parts in which one comparison differs from another.
 struct ComparisonParts {
     std::size_t rows = 0;
     std::function<void(const Box& line)> draw_names;  ///< of the columns

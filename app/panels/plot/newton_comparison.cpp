@@ -44,7 +44,7 @@ void draw_names(const Canvas& canvas, const Box& row) {
     name(columns.verdict, "outcome", Align::left);
 }
 
-/// With words and a sign: "✓ closed".
+/// Verdict with its sign: "✓ closed".
 std::string with_sign(const std::string& verdict) { return (verdict == "closed" ? "✓ " : "✗ ") + verdict; }
 
 void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, const CurveStyle& style) {

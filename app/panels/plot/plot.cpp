@@ -171,7 +171,7 @@ void draw_cursor(const Canvas& canvas, const PlotLayout& layout, const SeriesSet
         layout.cursor_text, Align::centre);
 }
 
-/// What is not drawn, in words, at the end of the first caption's line.
+/// Writes at the end of the first caption's line what is not drawn.
 void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
     int unnamed = 0;
     for (const PlotPane& pane : layout.panes) { unnamed += pane.unnamed; }

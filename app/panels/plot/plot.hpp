@@ -12,7 +12,7 @@
 /// compared with and tests read; drawing adds nothing to it.
 namespace jw::panels {
 
-/// What a person has done to a plot.
+/// Choices that a person has made in a plot.
 struct PlotState {
     /// Window of one unit's values.
     struct Height {
@@ -76,7 +76,7 @@ void draw_plot(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& 
 /// Both at once.
 PlotLayout plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state);
 
-/// Of the set's series, in the order in which they are drawn.
+/// Indices of the shown series, in the order in which they are drawn.
 std::vector<int> shown_series(const SeriesSet& set, const PlotState& state);
 
 /// The pixels of a curve, broken where it has no values; at most four per column of pixels, so that a peak
@@ -105,7 +105,7 @@ std::optional<PlotHit> hit_of(const PlotLayout& layout, const SeriesSet& set, Po
 PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, double factor);
 /// Moved along with the mouse.
 PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by);
-/// Everything in sight again.
+/// State with everything in sight again.
 PlotState unzoomed(PlotState state);
 
 }  // namespace jw::panels

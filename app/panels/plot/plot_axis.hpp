@@ -34,7 +34,7 @@ struct Tick {
 /// Whole powers of ten, from 10^low up to the largest of `values` or two powers more.
 Axis axis_of_powers(const std::vector<double>& values, int low, float start, float end);
 
-/// What numbers a plot may show on an axis.
+/// Kind of numbers that a plot may show on an axis.
 enum class Ticks {
     decimal,  ///< steps of 1, 2, 5
     degrees,  ///< 15, 30, 45, 90 ... where steps are large enough
@@ -58,7 +58,7 @@ std::string power_of_ten(int exponent);
 /// Around `values` with a margin, so that curves do not run along the edge. A range no longer than `rounding`
 /// counts as constant and gets room on both sides.
 Range range_around(const Range& values, double rounding);
-/// The same on a logarithmic scale; `values.from` > 0.
+/// Range around values on a logarithmic scale; `values.from` > 0.
 Range log_range_around(const Range& values);
 
 }  // namespace jw::panels

@@ -77,7 +77,7 @@ private:
     float used_ = 0.0F;
 };
 
-/// Of all points that fall into one column of pixels the first, the lowest, the highest and the last.
+/// Points of a curve in one column of pixels, reduced to the first, the lowest, the highest and the last.
 class Column {
 public:
     void add(Point p, std::vector<Point>& run) {

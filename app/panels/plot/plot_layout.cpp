@@ -64,7 +64,7 @@ bool has_zeros(const SeriesSet& set, const PlotPane& pane, const PointSpan& span
     return false;
 }
 
-/// Of the values in sight; nothing if there are none.
+/// Range of the values in sight; nothing if there are none.
 std::optional<Range> range_of(const SeriesSet& set, const PlotPane& pane, const PointSpan& span) {
     Range found{HUGE_VAL, -HUGE_VAL};
     double rounding = 0.0;

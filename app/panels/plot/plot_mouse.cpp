@@ -29,7 +29,7 @@ bool is_sound(const Range& range) {
            size < 1e300;
 }
 
-/// What lies between two pixels of an axis, if that is a range to look at.
+/// Range between two pixels of an axis, if it is one to look at.
 Range between(const Axis& axis, float from, float to) {
     const double a = axis.value(from);
     const double b = axis.value(to);

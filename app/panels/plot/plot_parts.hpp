@@ -5,7 +5,7 @@
 
 #include "app/panels/plot/plot.hpp"
 
-/// What the files of the plot share; used by them and their tests only.
+/// Parts shared by the files of the plot; used by them and their tests only.
 namespace jw::panels {
 
 /// First and last point of the set within the window of the axis; first > last if there are none.
@@ -22,10 +22,10 @@ inline double value_at(const SeriesSet& set, int series, int point) {
 /// Last visible point that has a value; -1 if there is none.
 int last_point_of(const SeriesSet& set, int series, const PointSpan& span);
 
-/// From the left edge of a curve's name to its text, and to the middle of the mark before it.
+/// Distances from the left edge of a curve's name to its text, and to the middle of the mark before it.
 float name_indent(const Canvas& canvas);
 float mark_indent(const Canvas& canvas);
-/// How wide the names of curves that end at the right edge are, 0 if none does.
+/// Width of the names of the curves that end at the right edge; 0 if none does.
 float name_column_width(
     const Canvas& canvas, const Box& box, const SeriesSet& set, const std::vector<int>& series,
     const PointSpan& span);
@@ -44,8 +44,8 @@ void place_labels(
     const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state,
     const PointSpan& span, PlotPane& pane);
 
-/// How a curve is told from the others, by its place among them: colour, dashes and marks go round with
-/// different periods.
+/// Style that distinguishes a curve from the others, by its place among them: colour, dashes and marks repeat
+/// with different periods.
 struct CurveStyle {
     Colour colour;
     int dashes = 0;

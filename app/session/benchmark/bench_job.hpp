@@ -12,7 +12,7 @@ namespace jw {
 /// Measures a lesson in a thread of its own. Destroyed, it stops at the next sample of the run under way.
 class BenchJob {
 public:
-    /// What is known so far.
+    /// Results known so far.
     struct News {
         std::vector<BenchRun> runs;
         std::string origin;   ///< of the reference; empty while that is being computed

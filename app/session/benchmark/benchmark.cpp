@@ -19,7 +19,7 @@ namespace {
 constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 4'000'000;  // the finest fixed step of a sweep takes 3.3 million
 
-/// Of this thread: a window that goes on beside it costs the method nothing.
+/// Processor time of this thread [s], so that a window running beside it does not count.
 double cpu_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -107,7 +107,7 @@ BenchPoint bench_point(
     return point;
 }
 
-/// What is not a number counts as infinitely far.
+/// Distance of two points [m]; infinite if one of them has a NaN.
 double distance(const Vec3& a, const Vec3& b) {
     const double d = (a - b).norm();
     return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();

@@ -13,7 +13,7 @@
 /// Speed against error: what a digit costs, method by method.
 namespace jw {
 
-/// Of errors and times.
+/// Value of an error or a time that is not known.
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// Positions of a lesson's point at equal times from 0 to its duration, known beforehand.
@@ -27,13 +27,13 @@ struct Reference {
 /// file is not one of those shipped: a copy may have been changed.
 /// @throws std::runtime_error if a row of it does not hold seven numbers
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
-/// By two ways that no method of the race takes: the equations of the bodies, extrapolated, and the dense
-/// equations of the slides (for more than 20 bodies those of the bodies again, by another integrator).
-/// `origin` says which, and how many digits the two agree to, or why there is only one.
+/// Computes a reference in two ways that no method of the race uses: the equations of the bodies,
+/// extrapolated, and the dense equations of the slides (for more than 20 bodies those of the bodies again, by
+/// another integrator). `origin` says which, and to how many digits the two agree, or why there is only one.
 /// @throws Stopped if `stop` asks for it; std::runtime_error if both end early
 Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
 
-/// What a run throws that was asked to stop.
+/// Exception of a run that was asked to stop.
 struct Stopped {};
 
 /// The largest errors of a trajectory so far.
@@ -92,7 +92,7 @@ struct BenchPlan {
     double least_time = 0.02;  ///< runs are repeated until this much CPU time has passed [s]
 };
 
-/// For those who look on while a sweep goes on.
+/// Observer of a running sweep.
 struct BenchWatch {
     /// All runs so far, the last one unfinished; after every point.
     std::function<void(const std::vector<BenchRun>&)> seen = [](const std::vector<BenchRun>&) {};

@@ -48,7 +48,8 @@ public:
     }
 
 private:
-    /// How far y moves in `count` steps (even): movements are shorter than y, and so is their rounding.
+    /// Change of y over `count` midpoint steps (an even number). Changes are smaller than y, and so is their
+    /// rounding.
     Numbers midpoint_rule(double t, double h, const Numbers& y, const Numbers& first, int count) {
         const double small = h / count;
         Numbers before(y.size(), 0.0);

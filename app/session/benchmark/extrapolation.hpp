@@ -9,7 +9,7 @@
 /// program shares a table, a step control or a sample with. It computes references.
 namespace jw {
 
-/// From times.front() to times.back(), every one of them the end of a step; y is projected after every step.
+/// Integrates from times.front() to times.back(); a step ends at each of the times; y is projected after it.
 /// @param tolerance of a step, for every number against 1 and its own size
 /// @param receive given y at every time
 /// @return false where no step is short enough, or `most_steps` are not enough

@@ -133,7 +133,7 @@ KinematicsRun dense(System system, const std::vector<BenchInstant>& moments) {
     return run;
 }
 
-/// As motions are followed, with all that is checked on the way.
+/// Kinematics as the program follows a motion, with all checks on the way.
 KinematicsRun by_graph(System system, const std::vector<BenchInstant>& moments) {
     const Errors errors(system, moments);
     KinematicsRun run;

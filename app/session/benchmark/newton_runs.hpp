@@ -12,7 +12,7 @@
 /// its numbers.
 namespace jw {
 
-/// What is compared: all methods in one choice of coordinates, or one method in all choices.
+/// Comparison that is asked for: all methods in one choice of coordinates, or one method in all choices.
 struct NewtonPlan {
     bool by_method = true;
     CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;  ///< by method

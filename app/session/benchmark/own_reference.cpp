@@ -12,7 +12,8 @@ namespace jw {
 namespace {
 
 constexpr long kMostReferenceSteps = 1'000'000;
-/// Of the size of an equation: what parts that fit leave after a projection, far above rounding.
+/// Residual left after a projection when the parts fit, relative to the size of an equation; far above
+/// rounding.
 constexpr double kMetByReference = 1e-9;
 
 /// Positions and velocities of the lesson's point at the times of a reference.
@@ -25,7 +26,7 @@ struct ReferenceWay {
     std::string failure;
 };
 
-/// Where the point is in the flat states that are given to it; ends the run when it is asked to.
+/// Records where the point is in the flat states that it receives; ends the run when asked to.
 class PointRecorder {
 public:
     PointRecorder(const Lesson& lesson, const Simulation& simulation, const std::stop_token& stop)

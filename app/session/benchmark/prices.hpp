@@ -5,7 +5,7 @@
 #include "app/session/benchmark/benchmark.hpp"
 #include "app/session/view/series.hpp"
 
-/// What the runs of a benchmark say: the price of a digit, method by method, as plain values to be shown.
+/// Prices found by a benchmark: what one more digit costs, method by method, as plain values to be shown.
 namespace jw {
 
 /// Errors of position that people ask for [m].

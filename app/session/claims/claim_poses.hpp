@@ -7,14 +7,14 @@
 #include "app/session/story/story.hpp"
 #include "core/quantity/evaluate.hpp"
 
-/// Where and how a lesson's mechanism moves at the moments that its claims speak of.
+/// Poses and motions of a lesson's mechanism at the moments of its claims.
 namespace jw {
 
 /// A pose at which claims are judged, or why there is none.
 struct Pose {
     Instant instant;
-    /// Of a motion by masses and forces: the same of a run with a looser tolerance. What lies between them is
-    /// what cannot be proved.
+    /// The same instant of a run with a looser tolerance, for a motion by masses and forces. The difference
+    /// of the two is what cannot be proved.
     std::optional<Instant> rough;
     bool change_point = false;  ///< as the motion met it
     std::string failure;        ///< not empty: the pose was not reached

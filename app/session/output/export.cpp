@@ -29,7 +29,7 @@ std::string entries_of(const MatrixX& values, Eigen::Index row) {
     return text;
 }
 
-/// How many columns, from `first` on, belong to the same body.
+/// Number of columns, from `first` on, that belong to the same body.
 std::size_t columns_together(const MatrixView& matrix, std::size_t first) {
     std::size_t last = first;
     while (last < matrix.columns.size() && matrix.columns[last].owner == matrix.columns[first].owner) {

@@ -4,8 +4,8 @@
 
 #include "app/session/view/view.hpp"
 
-/// What a view shows, to be pasted elsewhere: LaTeX that needs nothing but amsmath, and comma-separated
-/// tables (RFC 4180, line feeds, numbers in full).
+/// Views as text for other programs: LaTeX that needs only amsmath, and comma-separated tables (RFC 4180,
+/// line feeds, numbers with all digits).
 namespace jw {
 
 /// Formula markup (labels.hpp) as a formula of LaTeX, without delimiters; ASCII.

@@ -15,7 +15,7 @@ struct Symbol {
     std::string_view latex;
 };
 
-/// In formulas; a command is followed by a space where a letter may come next.
+/// Symbols in formulas; a command is followed by a space where a letter may come next.
 constexpr std::array kSymbols{
     Symbol{"−", "-"},        Symbol{"≡", "\\equiv "},  Symbol{"×", "\\times "},  Symbol{"·", "\\cdot "},
     Symbol{"′", "\\prime "}, Symbol{"Φ", "\\Phi "},    Symbol{"Δ", "\\Delta "},  Symbol{"α", "\\alpha "},
@@ -31,7 +31,7 @@ constexpr std::array kScripts{
     Symbol{"ᴾ", "^{P}"}, Symbol{"ᵀ", "^{\\mathsf{T}}"}, Symbol{"ᴮ", "^{B}"},
 };
 
-/// What text gives a meaning of its own.
+/// Characters with a meaning of their own in LaTeX text, and how they are written.
 constexpr std::array kEscaped{
     Symbol{"\\", "\\textbackslash{}"},
     Symbol{"~", "\\textasciitilde{}"},

@@ -4,11 +4,11 @@
 
 namespace jw {
 
-/// How long a step should be looked at [s]: the time to read it.
+/// Time that a step should be shown [s]: the time to read it.
 /// @param moment  seconds between two moments of the motion
 double seconds_to_look(const View& view, double moment);
 
-/// The same at the pace of the lesson's own motion.
+/// Time that a step should be shown [s] when the lesson's motion plays at its own pace.
 double seconds_of_step(const Story& story, const View& view);
 
 }  // namespace jw

@@ -36,7 +36,7 @@ int failing_joint(const Step& step) {
     return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
 }
 
-/// Everything from the `first` entry on stands for `link`.
+/// Makes everything from the `first` entry on stand for `link`.
 template <class Drawn>
 void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& link) {
     for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
@@ -111,7 +111,7 @@ void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step
     }
 }
 
-/// Where the bodies that move in this solve came from.
+/// Adds pale copies of the bodies where they were before this solve.
 void add_ghosts(const Story& story, const PictureStyle& style, int index, render::Scene& scene) {
     int start = index;
     while (start > 0 && story.steps()[static_cast<std::size_t>(start)].kind != Step::Kind::equations) {

@@ -27,7 +27,7 @@ struct Picture {
     std::vector<Annotation> annotations;
 };
 
-/// What the glyph and the vectors of a joint keep to in all pictures [m].
+/// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
 struct JointStyle {
     double aside_i = 0.0;  ///< from its line to where s_i is in plain sight, beside the bodies
     double aside_j = 0.0;  ///< the same for s_j
@@ -39,7 +39,8 @@ struct JointStyle {
     double farthest = 0.0;  ///< from that line, of P_j [m]
 };
 
-/// What all pictures of a story share, found once, so that nothing grows, shrinks or moves between frames.
+/// Properties that all pictures of a story share, found once, so that nothing grows, shrinks or jumps between
+/// frames.
 struct PictureStyle {
     double unit = 1.0;  ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
     Vec3 up = Vec3::UnitZ();
@@ -66,7 +67,7 @@ void light_up(Picture& picture, const Emphasis& lit);
 void add_ghosts(
     const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture);
 
-/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+/// Picture of a step that is not in the story: it stands in the place of step `index`, moved by hand.
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
 
 }  // namespace jw

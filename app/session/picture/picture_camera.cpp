@@ -63,7 +63,7 @@ Vec3 across_the_plane(const Vec3& axis, const Vec3& up) {
     return forward - 0.44 * side - 0.32 * up;
 }
 
-/// From the right, in front and above.
+/// Direction of the three-quarter view: from the right, in front and above.
 Vec3 three_quarter(const Vec3& up) {
     const Vec3 across = std::abs(up.x()) < 0.9 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
     const Vec3 right = (across - across.dot(up) * up).normalized();

@@ -75,13 +75,14 @@ private:
         const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
         return {j_.P_i + (range.lowest - beyond) * j_.s_i, j_.P_i + (range.highest + beyond) * j_.s_i};
     }
-    /// Of a guide only what sticks out of body j, where the lesson drew body i and so its guide.
+    /// Ends of the guide; only the part outside body j where the lesson drew body i and therefore its guide.
     std::pair<Vec3, Vec3> guide() const {
         if (!has_own_shapes(j_.joint->body_i)) { return travel(5.5 * g_); }
         const Vec3 middle = j_.P_i + j_.displacement() * j_.s_i;
         return {middle - kStub * g_ * j_.s_i, middle + kStub * g_ * j_.s_i};
     }
-    /// From a point of the joint towards the body it belongs to; zero if that body is all around it.
+    /// Direction from a point of the joint towards the body it belongs to; zero if that body is all around
+    /// it.
     Vec3 towards_body(int body, const Vec3& P, const BodyFrame& frame) const {
         const Vec3 way = frame.point(centre_of(style_->bodies[static_cast<std::size_t>(body)])) - P;
         return way.norm() > 0.1 * g_ ? Vec3(way.normalized()) : Vec3::Zero();

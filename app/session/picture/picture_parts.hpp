@@ -47,10 +47,10 @@ render::Colour colour_of_body(const Lesson& lesson, int body);
 void add_body(
     const Lesson& lesson, const PictureStyle& style, const State& state, int body, float alpha,
     render::Scene& scene);
-/// Where a body's name may stand [m].
+/// Point where a body's name may stand [m].
 Vec3 middle_of_body(const PictureStyle& style, const State& state, int body);
 
-/// What a joint looks like; its two halves apart where it is not assembled.
+/// Adds the glyph of a joint; its two halves are apart where it is not assembled.
 void add_joint(
     const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted,
     render::Scene& scene);
@@ -60,7 +60,7 @@ void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& p
 /// A dashed line where the two points of a joint should meet and do not.
 void add_gap(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
 
-/// What a driver prescribes: an angle as an arc, a distance as an arrow.
+/// Adds the symbol of a driver: an arc for an angle, an arrow for a distance.
 void add_driver(
     const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture);
 
@@ -78,7 +78,7 @@ void add_springs(const Lesson& lesson, const PictureStyle& style, const State& s
 
 /// Lengths of the arrows of forces and torques, from what is usual in the story.
 void set_reaction_scales(const Story& story, PictureStyle& style);
-/// What joints and drivers do to their second bodies, in dynamics.
+/// Adds the reactions of joints and drivers on their second bodies, in dynamics.
 void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
 
 /// All of a step but the ground plane and the path.

@@ -23,7 +23,7 @@ Vec3 unique_part(const Vec3& vector, const Mat3& axes, const std::array<bool, 3>
     return part;
 }
 
-/// What nine tenths of the values stay below: near singular positions forces go out of all bounds.
+/// Value that nine tenths of the values stay below: near singular positions reactions grow without bound.
 double usual(std::vector<double> values) {
     if (values.empty()) { return 0.0; }
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(9 * (values.size() - 1) / 10);
@@ -45,7 +45,8 @@ void add_arrow(
     }
 }
 
-/// What is certain in full colour; where repeated equations leave something open, the smallest answer pale.
+/// Adds a force or torque: its unique components in full colour; the smallest solution, pale, where redundant
+/// equations leave them open.
 void add_effect(
     const PictureStyle& style, const Reaction& reaction, const Vec3& vector,
     const std::array<bool, 3>& unique, double scale, bool two_heads, Picture& picture) {

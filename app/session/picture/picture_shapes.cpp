@@ -18,7 +18,7 @@ struct Centre {
     Vec3 operator()(const Rod& r) const { return 0.5 * (r.from + r.to); }
 };
 
-/// Where along `from` .. `to` the point is, and how far from that line.
+/// Place of a point along the line `from` .. `to`, and its distance from the line.
 struct AlongLine {
     double part;
     double distance;

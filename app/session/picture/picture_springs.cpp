@@ -24,7 +24,7 @@ void add_wire(std::vector<Vec3> points, render::Scene& scene) {
     scene.polylines.push_back(std::move(wire));
 }
 
-/// As many coils however far it is stretched.
+/// Adds a coil spring; the number of coils does not depend on how far it is stretched.
 void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
     const Vec3 way = to - from;
     // facing the eye, so that they do not jump where the spring turns
@@ -44,7 +44,7 @@ void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, rend
     add_wire(std::move(points), scene);
 }
 
-/// What dampens only: a cylinder on a rod.
+/// Adds the symbol of a pure damper: a cylinder on a rod.
 void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
     add_wire({from, to}, scene);
     scene.shapes.push_back(
@@ -52,7 +52,8 @@ void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, re
          kWire});
 }
 
-/// From the shaft, which is body j, out to what belongs to body i. Angles are known up to whole turns.
+/// Adds a spiral from the shaft, which is body j, out to what belongs to body i. Angles are known up to whole
+/// turns.
 void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& scene) {
     const Vec3 v = j.s_i.cross(j.u_i);
     const double theta = std::atan2(j.u_j.dot(v), j.u_j.dot(j.u_i));

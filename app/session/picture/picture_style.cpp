@@ -67,7 +67,7 @@ const State& closed_state(const Story& story, int joint) {
     return story.steps().back().state;
 }
 
-/// For a vector that leaves the bodies at `side` from P and may run in a handle from there on.
+/// Lift of a vector that leaves the bodies at `side` from P and may run in a handle from there on.
 double lift_of(const Solid& solid, const Vec3& P, const Vec3& direction, double side, double unit) {
     const Vec3 from = P + side * direction;
     return solid.clearance(from, from + 0.5 * kVisible * unit * direction, kAsideLimit * unit);
@@ -135,7 +135,7 @@ void set_bounds(const Story& story, const std::vector<int>& moments, PictureStyl
     style.bounds = with_iterations.diagonal() < kWildIteration * bounds.diagonal() ? with_iterations : bounds;
 }
 
-/// Of all joint points and origins of moving bodies the one with the longest path.
+/// Chooses the traced point: the joint point or origin of a moving body with the longest path.
 void set_traced_point(const Story& story, PictureStyle& style) {
     const Mechanism& mechanism = story.lesson().mechanism;
     double longest = 1e-3 * style.unit;  // less would be a dot

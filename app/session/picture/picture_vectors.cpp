@@ -72,7 +72,7 @@ private:
         point(j_.P_j, name + "_j");
     }
     Vec3 seen(const Vec3& direction) const { return on_picture(style_, direction); }
-    /// Of s_i and s_j: 1 if one would hide the other.
+    /// Overlap of the arrows s_i and s_j: 1 if one would hide the other.
     double axes_overlap() const {
         const Vec3 apart = j_.P_j - j_.P_i;
         const double distance = std::abs(apart.dot(beside(style_, j_.s_i)));

@@ -40,11 +40,11 @@ struct Pointable {
 int picture_id(const Pointable& link);
 Pointable pointable_of(int picture_id);
 
-/// Everything that lights up together.
+/// Set of all things that light up together.
 class Emphasis {
 public:
     Emphasis() = default;
-    /// Everything that belongs to `pointed_at`.
+    /// Lights everything that belongs to `pointed_at`.
     /// @param angular columns per body beyond r: 4 in the (r, p) choices, else 3
     Emphasis(const System& system, int angular, const Pointable& pointed_at);
 

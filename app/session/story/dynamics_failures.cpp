@@ -35,7 +35,7 @@ std::string what_contradicts(double violation, const Mechanism& mechanism, const
            "spherical and a cylindrical joint instead of two revolutes)";
 }
 
-/// What keeps the steps short, and what helps.
+/// Says what keeps the steps short and what helps.
 std::string why_so_many(const SimulationFailure& failure, const SimulationSettings& settings) {
     const MethodName& method = entry_of(settings.method);
     if (failure.bound_by_stability) {

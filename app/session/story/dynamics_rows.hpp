@@ -5,10 +5,11 @@
 #include "core/quantity/names.hpp"
 #include "lessons/lesson.hpp"
 
-/// What a motion by masses and forces says at each of its times.
+/// Rows of a table over a motion by masses and forces.
 namespace jw {
 
-/// What a run knows at one of its times: energies as it counts them, accelerations of its equations.
+/// Instant of a run at one of its times: the energies as the run sums them, the accelerations of its
+/// equations.
 /// @param with_accelerations they cost an evaluation
 Instant instant_of(
     Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,

@@ -83,7 +83,7 @@ std::string summary_of(const DynamicsTable& table) {
            small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints));
 }
 
-/// Where branches of a loop cross, they do so only as far as its numbers fit.
+/// Note that the branches of a loop cross only as exactly as the typed numbers fit each other.
 std::string fit_note(const DynamicsTable& table) {
     constexpr double twelve_digits = 3e-12;
     if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
@@ -124,7 +124,8 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
            (more > 0 ? " (and " + std::to_string(more) + " more, by less)" : "");
 }
 
-/// Of the body whose start velocity is changed most; one that was not given is nobody's wish.
+/// Note about the body whose start velocity was changed most; velocities that the author did not give do not
+/// count.
 std::string speed_note(const Mechanism& given, const Snapshot& start) {
     constexpr double typed = 1e-4;  // what four digits leave open is no news
     const double length = extent(given);

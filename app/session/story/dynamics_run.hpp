@@ -12,7 +12,7 @@
 /// A lesson of dynamics, run from its start.
 namespace jw {
 
-/// What a run is asked for; a lesson says what holds unless asked otherwise.
+/// Settings of a run; the lesson's own unless others are asked for.
 struct DynamicsRequest {
     SimulationSettings settings;
     double duration = 1.0;  ///< [s]
@@ -43,8 +43,8 @@ struct DynamicsTable {
     std::string fit_note;    ///< that a loop does not quite fit, where that decides about its branch
     /// Joints whose reactions are one of many answers; only if reactions were asked for.
     std::vector<std::string> not_unique;
-    /// What of M q̈ − Q no reaction explains, by |M q̈| + |Q|: the largest of all rows, and how large it may be
-    /// there; only if reactions were asked for.
+    /// Largest row of M q̈ − Q that the reactions do not explain, relative to |M q̈| + |Q|, and its bound;
+    /// only if reactions were asked for.
     std::optional<double> reaction_residual;
     double reaction_bound = 0.0;
     std::string reaction_note;  ///< that it is larger than that, and where first; mostly empty
@@ -61,7 +61,8 @@ std::vector<double> equal_times(double duration, int intervals);
 /// The mechanism with its bodies where a state has them.
 Mechanism placed_at(const Mechanism& mechanism, const State& state);
 
-/// What of a start the constraints do not allow, and what is used instead; empty if it is as it was given.
+/// Says which start values the constraints do not allow and what is used instead; empty if all are used as
+/// given.
 /// @param start of the simulation, at t = 0
 std::string start_note(const Mechanism& given, const Snapshot& start);
 

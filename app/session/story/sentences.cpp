@@ -195,7 +195,7 @@ std::string assembled_sentence(
     return rank.decided ? text : text + " " + undecided_text(rank);
 }
 
-/// Of the arrows that stand for them.
+/// Describes the reactions that the arrows in the picture stand for.
 std::string reactions_text(const Mechanism& m, const Reactions& found) {
     const Reaction* largest = nullptr;
     for (const Reaction& r : found.reactions) {

@@ -4,7 +4,7 @@
 
 #include "app/session/story/story.hpp"
 
-/// What happened in a step, in words and with the real numbers.
+/// Sentences that say what happened in a step, with the actual numbers.
 namespace jw {
 
 /// "Joint C · revolute · coupler – rocker"

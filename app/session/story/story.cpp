@@ -319,7 +319,7 @@ void Story::tell_motion(const MotionPlan& plan, const StoryOptions& options) {
     }
 }
 
-/// From the assembled pose on, by the method of the lesson.
+/// Tells the motion by masses and forces from the assembled pose on, by the lesson's method.
 void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     const Mechanism assembled = placed_at(lesson_->mechanism, state_);
     const int intervals = options.intervals > 0 ? options.intervals : plan.steps;

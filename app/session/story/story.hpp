@@ -69,8 +69,8 @@ struct Step {
     bool failed() const { return failure.has_value() || !ended.empty(); }
 };
 
-/// What joints do to their bodies at a moment of a motion by masses and forces; nothing at other steps, and
-/// for mechanisms so large that finding it would take longer than the motion.
+/// Reactions at a moment of a motion by masses and forces; absent at other steps, and for mechanisms so large
+/// that finding them would take longer than the motion.
 std::optional<Reactions> reactions_of(const Step& step);
 
 /// The joint or driver that a step is about, if any.
@@ -92,7 +92,7 @@ struct StoryOptions {
     std::function<void(double fraction)> progress;
 };
 
-/// For those who want the poses alone.
+/// Options of a story of poses alone, without ranks.
 inline StoryOptions poses_only(bool with_motion = false) {
     StoryOptions options;
     options.with_motion = with_motion;
@@ -100,15 +100,14 @@ inline StoryOptions poses_only(bool with_motion = false) {
     return options;
 }
 
-/// For those who want the pose in which everything is put together.
+/// Options of a story of the assembled pose alone.
 inline StoryOptions last_pose_only() {
     StoryOptions options = poses_only();
     options.keep_steps = false;
     return options;
 }
 
-/// What is shown after everything has been put together: the lesson's motion, or what its masses and forces
-/// do.
+/// Motion that is shown after assembly: the lesson's prescribed motion, or the one by masses and forces.
 std::optional<MotionPlan> shown_motion(const Lesson& lesson);
 
 /// When everything is put together: the motion's first time, or 0 [s].
@@ -144,7 +143,7 @@ private:
     void tell_motion(const MotionPlan& plan, const StoryOptions& options);
     void tell_dynamics(const MotionPlan& plan, const StoryOptions& options);
     void find_featured_joint();
-    /// Of the present system and state, if ranks are asked for.
+    /// Rank of the present system at the present state, computed when asked for.
     RankWhenAsked present_rank() const;
 
     const Lesson* lesson_;

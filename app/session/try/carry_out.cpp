@@ -34,7 +34,7 @@ std::string drag_to_the_end(Session& session, const Drag& drag) {
     return said;
 }
 
-/// What the hand, or a free motion, has led to becomes the start.
+/// Drags, or follows a free motion, and makes the pose that was reached the start pose.
 ExperimentResult move(Session& session, const Experiment& experiment) {
     const int index = session.index();
     const int held = closed_step(session.story(), index);

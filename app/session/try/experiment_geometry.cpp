@@ -78,7 +78,7 @@ void read_member(Words& words, JointGeometry& g) {
     }
 }
 
-/// What of `g` is not as in `before`, member by member.
+/// Lists the members in which `g` differs from `before`.
 std::string differences(const JointGeometry& before, const JointGeometry& g) {
     std::string text;
     const auto add = [&](const char* key, const std::string& value) {

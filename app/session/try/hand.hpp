@@ -24,7 +24,7 @@ public:
     /// The pose at `part` (-1 to 1) of the way that free motion `motion` can be followed.
     /// @return false if there is no such motion
     bool follow(int motion, double part);
-    /// Of the motion that is followed.
+    /// Free motion that is being followed, if any.
     const std::optional<FollowedMotion>& followed() const { return followed_; }
 
 private:

@@ -125,7 +125,7 @@ void Laboratory::add_equations(int index, ExperimentGroup& group) const {
     }
 }
 
-/// As it is: to be typed with other numbers.
+/// Lists the present geometry as an experiment, to be typed again with other numbers.
 void Laboratory::add_geometry(int index, ExperimentGroup& group) const {
     const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     const std::string name =

@@ -7,10 +7,10 @@
 #include "app/session/output/json.hpp"
 #include "app/session/try/session.hpp"
 
-/// What can be tried in a lesson, and what each experiment would do to the equations where the lesson stands.
+/// Experiments that are possible in a lesson, and the effect of each on the equations at the present step.
 namespace jw {
 
-/// Of all equations that are present, at the same pose.
+/// Numbers of all present equations, at the same pose.
 struct Effect {
     int rows = 0;
     int rank = 0;
@@ -34,7 +34,7 @@ struct FreeMotionVerdict {
     bool finite = false;  ///< it goes on; else for an instant only
 };
 
-/// Everything about one joint or driver.
+/// Experiments with one joint or driver.
 struct ExperimentGroup {
     std::string title;  ///< "A · revolute · ground – crank"
     std::vector<PossibleExperiment> experiments;
@@ -51,7 +51,8 @@ struct PossibleExperiments {
     ExperimentGroup coordinates;
 };
 
-/// Of what `session` shows: where a joint is being closed, before it.
+/// Experiments possible at the step that `session` shows; while a joint is being closed, at the step before
+/// it.
 PossibleExperiments possible_experiments_of(const Session& session);
 
 std::string describe(const PossibleExperiments& experiments, const Lesson& lesson);

@@ -28,7 +28,7 @@ struct Inspection {
     RankReport rank;                    ///< kinematic, whatever the coordinates
 };
 
-/// Whether singular values and free motions are computed.
+/// When singular values and free motions are computed.
 enum class Spectrum {
     of_small,  ///< up to kMostColumnsWithSpectrum columns (large_rank.hpp)
     always,    ///< whatever that takes: a minute for 500 bodies
@@ -37,7 +37,8 @@ enum class Spectrum {
 /// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
 bool is_shown_dense(const Inspection& inspection);
 
-/// At a step of the story; γ belongs to the file's velocities before the motion and to the motion's in it.
+/// Inspection of a step of the story; γ belongs to the file's velocities before the motion and to the
+/// motion's in it.
 /// @throws std::out_of_range if there is no such step
 Inspection inspect_step(
     const Story& story, int index, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
@@ -60,7 +61,7 @@ public:
 
 /// Why a story ended at its step `failed`, with the lesson's file name; to be thrown.
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
-/// The same of a motion.
+/// Failure text for a pose of a motion that was not reached.
 PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure);
 
 }  // namespace jw

@@ -24,8 +24,8 @@ struct QuantityMotion {
 /// Instant with all that is known at a step.
 Instant instant_of(const Step& step);
 
-/// What a person would measure first: what drivers prescribe, then the measures of joints that are not
-/// driven.
+/// Quantities that a person would measure first: those that drivers prescribe, then the measures of joints
+/// that are not driven.
 std::vector<QuantityMotion> quantities_of(const Step& step);
 
 }  // namespace jw

@@ -38,7 +38,7 @@ void set_rounding(std::vector<Series>& series) {
     for (Series& s : series) { s.rounding = std::max(kSmallestRounding, kRoundingPart * largest[s.unit]); }
 }
 
-/// Of the step's own measures, each followed by its rate and acceleration.
+/// Adds the step's own measures, each followed by its rate and acceleration.
 void add_measures(const Step& step, std::vector<Series>& series) {
     const bool first = series.empty();
     std::size_t next = 0;
@@ -54,7 +54,7 @@ void add_measures(const Step& step, std::vector<Series>& series) {
     }
 }
 
-/// Of a body r, ṙ, r̈, ω, ω̇, each with its size.
+/// Lists r, ṙ, r̈, ω, ω̇ of a body, each with its magnitude.
 void list_vectors(int body, std::vector<NamedQuantity>& list) {
     const auto add_size = [&](BodyVector vector) { list.push_back({BodySizeQuantity{body, vector}, 0}); };
     constexpr std::array places{BodyVector::r, BodyVector::r_dot, BodyVector::r_ddot};
@@ -70,8 +70,8 @@ void list_vectors(int body, std::vector<NamedQuantity>& list) {
     }
 }
 
-/// What is plotted beside the measures of drivers and joints. Of a motion by masses and forces its energies,
-/// too: their sum is level where nothing but gravity and springs acts.
+/// Lists the quantities plotted beside the measures of drivers and joints. In a motion by masses and forces
+/// these include the energies: their sum is constant where only gravity and springs act.
 std::vector<NamedQuantity> further_quantities(const Step& step, const BodyPoint& traced) {
     std::vector<NamedQuantity> list;
     if (traced.body >= 0) {
@@ -92,7 +92,7 @@ const Step& step_at(const Story& story, const SeriesSet& set, std::size_t point)
     return story.steps()[static_cast<std::size_t>(set.steps[point])];
 }
 
-/// How much a curve changes, in parts of its size: next to nothing for a motor that runs evenly.
+/// Relative change of a curve: next to nothing for a motor that runs evenly.
 double liveliness(const Series& series) {
     const auto [low, high] = std::ranges::minmax(series.values);
     const double size = std::max(std::abs(low), std::abs(high));
@@ -119,7 +119,7 @@ std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     return {best, best + 1, best + 2};
 }
 
-/// What happened in a solve, and the step that shows each event.
+/// Events of a Newton solve, and the step that shows each of them.
 struct Solve {
     std::string name;
     std::vector<PositionEvent> events;

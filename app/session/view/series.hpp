@@ -6,8 +6,8 @@
 #include "app/session/story/story.hpp"
 #include "core/quantity/names.hpp"
 
-/// What can be plotted of a story, as plain values: quantities and singular values over time, residuals over
-/// iterations. Nothing here is kept up to date by itself: whoever shows a set makes it once per story.
+/// Curves of a story as plain values: quantities and singular values over time, residuals over iterations. A
+/// set is not updated by itself; whoever shows one makes it once per story.
 namespace jw {
 
 struct Series {

@@ -84,7 +84,7 @@ std::string why_nothing_moves(const Story& story) {
     return "Nothing moves here: the lesson ends once everything is put together.";
 }
 
-/// Of many singular values the largest and the smallest ones, and the threshold.
+/// Indices of the largest and smallest of many singular values, and of the threshold.
 std::vector<int> largest_and_smallest(const SeriesSet& set) {
     constexpr int smallest = 4;
     const int count = static_cast<int>(set.series.size());

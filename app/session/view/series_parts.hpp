@@ -2,7 +2,7 @@
 
 #include "app/session/view/series.hpp"
 
-/// What the sets over time have in common; used by series.cpp and series_of_rows.cpp only.
+/// Common parts of the sets over time; used by series.cpp and series_of_rows.cpp only.
 namespace jw::series {
 
 /// Times and steps of the motion, with marks where rows were chosen anew and where a change point was passed.

@@ -8,8 +8,8 @@
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/view_equations.hpp"
 
-/// What a step shows, as plain values: the terminal, the JSON, the panels and the pictures all come from
-/// here, so a number shown in two places is computed once. Formula markup as in labels.hpp.
+/// Contents of a step as plain values. The terminal, the JSON, the panels and the pictures all read them, so
+/// a number shown in two places is computed once. Formula markup as in labels.hpp.
 namespace jw {
 
 struct MatrixView {
@@ -100,7 +100,7 @@ enum class ViewParts { all, without_matrix };
 /// @param index of the step in the story
 View view_of(const Story& story, int index, ViewParts parts = ViewParts::all);
 
-/// The same of a step that is not in the story: one that stands in the place of step `index`, moved by hand.
+/// View of a step that is not in the story: it stands in the place of step `index`, moved by hand.
 View view_of(const Story& story, const Step& step, int index, ViewParts parts = ViewParts::all);
 
 }  // namespace jw

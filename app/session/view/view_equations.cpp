@@ -53,7 +53,7 @@ std::string components_of(unsigned mask, ParallelForm form) {
     return listed(names);
 }
 
-/// Of equations that `without` takes out, whatever the form leaves of the others.
+/// Reason for equations that `without` takes out, whichever of the others the form leaves out.
 std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view) {
     const unsigned all = choice.form == ParallelForm::pair ? 0b11U : 0b111U;
     const unsigned dropped = choice.dropped >= 0 ? 1U << choice.dropped : 0U;

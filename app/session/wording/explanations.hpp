@@ -24,8 +24,8 @@ std::string free_motion_text(const System& system, const FreeMotion& motion);
 /// Why the rank cannot be told; empty if it can.
 std::string undecided_text(const RankReport& report);
 
-/// What of a verdict is not proved, one sentence each: the rank, combinations that miss, motions that are not
-/// free. None if all is well.
+/// Sentences that say what about a rank report is not proved: the rank, combinations with a residual, motions
+/// that are not free. Empty if all is proved.
 std::vector<std::string> doubts_of(const System& system, const RankReport& report);
 
 /// One per free motion, but a single one for bodies that no equation holds.

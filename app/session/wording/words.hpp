@@ -12,7 +12,7 @@
 /// Sentences that people type, read from left to right.
 namespace jw {
 
-/// What is wrong with a sentence and what was expected; a hint stands in a line of its own.
+/// Error that says what is wrong with a sentence and what was expected; a hint stands in a line of its own.
 class Unreadable : public std::runtime_error {
 public:
     explicit Unreadable(const std::string& message, const std::string& hint = {})
@@ -38,7 +38,7 @@ public:
     /// @return its index
     /// @throws Unreadable if there is none
     std::size_t name(const std::vector<std::string>& names, const std::string& kind);
-    /// The same for everything that is left.
+    /// Index of the word that all the remaining text is.
     std::size_t last_word(const std::vector<std::string>& words, const std::string& kind);
     /// @throws Unreadable if no finite number of at most 1e9 in size comes next
     double number(const std::string& what);

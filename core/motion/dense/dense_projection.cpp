@@ -14,7 +14,7 @@ double DenseEquations<C>::largest(const VectorX& values) const {
     return values.size() > 0 ? values.cwiseProduct(inverse_size_).cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// The same over the kept rows only.
+/// Largest value over the kept rows only.
 template <class C>
 double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
     double worst = 0.0;

@@ -13,14 +13,14 @@ bool can_hang(const Joint& joint) {
     return !by_hand && joint.type->can_carry();
 }
 
-/// What one coordinate does, in the frame that the child has at the start.
+/// Motion along one coordinate, in the frame that the child has at the start.
 struct Axis {
     Vec3 turn = Vec3::Zero();
     Vec3 shift = Vec3::Zero();
 };
 
-/// Where a body may hang: anywhere if it does not turn, on the axis that it turns about, or in the one point
-/// that all its turns leave.
+/// Places where a body may hang on another: anywhere if that body does not turn, on the axis that it turns
+/// about, or at the one point that all its turns leave in place.
 enum class Support { anywhere, axis, point };
 
 Support support_of(std::span<const Freedom> motion) {

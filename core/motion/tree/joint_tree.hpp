@@ -10,7 +10,7 @@
 /// of.
 namespace jw {
 
-/// How a node of the tree hangs from another one.
+/// Connection of a node of the tree to its parent.
 enum class Hanging {
     welded,
     axis,  ///< one coordinate q: a turn about an axis, a way along it, or (screw) both
@@ -20,9 +20,9 @@ enum class Hanging {
 
 /// A body in the tree, or a massless one between two axes of the same joint (cylindrical, universal, planar).
 ///
-/// At q = 0 a node lies beside its parent as at the start. turn' and shift' are what a unit q̇ does: the
-/// node's ω and its velocity at the point where it hangs; both are fixed in the node, and as they are in its
-/// parent, too.
+/// Node of the tree. At q = 0 it lies beside its parent as at the start. turn' and shift' are what a unit q̇
+/// does: the node's ω and its velocity at the point where it hangs; both are fixed in the node, and have the
+/// same components in its parent.
 struct TreeNode {
     int body = -1;    ///< in the mechanism; -1: massless
     int parent = -1;  ///< a node before this one; -1: what does not move, its frame is the global one
@@ -38,7 +38,7 @@ struct TreeNode {
     Vec4 p_turned = Vec4::Zero();  ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
     int position = 0;              ///< where its q; p; or r and p begin in y
     int velocity = 0;              ///< where its q̇; ω'; or ṙ and ω' begin in y
-    /// How far the bodies that hang on it can reach from where it hangs [m].
+    /// Largest distance that the bodies hanging on this node can reach from its point [m].
     double reach = 0.0;
 
     int positions() const;
@@ -48,20 +48,20 @@ struct TreeNode {
 /// y = all positions, then all velocities, node by node.
 class JointTree {
 public:
-    /// Of the joints that bodies can hang from, those with the fewest freedoms, then those nearest to the
-    /// ground; equations chosen or taken out by hand stay equations. Of bodies that no such joint holds the
-    /// heaviest moves freely and carries the others.
+    /// Chooses the joints of the tree: those with the fewest freedoms, then those nearest to the ground;
+    /// equations chosen or taken out by hand stay equations. Of bodies that no such joint holds, the heaviest
+    /// moves freely and carries the others.
     /// @param start poses of all bodies; the joints hold there
     JointTree(const Centroidal& scene, const State& start);
 
     std::span<const TreeNode> nodes() const { return nodes_; }
     int positions() const { return positions_; }
     int velocities() const { return velocities_; }
-    /// Whether a joint of the mechanism is part of the tree; all others, and the drivers, are left as
+    /// True if a joint of the mechanism is part of the tree; all others, and the drivers, are left as
     /// equations.
     bool has_joint(int joint) const { return in_tree_[static_cast<std::size_t>(joint)]; }
-    /// Where the parts of y begin, each with its rates: `number(position, velocity)` for every q, `way(...)`
-    /// for every r, `turn(...)` for every p and its ω'.
+    /// Visits the parts of y with the places where they and their rates begin: `number(position, velocity)`
+    /// for every q, `way(...)` for every r, `turn(...)` for every p and its ω'.
     template <class Number, class Way, class Turn>
     void for_each_part(Number&& number, Way&& way, Turn&& turn) const {
         for (const TreeNode& node : nodes_) {

@@ -98,7 +98,7 @@ private:
 
     /// Computes poses and velocities of the nodes at y; results of the last evaluation are lost.
     void place(const double* y) const;
-    /// Whether the nodes hold the results of `evaluate` at y.
+    /// True if the nodes hold the results of `evaluate` at y.
     bool is_evaluated_at(double t, const double* y) const;
     /// Ensures that the nodes hold the results of `evaluate` at y.
     void stay_at(double t, const double* y);
@@ -149,7 +149,7 @@ private:
     EnvelopeMatrix matrix_;
     std::vector<double> lambda_;
     double smallest_pivot_ = 1.0;
-    /// Whether the nodes hold the results of the evaluation at the time and y below.
+    /// True if the nodes hold the results of the evaluation at the time and y below.
     mutable bool is_evaluated_ = false;
     std::vector<double> evaluated_y_;
     double evaluated_t_ = 0.0;

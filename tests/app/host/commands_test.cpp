@@ -17,7 +17,7 @@ using host::Key;
 
 constexpr const char* kLessons[] = {"loops/four-bar.toml", "hard/cannot-close.toml"};
 
-/// Everything that a command could change, in one text.
+/// Text of everything that a command could change.
 std::string all_of(Person& person) {
     host::Host& host = person.host();
     const host::UiState& ui = host.state();
@@ -37,7 +37,7 @@ std::string all_of(Person& person) {
     return text;
 }
 
-/// What must have happened before a command can do anything.
+/// Does what must have happened before a command has an effect.
 void prepare(Person& person, Command command) {
     person.go_to(4);
     switch (command) {

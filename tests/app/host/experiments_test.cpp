@@ -46,7 +46,7 @@ void choose_form(Person& person, int joint, const char* form) {
 
 double residual(const Session& session) { return session.view().rank.residual; }
 
-/// Where a point of a body is on the screen.
+/// Place of a point of a body on the screen.
 render::Projected on_screen(Person& person, const Vec3& point) {
     return render::project(person.host().camera(), person.host().layout().scene, point);
 }

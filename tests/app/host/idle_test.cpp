@@ -10,7 +10,7 @@
 namespace jw::test {
 namespace {
 
-/// What ImGui hands to whoever draws.
+/// Draw data of ImGui as text.
 std::string drawn() {
     const ImDrawData& data = *ImGui::GetDrawData();
     std::string all;

@@ -25,7 +25,7 @@ public:
     host::Host& host() { return *host_; }
     /// Only where pictures are drawn.
     host::Screen& screen() { return *screen_; }
-    /// Where pictures, lessons and the list of lessons opened last are saved.
+    /// Folder for pictures, lessons and the list of lessons opened last.
     const TemporaryFolder& folder() const { return folder_; }
     const Session& session() const { return *host_->session(); }
     const View& view() const { return session().view(); }
@@ -34,7 +34,7 @@ public:
     void frame();
     void settle();
     void wait(double seconds);
-    /// As a window at rest that was waited for: one long frame. Messages are gone, cameras have turned.
+    /// Waits like a person at a window at rest: one long frame. Messages are gone, cameras have turned.
     void rest();
 
     void press(host::Key key, bool ctrl = false);

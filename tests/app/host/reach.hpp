@@ -17,19 +17,19 @@ struct Widget {
     float y = 0.0F;
 };
 
-/// What can be clicked in a part of the window now, each once, from top to bottom.
+/// Widgets that can be clicked in a part of the window now, each once, from top to bottom.
 std::vector<Widget> widgets_in(Person& person, const panels::Box& box);
-/// The same of a column that scrolls, as far down as it goes; it is left scrolled to `notches` of the wheel.
+/// Widgets of a column that scrolls, all the way down; it is left scrolled to `notches` of the wheel.
 std::vector<Widget> widgets_at(Person& person, const panels::Box& column, int notches);
 
-/// How far the column can be scrolled, in notches of the wheel.
+/// Distance that the column can be scrolled, in notches of the wheel.
 int notches_of(Person& person, const char* window);
 void scroll_to(Person& person, const panels::Box& column, int notches);
 
 /// Number of a widget: its window, and what is pushed before its label, as in the code that draws it.
 unsigned id_of(const char* window, std::initializer_list<std::variant<std::string, int>> path);
 
-/// Where a widget of the column is, scrolled into sight.
+/// Finds a widget of the column and scrolls it into sight.
 /// @throws std::runtime_error if it is not there
 Widget find(Person& person, const char* window, std::initializer_list<std::variant<std::string, int>> path);
 

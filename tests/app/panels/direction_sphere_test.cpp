@@ -34,7 +34,8 @@ std::vector<Vec3> some_directions() {
 
 constexpr PairInUse kPairs[] = {PairInUse::rule, PairInUse::drop_x, PairInUse::drop_y, PairInUse::drop_z};
 
-/// Of the rows of p1 between the ground and a body, by the equations themselves.
+/// Smallest singular value of the rows of p1 between the ground and a body, computed from the equations
+/// themselves.
 double smallest_singular_value(ParallelForm form, const Vec3& axis) {
     jw::test::SceneBuilder scene;
     const int body = scene.add_body("body", Vec3::Zero());

@@ -14,7 +14,7 @@ View screw(Step::Kind kind);
 /// Nothing yet: bodies and no equations.
 View only_bodies(Step::Kind kind);
 
-/// Everything as long and as many as a lesson may make it.
+/// View in which every text is as long, and every list has as many entries, as a lesson may make it.
 View overlong(Step::Kind kind);
 
 }  // namespace jw::panels::test

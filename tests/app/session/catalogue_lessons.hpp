@@ -33,12 +33,12 @@ inline Lesson without_motion(Lesson lesson) {
     return lesson;
 }
 
-/// Everything that is told, every number in full.
+/// Text of a whole story, every number with all digits.
 inline std::string told(const Story& story) {
     return json_of(story, static_cast<int>(story.steps().size()) - 1).dump();
 }
 
-/// What stands in a view; matrix, Newton table and singular values with every number in full.
+/// Text of a view; matrix, Newton table and singular values with all digits.
 inline std::string shown(const Session& session) {
     const View& view = session.view();
     return describe(view) + matrix_csv(view.matrix) + numbers_of(view);

@@ -63,7 +63,7 @@ std::vector<Experiment> edits_of(const Lesson& lesson, Random& random) {
     return all;
 }
 
-/// Whether two experiments are the same, every number bit by bit.
+/// Compares two experiments, every number bit by bit.
 struct Same {
     bool operator()(const GoTo& a, const GoTo& b) const { return a.step == b.step; }
     bool operator()(const SetParallelForm& a, const SetParallelForm& b) const {

@@ -16,8 +16,9 @@ namespace jw::test {
 
 namespace {
 
-/// What LaTeX would stop at: braces or environments that do not match, commands that neither LaTeX nor
-/// amsmath has, characters that are not ASCII, two superscripts (subscripts) at one letter. Empty if nothing.
+/// Says what LaTeX would stop at: braces or environments that do not match, commands that neither LaTeX nor
+/// amsmath has, characters that are not ASCII, two superscripts (subscripts) at one letter. Empty if there is
+/// nothing.
 std::string objection_to(const std::string& latex) {
     static const std::set<std::string> known{
         "alpha",       "begin", "boldsymbol",    "cdot",           "cos",

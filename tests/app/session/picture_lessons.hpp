@@ -74,7 +74,7 @@ inline int first_of(const Story& story, Step::Kind kind) {
     return index;
 }
 
-/// Everything in a picture is finite.
+/// True if everything in a picture is finite.
 inline bool is_finite(const Picture& picture) {
     const render::Bounds bounds = render::bounds_of(picture.scene);
     const bool scene = bounds.lowest().allFinite() && bounds.highest().allFinite();

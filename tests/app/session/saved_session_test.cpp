@@ -7,7 +7,7 @@
 namespace jw::test {
 namespace {
 
-/// As the program saves it: its claims were made of the lesson as it was written.
+/// Lesson as the program saves and reads it, without the claims, which were made about the lesson as written.
 Lesson saved_and_read(Lesson lesson) {
     lesson.claims.clear();
     const ReadResult read = read_lesson(lesson_text(lesson), lesson.file_name);

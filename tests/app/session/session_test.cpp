@@ -42,7 +42,7 @@ std::vector<Experiment> edits_of(const Lesson& lesson) {
     return all;
 }
 
-/// Everything that a person would notice.
+/// Values of a session that a person would notice.
 struct Seen {
     explicit Seen(const Session& session)
         : lesson(lesson_text(session.lesson())),

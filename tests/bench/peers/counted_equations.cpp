@@ -9,12 +9,12 @@ namespace jw::peers {
 
 namespace {
 
-/// As of our own explicit methods.
+/// Limits of our own explicit methods.
 constexpr double kDriftShare = 0.1;
 constexpr double kRowsTurnBad = 1e-2;
 /// κ, as α of Baumgarte's stabilisation [1/s].
 constexpr double kComesBack = 20.0;
-/// Of the step in which a scene at rest reaches the speed that errors are compared with first.
+/// Order of the step in which a scene at rest reaches the speed that errors are first compared with.
 constexpr int kOrderOfFirstStep = 8;
 
 SimulationSettings settings_of(double tolerance) {

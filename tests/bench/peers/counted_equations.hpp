@@ -8,14 +8,14 @@
 
 namespace jw::peers {
 
-/// How an integrator that knows nothing of constraints is kept on those of loops.
+/// Ways to keep an integrator that knows no constraints on the constraints of loops.
 enum class Held {
-    /// After a step that has drifted by a tenth of the tolerance, as our explicit methods are.
+    /// Projection after a step that has drifted by a tenth of the tolerance, as our explicit methods do.
     after_steps,
     /// ẏ = f(t, P y) - κ (y - P y) with P the projection onto the constraints: the same motion on them, and
     /// what has left them comes back. For integrators whose steps nobody else may move.
     within,
-    /// Not at all but in samples: the motion drifts.
+    /// Projection of samples only: the motion drifts.
     in_samples,
 };
 

@@ -4,11 +4,12 @@
 
 #include "tests/bench/peers/counted_equations.hpp"
 
-/// What SUNDIALS calls: `user` is the CountedEquations. Status 0 is success, 1 asks for a shorter step.
+/// Callbacks of SUNDIALS; `user` is the CountedEquations. Status 0 is success, 1 asks for a shorter step.
 namespace jw::peers {
 
 int rate_of(double t, N_Vector y, N_Vector y_dot, void* user);
-/// Of explicit methods, which know no shorter step: what is not finite is so large that no step passes.
+/// Rate for explicit methods, which cannot ask for a shorter step: a value that is not finite becomes so
+/// large that no step passes.
 int rate_or_huge(double t, N_Vector y, N_Vector y_dot, void* user);
 /// f(t, y) - ẏ.
 int residual_of(double t, N_Vector y, N_Vector y_dot, N_Vector residual, void* user);
@@ -16,7 +17,7 @@ int residual_of(double t, N_Vector y, N_Vector y_dot, N_Vector residual, void* u
 int error_weights(N_Vector y, N_Vector weights, void* user);
 /// The end of a step, back onto the constraints.
 int project_end(double t, N_Vector y, void* user);
-/// The same as CVODE wants it, as a correction.
+/// Projection as CVODE wants it: as a correction.
 int correction_of_end(double t, N_Vector y, N_Vector correction, double, N_Vector, void* user);
 /// Says nothing: that a run failed stands in its row.
 void ignore_message(int, const char*, const char*, char*, void*);

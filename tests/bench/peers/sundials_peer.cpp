@@ -11,7 +11,7 @@
 namespace jw::peers {
 namespace {
 
-/// How a run comes by the states at the sample times.
+/// Source of the states at the sample times.
 enum class Samples {
     own,    ///< its own polynomial
     stops,  ///< steps end at them
@@ -112,7 +112,7 @@ private:
     IntegrationCounts counts_;
 };
 
-/// From stop to stop. @return false if it did not get to the end
+/// Integrates from stop to stop. @return false if it did not reach the end
 bool integrate(SundialsStepper& stepper, Sampler& sampler, const Run& run, Samples samples) {
     constexpr long steps_between_looks = 50;
     long steps = 0;

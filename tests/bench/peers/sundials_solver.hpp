@@ -14,7 +14,7 @@
 
 namespace jw::peers {
 
-/// What SUNDIALS hands out is given back by functions of its own.
+/// Deleter for objects of SUNDIALS, which are freed by functions of its own.
 template <auto destroy>
 struct Destroyer {
     template <class T>
@@ -53,7 +53,7 @@ protected:
     OwnedVector around(double* numbers) const;
     CountedEquations& equations() { return *equations_; }
     SUNContext context() const { return context_.get(); }
-    /// Of implicit methods, dense; from `solve_densely` on.
+    /// Dense linear solver of implicit methods; set by `solve_densely`.
     SUNLinearSolver linear_solver() const { return linear_solver_.get(); }
     SUNMatrix matrix() const { return matrix_.get(); }
     void solve_densely();

@@ -8,7 +8,7 @@
 #include "tests/bench/clock.hpp"
 #include "tests/bench/peers/peer_scene.hpp"
 
-/// What all peers share: the error, the clock, the table.
+/// Parts that all peers share: the error, the clock, the table.
 namespace jw::peers {
 
 /// One run: watches the point at the 100 sample times and the clock.
@@ -48,8 +48,8 @@ inline constexpr double kEnough = 1e-10;
 /// Tolerances of a sweep: each this part of the one before. Coarser ones would decide by luck who is first.
 inline constexpr double kTighter = 0.5623413251903491;  // four a decade
 
-/// The same run again and again, until 20 ms or five runs are over: its least time, which is what it costs
-/// when nothing else disturbs it and all is in the caches.
+/// Least time of the same run, repeated until 20 ms or five runs are over: its cost when nothing else
+/// disturbs it and everything is in the caches.
 Outcome least_of_several(const std::function<Outcome()>& run);
 
 /// Rows of one peer and scene as CSV to stdout, and at the end to stderr what the errors 1e-3, 1e-6 and 1e-9
@@ -59,9 +59,9 @@ public:
     Report(std::string peer, const PeerScene& scene) : peer_(std::move(peer)), scene_(&scene) {}
     void add(const std::string& method, const std::string& setting, const Outcome& outcome);
     void print_best() const;
-    /// To stderr: the fewest evaluations for the same errors, of these rows and of ours. A tolerance counts
-    /// where the three tighter ones that follow in the sweep keep the error as well: nobody picks the one
-    /// that happens to be lucky.
+    /// Writes to stderr the fewest evaluations for the same errors, of these rows and of ours. A tolerance
+    /// counts where the three tighter ones that follow in the sweep keep the error as well: nobody picks the
+    /// one that happens to be lucky.
     void print_fewest_beside(const Report& ours) const;
 
 private:
@@ -82,7 +82,8 @@ private:
 /// Measures a scene by adding rows; no run takes longer than `limit` seconds.
 using Measure = std::function<void(const PeerScene& scene, double limit, Report& report)>;
 
-/// What is set beside ours: time only, or evaluations too, where both evaluate the same equations.
+/// Quantities that are compared with ours: time only, or evaluations too, where both evaluate the same
+/// equations.
 enum class Compared { time, evaluations };
 
 /// The arguments of a peer's program: [--limit SECONDS] [LESSON.toml...]. Without lessons: all below lessons/

@@ -4,7 +4,7 @@
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
-/// What block and dense equations say besides accelerations.
+/// Results of block and dense equations besides accelerations.
 using namespace jw;
 
 namespace {

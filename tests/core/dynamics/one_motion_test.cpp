@@ -4,8 +4,7 @@
 #include "tests/support/driven_trees.hpp"
 #include "tests/support/parallel_cranks.hpp"
 
-/// What is given out belongs to one motion: between steps as at their ends, whole turns and branches
-/// included.
+/// All samples belong to one motion: between steps as at their ends, whole turns and branches included.
 namespace jw {
 
 namespace {

@@ -13,7 +13,7 @@ namespace {
 
 MassProperties rod(double mass) { return {mass, Vec3::Zero(), Mat3::Identity() * mass / 12.0}; }
 
-/// The same mass for every body, centres of mass at the origins.
+/// Loads with the same mass for every body, centres of mass at the origins.
 Loads weights(const Mechanism& mechanism, double mass, const Vec3& gravity) {
     Loads loads;
     loads.masses.assign(mechanism.bodies.size(), std::nullopt);
@@ -24,7 +24,7 @@ Loads weights(const Mechanism& mechanism, double mass, const Vec3& gravity) {
     return loads;
 }
 
-/// Of a mechanism that stands still.
+/// Reactions of a mechanism at rest.
 Reactions static_reactions(const Centroidal& scene) {
     const Motion none = zero_motion(scene.mechanism);
     return find_reactions(scene, 0.0, start_state(scene.mechanism), none, none);

@@ -55,7 +55,7 @@ Problem parallelogram() {
     return out;
 }
 
-/// Where the point of a problem is at `duration`.
+/// Position of the point of a problem at `duration`.
 template <class C>
 Vec3 end_point(const Problem& problem, double duration, int steps) {
     const Centroidal scene = centroidal(problem.mechanism, problem.loads);
@@ -70,7 +70,7 @@ Vec3 end_point(const Problem& problem, double duration, int steps) {
     return state.r[b] + rotation_matrix(state.p[b]) * problem.point_local;
 }
 
-/// The same by the block equations.
+/// Position of the point at `duration` by the block equations.
 Vec3 end_point_of_blocks(const Problem& problem, double duration, int steps) {
     const Centroidal scene = centroidal(problem.mechanism, problem.loads);
     const std::unique_ptr<MotionEquations> equations = block_equations(scene);

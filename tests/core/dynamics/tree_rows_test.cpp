@@ -8,7 +8,7 @@
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
-/// What the rows of loops say of themselves, against dense matrices of the bodies.
+/// Rows of loops compared with dense matrices of the bodies.
 using namespace jw;
 
 namespace {

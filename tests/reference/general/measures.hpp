@@ -5,7 +5,7 @@
 #include "tests/reference/general/model.hpp"
 #include "tests/reference/general/taylor.hpp"
 
-/// What the equations of a model are worth at a state: value, rate, γ and gradient.
+/// Equations of a model at a state: value, rate, γ and gradient.
 namespace jw::reference::general {
 
 /// A body on its way: accelerations of centre of mass and rotation (ω̇, global) are zero.
@@ -27,7 +27,7 @@ struct Pull {
 };
 using Gradient = std::vector<Pull>;
 
-/// With ω̇ = 0: s̈ = ω × (ω × s).
+/// Directions and points as Taylor polynomials, with ω̇ = 0: s̈ = ω × (ω × s).
 TaylorVector direction_of(const PlacedBodies& bodies, const Fixed& direction);
 TaylorVector point_of(const PlacedBodies& bodies, const Fixed& point);
 Taylor time_function(const TimeFunction& f, Real t);
@@ -36,9 +36,9 @@ Taylor time_function(const TimeFunction& f, Real t);
 Taylor phi_of(const Equation& equation, const PlacedBodies& bodies, Real t);
 /// ∂(Φ̇)/∂(v, ω) by hand: the virtual work of the equation.
 Gradient gradient_of(const Equation& equation, const PlacedBodies& bodies);
-/// Of an angle, in (-π, π].
+/// Value of an angle, in (-π, π].
 Taylor angle_value(const Angle& angle, const PlacedBodies& bodies);
-/// What is measured, without its target.
+/// Value of a measure, without its target.
 Taylor measured(const Measure& measure, const PlacedBodies& bodies);
 
 }  // namespace jw::reference::general

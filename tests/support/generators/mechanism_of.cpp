@@ -111,7 +111,7 @@ private:
         }
     }
 
-    /// Where it is known which equation that is.
+    /// Takes an equation out where it is known which one that is.
     void take_out(Joint& joint, int number) const {
         if (number <= 0) { return; }
         const bool known = joint.parallel_form == ParallelForm::pair;
@@ -203,7 +203,7 @@ private:
                std::holds_alternative<SquaredDistanceMeasure>(driver.measure);
     }
 
-    /// What is prescribed begins where the pose is. Euler parameters move a little only: they end at ±1.
+    /// Makes a driver start at the present pose. Euler parameters move a little only: they end at ±1.
     void take_driver(Driver& driver, int kind) {
         const bool parameter = std::holds_alternative<CoordinateMeasure>(driver.measure) &&
                                std::get<CoordinateMeasure>(driver.measure).coordinate >= 3;

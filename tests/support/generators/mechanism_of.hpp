@@ -6,7 +6,7 @@
 #include "core/motion/loads.hpp"
 #include "tests/support/generators/recipe.hpp"
 
-/// From recipes to mechanisms that are assembled and move along their constraints.
+/// Turns recipes into mechanisms that are assembled and move along their constraints.
 namespace jw::test {
 
 /// A mechanism with loads whose start satisfies Φ = 0 and Φq q̇ = ν to rounding.

@@ -18,7 +18,7 @@ const Body& at(const Mechanism& mechanism, int body) {
 Vec3 local(const Body& body, const Vec3& v) { return rotation_matrix(body.p).transpose() * v; }
 Vec3 local_point(const Body& body, const Vec3& point) { return local(body, point - body.r); }
 
-/// What a lesson of this type says; sides are unit and across the axes.
+/// Sets the sides that a lesson gives for this type of joint; they are unit and perpendicular to the axes.
 void set_sides(Joint& joint, const Body& i, const Body& j, const Vec3& side_i, const Vec3& side_j) {
     JointGeometry& g = joint.geometry;
     g.h_i_local = g.u_i_local = local(i, side_i);

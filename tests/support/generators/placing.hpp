@@ -4,7 +4,7 @@
 #include "tests/support/generators/recipe.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
-/// Where bodies, points and axes of a generated mechanism lie, and the geometry of joints that fit there.
+/// Placement of bodies, points and axes of a generated mechanism, and the geometry of joints that fit there.
 namespace jw::test {
 
 class Placing {

@@ -5,11 +5,11 @@
 #include <vector>
 
 /// A recipe of a mechanism: small numbers only, every combination of them is one. `mechanism_of` cooks it.
-/// What fails is made smaller by leaving out parts of its recipe: numbers that point at a body or a joint do
-/// so modulo how many there are.
+/// Recipes of generated mechanisms. A failing one is made smaller by leaving out parts of its recipe: numbers
+/// that point at a body or a joint do so modulo the number of those.
 namespace jw::test {
 
-/// How axes and points of the joints lie.
+/// Arrangement of the axes and points of the joints.
 enum class Family {
     general,    ///< anywhere
     planar,     ///< axes across one plane, slides in it: loops close with rows that repeat others
