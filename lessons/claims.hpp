@@ -10,16 +10,22 @@
 /// Claim for every fact in it.
 namespace jw {
 
-/// At the state of the file, nothing assembled; all joints and drivers take part.
-struct AsGiven {};
+/// Moment at the state of the file, nothing assembled; all joints and drivers take part.
+struct AsGiven {
+    bool operator==(const AsGiven&) const = default;
+};
 /// When the first `count` entries of Lesson::order have been added and assembled, at the motion's first time.
 struct AfterAddition {
     int count = 0;
+
+    bool operator==(const AfterAddition&) const = default;
 };
 /// During the motion [s].
 struct AtTime {
     double t = 0.0;
     bool by_forces = false;  ///< of the motion by masses and forces, not of [motion]
+
+    bool operator==(const AtTime&) const = default;
 };
 using Moment = std::variant<AsGiven, AfterAddition, AtTime>;
 
@@ -58,14 +64,6 @@ struct QuantityClaim {
     double tolerance = 0.0;    ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
 };
 using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim>;
-
-/// The joint that a claim is about, -1 for none.
-inline int joint_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) { return dropped->joint; }
-    const auto* quantity = std::get_if<QuantityClaim>(&fact);
-    const auto* measure = quantity != nullptr ? std::get_if<MeasureQuantity>(&quantity->quantity) : nullptr;
-    return measure != nullptr ? measure->joint : -1;
-}
 
 struct Claim {
     Moment when;

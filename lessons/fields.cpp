@@ -55,7 +55,8 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
     }
     if (std::abs(value) > kLargestNumber) {
         problems_->add(
-            span_of(node.source()), what + " is " + short_number(value) + "; expected at most 1e9 in size",
+            span_of(node.source()),
+            what + " is " + short_number(value) + "; expected at most 1e9 in magnitude",
             "lengths are in m, masses in kg, times in s");
         return std::nullopt;
     }

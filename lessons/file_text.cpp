@@ -64,7 +64,7 @@ std::string wait_for(int file, bool nobody_writes) {
     do { ready = ::poll(&waiting, 1, patience); } while (ready < 0 && errno == EINTR);
     if (ready != 0) { return {}; }
     return nobody_writes ? "this is a pipe that nothing is written into (waited " + in_seconds(patience) + ")"
-                         : "nothing more came through this pipe for " + in_seconds(patience);
+                         : "nothing more was written into this pipe for " + in_seconds(patience);
 }
 
 }  // namespace

@@ -9,12 +9,13 @@
 #include "core/jets/coordinates.hpp"
 #include "core/model/mechanism.hpp"
 #include "core/motion/loads.hpp"
+#include "core/numerics/variants.hpp"
 #include "lessons/claims.hpp"
 
 /// A lesson as data: what the rest of the program consumes. docs/writing-a-lesson.md describes the file.
 ///
-/// Everything is resolved: names are indices into `mechanism`, angles are radians, directions are local.
-/// All numbers are finite.
+/// Everything in it is resolved: names are indices into `mechanism`, angles are radians, directions are
+/// local, and all numbers are finite.
 namespace jw {
 
 /// sRGB, 0..1.
@@ -47,13 +48,13 @@ struct Rod {
 };
 using Shape = std::variant<Box, Cylinder, Sphere, Rod>;
 
-/// How a body looks. No shape: the renderer may draw what it likes between the joints.
+/// Look of a body. Without a shape the renderer may draw what it likes between the joints.
 struct Look {
     std::vector<Shape> shapes;
     std::optional<Colour> colour;  ///< absent: the palette's next one
 };
 
-/// What the author wants of the camera; whatever is absent is framed automatically.
+/// Camera as the author wishes it; whatever is absent is framed automatically.
 struct CameraWish {
     std::optional<Vec3> from;        ///< unit direction from the target to the camera, global
     std::optional<Vec3> target;      ///< [m]
@@ -76,7 +77,7 @@ struct BodyPoint {
     Vec3 point_local = Vec3::Zero();
 };
 
-/// What a lesson of dynamics adds: masses, loads, and how it is integrated unless asked otherwise.
+/// Dynamics of a lesson: masses, loads, and the default settings of integration.
 struct DynamicsPlan {
     Loads loads;
     double duration = 1.0;  ///< [s], > 0, from t = 0
@@ -102,14 +103,22 @@ struct Addition {
 
 /// The joint or driver that a claim is about, index -1 for none.
 inline Addition subject_of(const Fact& fact) {
-    if (const auto* dropped = std::get_if<DroppedClaim>(&fact)) {
-        return {Addition::Kind::joint, dropped->joint};
-    }
-    const auto* claim = std::get_if<QuantityClaim>(&fact);
-    if (claim == nullptr) { return {Addition::Kind::joint, -1}; }
-    const int joint = joint_of(claim->quantity);
-    if (joint >= 0) { return {Addition::Kind::joint, joint}; }
-    return {Addition::Kind::driver, driver_of(claim->quantity)};
+    const Addition none{Addition::Kind::joint, -1};
+    return std::visit(
+        Overloaded{
+            [&](const CountClaim&) { return none; },
+            [&](const BoundClaim&) { return none; },
+            [&](const VerdictClaim&) { return none; },
+            [](const DroppedClaim& c) {
+                return Addition{Addition::Kind::joint, c.joint};
+            },
+            [](const QuantityClaim& c) {
+                const int joint = joint_of(c.quantity);
+                return joint >= 0 ? Addition{Addition::Kind::joint, joint}
+                                  : Addition{Addition::Kind::driver, driver_of(c.quantity)};
+            },
+        },
+        fact);
 }
 
 /// Author's words, empty where there are none.

@@ -32,7 +32,7 @@ const char* word_for(Named::Kind kind) {
 std::string Reading::declare(Fields& fields, Named::Kind kind, int index) {
     const std::string word = word_for(kind);
     const auto name = fields.text("name");
-    fields.require("name", "a name that the lesson refers to it by");
+    fields.require("name", "a name by which the lesson refers to it");
     if (!name) { return {}; }
     if (const std::string fault = fault_of(name->value); !fault.empty()) {
         problems->add(

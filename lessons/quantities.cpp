@@ -39,7 +39,7 @@ void refuse(Fields& fields, const Located<std::string>& text, const Named& named
         case Named::Kind::driver: possible = words_behind(owner, quantities_of_driver(m, named.index), m);
     }
     fields.problems().add(
-        text.span, in_quotes(text.value) + " is no quantity of " + of + "; expected one of " + possible);
+        text.span, in_quotes(text.value) + " is not a quantity of " + of + "; expected one of " + possible);
 }
 
 /// Finds the owner in a quantity's name; reports it if there is none.
@@ -53,7 +53,8 @@ const Named* owner_of(Fields& fields, const Located<std::string>& text, const Re
     names.emplace_back("energy");
     fields.problems().add(
         text.span,
-        in_quotes(text.value) + " is no quantity; expected NAME.WHAT with NAME one of " + comma_list(names),
+        in_quotes(text.value) + " is not a quantity; expected NAME.WHAT with NAME one of " +
+            comma_list(names),
         has_word ? did_you_mean(owner, names) : "for example " + owner + ".x");
     return nullptr;
 }
@@ -76,7 +77,7 @@ std::optional<NamedQuantity> read_quantity(
     if (!read) {
         fields.problems().add(
             text.span, in_quotes(text.value) +
-                           " is no quantity; expected energy.kinetic, energy.potential, "
+                           " is not a quantity; expected energy.kinetic, energy.potential, "
                            "energy.sum or jacobian.smallest_singular_value");
         return std::nullopt;
     }

@@ -129,7 +129,7 @@ void read_value(Fields& fields, QuantityClaim& claim) {
     const std::string& ending = endings[second ? 1 : 0];
     const std::string unit = endings.size() > 1 ? ", in degrees or radians" : "";
     fields.require("value" + ending, "the value of " + in_quotes(claim.text) + unit);
-    fields.require("tolerance" + ending, "how far it may be off, in the unit of the value");
+    fields.require("tolerance" + ending, "the largest allowed deviation, in the unit of the value");
     claim.in_degrees = ending.starts_with("_deg");
     const auto in_si = [&](double typed) { return claim.in_degrees ? radians(typed) : typed; };
     if (const auto value = fields.number("value" + ending)) { claim.value = in_si(value->value); }
@@ -157,7 +157,7 @@ int read_derivative(
     const bool of_forces =
         of && needs_masses(of->quantity) && !std::holds_alternative<EnergyQuantity>(of->quantity);
     if (of_forces && !moves) {
-        fields.problems().add(name, "reactions hold a motion; expected 'at_s' beside them");
+        fields.problems().add(name, "reactions belong to a motion; expected 'at_s' beside them");
     }
     return derivative ? derivative->value : 0;
 }
@@ -198,7 +198,7 @@ void read_claim(Fields& fields, Reading& reading) {
     static const std::vector<std::string> kFacts = keys_of_facts();
     if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
-            fields.span(), "the claim says nothing; expected one or several of " + comma_list(kFacts));
+            fields.span(), "the claim is empty; expected one or several of " + comma_list(kFacts));
     }
     fields.finish();
     if (!when) { return; }

@@ -123,10 +123,6 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
     return true;
 }
 
-bool is_angle(const Measure& measure) {
-    return dimension_of(MeasureQuantity{measure}) == UnitRate{Unit::radian, 0};
-}
-
 /// Value of what a driver prescribes in the start pose [m or rad].
 class StartValue {
 public:
@@ -190,7 +186,8 @@ void read_driver(Fields& fields, Reading& reading) {
     if (is_name || what) {
         const bool placed = is_name ? place_by_name(fields, reading, *quantity, driver)
                                     : place(fields, reading, static_cast<What>(*what), driver);
-        const bool angle = placed ? is_angle(driver.measure) : what == static_cast<std::size_t>(What::angle);
+        const bool angle =
+            placed ? unit_of(driver.measure) == Unit::radian : what == static_cast<std::size_t>(What::angle);
         driver.function = read_time_function(fields, angle);
         if (from_start && from_start->value && placed) {
             driver.function.polynomial.resize(std::max<std::size_t>(1, driver.function.polynomial.size()));

@@ -68,7 +68,7 @@ void warn_of_masses(const Reading& reading) {
     const auto given = std::ranges::find_if(reading.masses, &ReadMass::given);
     if (given == reading.masses.end()) { return; }
     reading.problems->warn(
-        given->span, "masses change nothing in a lesson without [dynamics]",
+        given->span, "masses have no effect in a lesson without [dynamics]",
         "[dynamics] needs a 'duration' in s");
 }
 
@@ -80,7 +80,7 @@ void take_masses(Reading& reading, DynamicsPlan& plan) {
         if (bodies[b].fixed && reading.masses[b].given) {
             reading.problems->warn(
                 reading.masses[b].span,
-                "body " + in_quotes(bodies[b].name) + " is fixed; its mass and inertia change nothing",
+                "body " + in_quotes(bodies[b].name) + " is fixed; its mass and inertia have no effect",
                 "leave them out, or 'fixed'");
         }
         if (bodies[b].fixed || reading.masses[b].given || named == reading.names.end()) { continue; }

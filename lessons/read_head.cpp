@@ -16,7 +16,7 @@ void read_head(Fields& root, Lesson& lesson) {
         while (into.ends_with('\n')) { into.pop_back(); }
     };
     take("title", lesson.title);
-    root.require("title", "what the lesson is called");
+    root.require("title", "the title of the lesson");
     take("chapter", lesson.chapter);
     take("source", lesson.source);
     take("text", lesson.text);

@@ -47,7 +47,7 @@ bool check_moments(Fields& fields, const Located<Mat3>& J) {
     if (!(moments(0) > kNoMoment * moments(2)) || !(moments(2) > 0.0)) {
         fields.problems().add(
             J.span, "'inertia' has the principal moments " + text + "; expected all of them above 0",
-            "no body is without thickness: a rod of radius r has m r²/2 about its axis");
+            "no body has zero thickness: a rod of radius r has m r²/2 about its axis");
         return false;
     }
     if (moments(2) > (1.0 + kTypedDigits) * (moments(0) + moments(1))) {

@@ -50,7 +50,7 @@ void read_harmonic(Fields& fields, const ValueKeys& keys, TimeFunction& function
     const auto frequency = fields.number("frequency_hz");
     const auto omega = fields.number("omega_rad_per_s");
     fields.at_most_one({"frequency_hz", "omega_rad_per_s"});
-    if (!fields.has("omega_rad_per_s")) { fields.require("frequency_hz", "how often a second it swings"); }
+    if (!fields.has("omega_rad_per_s")) { fields.require("frequency_hz", "its oscillations per second"); }
     if (const auto phase = fields.angle("phase")) { harmonic.phase = phase->value; }
     fields.finish();
     if (frequency) { harmonic.omega = omega_of_frequency(frequency->value); }

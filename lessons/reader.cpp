@@ -23,7 +23,7 @@ bool read_format(Fields& root, const toml::table& table) {
     if (format->value != kFormat) {
         root.problems().add(
             format->span, "this is format " + std::to_string(format->value) + "; expected format = 1",
-            "a newer Jointwise may know it");
+            "a newer version of Jointwise may support it");
         return false;
     }
     const auto is_before = [&](const toml::key& key) {

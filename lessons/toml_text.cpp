@@ -110,9 +110,9 @@ void report_syntax(const toml::parse_error& error, Problems& problems) {
     std::ranges::replace(description, '\n', ' ');
     std::string hint;
     if (description.find("cannot redefine") != std::string::npos) {
-        hint = "a key may be there once; several bodies are several [[body]], in double brackets";
+        hint = "a key may appear once; several bodies are several [[body]], in double brackets";
     } else if (description.find("could not") != std::string::npos) {
-        hint = "texts stand in quotes, numbers have a point and no comma, true and false are lower case";
+        hint = "texts need quotes, numbers have a decimal point and no comma, true and false are lower case";
     }
     problems.add(span_of(error.source()), "this is not TOML, in " + description, hint);
 }

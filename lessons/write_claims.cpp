@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/numerics/variants.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
@@ -21,18 +22,7 @@ int place_of(const Fact& fact) {
     return std::visit(Place{}, fact);
 }
 
-bool same_moment(const Moment& a, const Moment& b) {
-    if (a.index() != b.index()) { return false; }
-    if (const auto* after = std::get_if<AfterAddition>(&a)) {
-        return after->count == std::get<AfterAddition>(b).count;
-    }
-    const auto* at = std::get_if<AtTime>(&a);
-    if (at == nullptr) { return true; }
-    const AtTime& other = std::get<AtTime>(b);
-    return at->t == other.t && at->by_forces == other.by_forces;
-}
-
-/// Whether what the claim is about is in the file.
+/// True if what the claim is about is in the file.
 bool has_meaning(const Claim& claim, const Written& written) {
     const auto* after = std::get_if<AfterAddition>(&claim.when);
     if (after != nullptr && after->count > static_cast<int>(written.order.size())) { return false; }
@@ -42,17 +32,21 @@ bool has_meaning(const Claim& claim, const Written& written) {
 }
 
 void write_moment(const Moment& when, const Written& written, Lines& lines) {
-    if (std::holds_alternative<AsGiven>(when)) { lines.key("as_given", "true"); }
-    if (const auto* at = std::get_if<AtTime>(&when)) {
-        lines.key("at_s", at->t);
-        // where there is no [motion] nothing else can be meant
-        if (at->by_forces && written.lesson->motion) { lines.key("of", string_text("dynamics")); }
-    }
-    const auto* after = std::get_if<AfterAddition>(&when);
-    if (after != nullptr && after->count > 0) {
-        const auto last = static_cast<std::size_t>(after->count - 1);
-        lines.key("after", string_text(written.name_of(written.order[last])));
-    }
+    std::visit(
+        Overloaded{
+            [&](const AsGiven&) { lines.key("as_given", "true"); },
+            [&](const AtTime& at) {
+                lines.key("at_s", at.t);
+                // where there is no [motion] nothing else can be meant
+                if (at.by_forces && written.lesson->motion) { lines.key("of", string_text("dynamics")); }
+            },
+            [&](const AfterAddition& after) {
+                if (after.count == 0) { return; }
+                const auto last = static_cast<std::size_t>(after.count - 1);
+                lines.key("after", string_text(written.name_of(written.order[last])));
+            },
+        },
+        when);
 }
 
 /// Value and tolerance, both in degrees or both not.
@@ -133,8 +127,8 @@ void write_claims(const Written& written, Lines& lines) {
         if (!has_meaning(claim, written)) { continue; }
         const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
         // as long as the reader takes them in this order
-        const bool same_block = before != nullptr && same_moment(before->when, claim.when) &&
-                                before->why == claim.why && place_of(before->fact) < place_of(claim.fact);
+        const bool same_block = before != nullptr && before->when == claim.when && before->why == claim.why &&
+                                place_of(before->fact) < place_of(claim.fact);
         if (!same_block) { blocks.emplace_back(); }
         blocks.back().push_back(&claim);
     }

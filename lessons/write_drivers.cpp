@@ -2,6 +2,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/numerics/variants.hpp"
+#include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
@@ -78,28 +80,34 @@ void write_parts(const std::string& name, const std::vector<std::string>& parts,
         std::to_string(driver.measure.index()) + " along joint " + std::to_string(driver.joint));
 }
 
-/// What is driven. @return whether it is an angle
+/// Writes what is driven. @return true if it is an angle
 bool write_place(const Written& written, const Driver& driver, Lines& lines) {
     const auto quantity = [&](const char* name) { lines.key("quantity", string_text(name)); };
-    if (const auto* m = std::get_if<SquaredDistanceMeasure>(&driver.measure)) {
-        quantity("distance");
-        lines.key("bodies", written.pair(driver.body_i, driver.body_j));
-        lines.key("point_i", m->P_i_local);
-        lines.key("point_j", m->P_j_local);
-        return false;
-    }
-    if (const auto* m = std::get_if<CoordinateMeasure>(&driver.measure)) {
-        quantity("coordinate");
-        lines.key("body", string_text(written.body(driver.body_j)));
-        lines.key(
-            "coordinate", string_text(std::string(kCoordinates[static_cast<std::size_t>(m->coordinate)])));
-        return false;
-    }
-    if (driver.joint < 0) { refuse(driver); }
-    const bool angle = !std::holds_alternative<DisplacementMeasure>(driver.measure);
-    lines.key("joint", string_text(written.name_of({Addition::Kind::joint, driver.joint})));
-    quantity(angle ? "angle" : "displacement");
-    return angle;
+    const auto along_joint = [&](const char* name) {
+        if (driver.joint < 0) { refuse(driver); }
+        lines.key("joint", string_text(written.name_of({Addition::Kind::joint, driver.joint})));
+        quantity(name);
+    };
+    std::visit(
+        Overloaded{
+            [&](const AngleMeasure&) { along_joint("angle"); },
+            [&](const ThetaMeasure&) { along_joint("angle"); },
+            [&](const DisplacementMeasure&) { along_joint("displacement"); },
+            [&](const SquaredDistanceMeasure& m) {
+                quantity("distance");
+                lines.key("bodies", written.pair(driver.body_i, driver.body_j));
+                lines.key("point_i", m.P_i_local);
+                lines.key("point_j", m.P_j_local);
+            },
+            [&](const CoordinateMeasure& m) {
+                const auto k = static_cast<std::size_t>(m.coordinate);
+                quantity("coordinate");
+                lines.key("body", string_text(written.body(driver.body_j)));
+                lines.key("coordinate", string_text(std::string(kCoordinates[k])));
+            },
+        },
+        driver.measure);
+    return unit_of(driver.measure) == Unit::radian;
 }
 
 }  // namespace

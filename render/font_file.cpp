@@ -52,7 +52,7 @@ bool is_font(Bytes bytes) {
 }  // namespace
 
 std::string fault_of_font(Bytes bytes) {
-    if (!is_font(bytes)) { return "it is no TrueType or OpenType font"; }
+    if (!is_font(bytes)) { return "it is not a TrueType or OpenType font"; }
     const std::size_t tables = number_at(bytes, 4) >> 16U;
     if (kHeadSize + kRecordSize * tables > bytes.size()) { return "it ends too early"; }
     std::vector<std::string_view> found;
@@ -65,7 +65,7 @@ std::string fault_of_font(Bytes bytes) {
         const Bytes table = bytes.subspan(begin, length);
         std::uint32_t sum = checksum(table);
         if (tag == "head" && length >= kAdjustment + 4) { sum -= number_at(table, kAdjustment); }
-        if (sum != number_at(bytes, record + 4)) { return "a part of it was changed: a checksum is wrong"; }
+        if (sum != number_at(bytes, record + 4)) { return "a checksum is wrong: a part of it was changed"; }
         found.push_back(tag);
     }
     const auto has = [&](std::string_view tag) { return std::ranges::find(found, tag) != found.end(); };

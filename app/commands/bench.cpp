@@ -246,7 +246,7 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         command
             ->add_option(
                 "--coordinates", options->coordinates,
-                "of explicit methods: joints or bodies; default: joints where they pay")
+                "coordinates of explicit methods: joints or bodies; default: joints where they are faster")
             ->check(CLI::IsMember(names_of(kFormulations)))
             ->type_name("NAME");
     CLI::Option* picture =
@@ -254,18 +254,19 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
             ->type_name("FILE");
     CLI::Option* kinematics = command->add_flag(
         "--kinematics", options->kinematics,
-        "instead: position, velocity and acceleration of driven lessons in every choice of coordinates and "
+        "benchmark the kinematics instead: position, velocity and acceleration of driven lessons in every "
+        "choice of coordinates and "
         "rows");
     CLI::Option* hard = command->add_flag(
         "--hard", options->hard,
-        "instead: the hard cases of kinematics and dynamics; SCENE then names some of them");
+        "run the hard cases of kinematics and dynamics instead; SCENE then selects some of them");
     for (CLI::Option* other : {kinematics, hard}) {
         other->excludes(method, treatment, coordinates, picture);
     }
     hard->excludes(kinematics);
     add_format_option(
         *command, options->format, {"table", "csv", "json", "markdown"},
-        "table, csv, json; markdown with --hard");
+        "table, csv or json; with --hard also markdown");
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     command->callback([options, &streams, &run] {
         run = [options, &streams] { return bench_command(*options, streams); };

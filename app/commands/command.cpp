@@ -14,10 +14,9 @@ CommandError bad_option(const std::string& command, const std::string& message) 
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
     if (streams.goes_into && streams.goes_into(path)) {
         throw CommandError(
-            Exit::bad_input,
-            path.string() +
-                ": error: the results of this command are written into the lesson that it reads; "
-                "expected another file behind '>'");
+            Exit::bad_input, path.string() +
+                                 ": error: the output of this command would overwrite the lesson that it "
+                                 "reads; expected another file after '>'");
     }
     ReadResult read = read_lesson_file(path);
     if (!read.lesson) { throw CommandError(Exit::bad_input, read.report()); }

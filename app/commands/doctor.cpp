@@ -169,8 +169,8 @@ LessonsReport examine_lessons(const std::filesystem::path& folder) {
     }
     if (report.problem.empty()) { return report; }
     const bool own = folder_is_own();
-    report.remedy = own ? "name another folder in JOINTWISE_LESSONS, or leave the variable out"
-                        : "install Jointwise again";
+    report.remedy =
+        own ? "name another folder in JOINTWISE_LESSONS, or unset the variable" : "install Jointwise again";
     return report;
 }
 
@@ -187,9 +187,9 @@ Exit exit_of(const Diagnosis& diagnosis) {
 }
 
 std::string verdict_of(const Diagnosis& diagnosis) {
-    if (exit_of(diagnosis) == Exit::done) { return "everything that is needed is there"; }
-    std::string text = "not everything that is needed is there";
-    if (only_damaged(diagnosis)) { text = "something that is needed is damaged"; }
+    if (exit_of(diagnosis) == Exit::done) { return "everything needed is there"; }
+    std::string text = "something needed is missing";
+    if (only_damaged(diagnosis)) { text = "something needed is damaged"; }
     if (exit_of(diagnosis) == Exit::numerics) { text = "a surface draws wrong"; }
     const std::set<std::string> packages = packages_of(diagnosis);
     if (!packages.empty()) {
@@ -269,7 +269,7 @@ Json json_of(const Diagnosis& diagnosis) {
 
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window) {
     CLI::App* command =
-        app.add_subcommand("doctor", "look whether pictures, windows and fonts work on this machine");
+        app.add_subcommand("doctor", "check that pictures, windows and fonts work on this machine");
     auto format = std::make_shared<std::string>();
     add_format_option(*command, *format, {"text", "json"});
     command->footer("Example: jointwise doctor");

@@ -38,7 +38,7 @@ Diagnosis diagnose(const SurfaceDoctor& doctor_window);
 
 /// numerics (3) where a surface draws wrong, bad_input (2) where something is missing or damaged, else done.
 Exit exit_of(const Diagnosis& diagnosis);
-/// "everything that is needed is there", or what to do.
+/// "everything needed is there", or what to do.
 std::string verdict_of(const Diagnosis& diagnosis);
 std::string describe(const Diagnosis& diagnosis);
 Json json_of(const Diagnosis& diagnosis);

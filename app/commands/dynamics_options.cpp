@@ -24,12 +24,12 @@ void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& m
     if (method.adaptive && options.step) {
         throw bad_option(
             "simulate",
-            "--step goes with methods of fixed steps; " + std::string(method.name) + " expects --tolerance");
+            "--step applies to fixed-step methods; " + std::string(method.name) + " expects --tolerance");
     }
     if (!method.adaptive && options.tolerance) {
         throw bad_option(
             "simulate",
-            "--tolerance goes with adaptive methods; " + std::string(method.name) + " expects --step");
+            "--tolerance applies to adaptive methods; " + std::string(method.name) + " expects --step");
     }
 }
 

@@ -70,7 +70,7 @@ Exit inspect(const InspectOptions& options, const Streams& streams) {
 
 void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
-        "inspect", "every number of the equations at one moment; default: all put together");
+        "inspect", "every number of the equations at one moment; default: the assembled pose");
     auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
@@ -85,8 +85,8 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     time->excludes(given);
     command->add_flag(
         "--spectrum", options->spectrum,
-        "singular values and free motions of more than 300 columns, too; takes up to minutes, Ctrl-C ends "
-        "it");
+        "compute singular values and free motions of more than 300 columns, too; may take minutes, Ctrl-C "
+        "ends it");
     command
         ->add_option(
             "--coordinates", options->coordinates,

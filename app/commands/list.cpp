@@ -84,7 +84,7 @@ Exit list(const ListOptions& options, const Streams& streams) {
 void add_list(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("list", "show the lessons, by chapter");
     auto options = std::make_shared<ListOptions>();
-    command->add_option("FOLDER", options->folder, "where lessons are looked for")->type_name("");
+    command->add_option("FOLDER", options->folder, "folder that lessons are looked for in")->type_name("");
     add_format_option(*command, options->format, {"text", "markdown"});
     command->footer("Example: jointwise list");
     command->callback(

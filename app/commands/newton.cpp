@@ -96,10 +96,12 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::IsMember({"methods", "coordinates"}))
         ->type_name("WHAT")
         ->capture_default_str();
-    command->add_option("--coordinates", options->coordinates, "of the methods; default: the lesson's")
+    command
+        ->add_option(
+            "--coordinates", options->coordinates, "coordinates of the methods; default: the lesson's")
         ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
-    command->add_option("--method", options->method, "by which coordinates are compared")
+    command->add_option("--method", options->method, "method by which coordinates are compared")
         ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->type_name("METHOD")
         ->capture_default_str();

@@ -100,7 +100,7 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("STEP");
     add_try_option(*command, options->experiments);
     command->add_option("--size", options->size, "of the window")->type_name("WxH")->capture_default_str();
-    command->add_flag("--dark", options->dark, "light letters on dark paper");
+    command->add_flag("--dark", options->dark, "light text on a dark background");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
         ->type_name("X")

@@ -149,10 +149,14 @@ void add_plot(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::IsMember({"quantities", "residuals", "singular-values", "conditions"}))
         ->type_name("WHAT")
         ->capture_default_str();
-    command->add_option("--joint", options->joint, "of conditions; default: the one that the lesson is about")
+    command
+        ->add_option(
+            "--joint", options->joint, "joint for --of conditions; default: the one that the lesson is about")
         ->type_name("NAME");
     command
-        ->add_option("--curves", options->curves, "names, separated by commas; default: those that say most")
+        ->add_option(
+            "--curves", options->curves,
+            "names of curves, separated by commas; default: the most telling ones")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B");

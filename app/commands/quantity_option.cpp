@@ -59,15 +59,14 @@ std::vector<NamedQuantity> quantities_named(
 void add_quantities_option(CLI::App& command, std::vector<std::string>& names) {
     command
         .add_option(
-            "--quantities", names, "columns besides, by name, separated by commas: hinge.force.x,energy.sum")
+            "--quantities", names, "further columns, by name, separated by commas: hinge.force.x,energy.sum")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B");
 }
 
 void add_old_names_flag(CLI::App& command, bool& old_names) {
-    command.add_flag(
-        "--old-names", old_names, "columns are called as before there was one name for a quantity");
+    command.add_flag("--old-names", old_names, "call columns as before quantities had one name everywhere");
 }
 
 void rename_columns(std::vector<std::string>& columns, std::size_t count) {

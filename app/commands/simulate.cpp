@@ -134,7 +134,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     }
     for (const std::string& name : table.not_unique) {
         streams.err << "jointwise: note: the reaction in '" << name
-                    << "' is not unique: equations repeat each other; shown is the smallest of all answers\n";
+                    << "' is not unique, because equations are redundant; the smallest solution is shown\n";
     }
     if (table.failure.empty()) { return Exit::done; }
     streams.err << "jointwise: error: " << table.failure << '\n';
@@ -158,7 +158,7 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
             "--most-steps", options->most_steps,
             "steps after which an adaptive method gives up; default one million")
         ->type_name("N");
-    command->add_flag("--reactions", options->reactions, "forces and torques of all joints besides");
+    command->add_flag("--reactions", options->reactions, "also forces and torques of all joints");
     add_format_option(*command, options->format, {"csv", "json"});
     add_quantities_option(*command, options->quantities);
     add_old_names_flag(*command, options->old_names);

@@ -101,8 +101,8 @@ void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& str
             const EquationResidual& found = row.residuals.*part;
             if (found.holds() || row.change_point || !row.consistent) { continue; }
             streams.err << "jointwise: warning: at t = " << number_text(row.values.front()) << " s " << what
-                        << " miss their equations by " << small_text(found.residual)
-                        << ", where rounding explains " << small_text(found.bound) << '\n';
+                        << " violate their equations by " << small_text(found.residual)
+                        << ", of which rounding explains " << small_text(found.bound) << '\n';
             return;
         }
     };
@@ -121,9 +121,8 @@ void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Str
     const bool unique = std::ranges::all_of(sweep.rows, &SweepRow::unique);
     const bool consistent = std::ranges::all_of(sweep.rows, &SweepRow::consistent);
     if (!unique) {
-        streams.err
-            << "jointwise: note: not everything is driven; where 'unique' is 0 the velocities are the ones "
-               "nearest to those before, the accelerations the shortest\n";
+        streams.err << "jointwise: note: not everything is driven; where 'unique' is 0 the velocities are "
+                       "those nearest to the previous ones, the accelerations the smallest\n";
     }
     if (!consistent) {
         streams.err << "jointwise: warning: equations contradict each other where 'consistent' is 0"

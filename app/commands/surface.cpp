@@ -121,7 +121,7 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report) {
         report.problem = fault_of(draw_test_picture(gl, targets));
     } catch (const std::exception& error) { report.problem = error.what(); }
     report.state = report.problem.empty() ? SurfaceReport::State::right : SurfaceReport::State::draws_wrong;
-    if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may do"; }
+    if (!report.problem.empty()) { report.remedy = "another version of the graphics driver (Mesa) may work"; }
 }
 
 LibraryReport examine_library(const char* name) {

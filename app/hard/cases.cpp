@@ -54,7 +54,8 @@ constexpr std::array kCases{
         "(u_i x u_j) · s cos θ - (u_i · u_j) sin θ = 0", "hard/cosine-row.toml", cosine_row_at_half_turns},
     Case{
         "thousand-turns", "A thousand turns of a screw",
-        "Two directions know their angle up to whole turns only; a nut knows the difference, 0.12 m each.",
+        "Two directions determine their angle only up to whole turns; a nut moves by 0.12 m with each of "
+        "them.",
         "θ measured by atan2", "θ as a coordinate", "joints/screw.toml", a_thousand_turns},
     Case{
         "anti-parallel", "Parallel, but the wrong way round",
@@ -68,13 +69,12 @@ constexpr std::array kCases{
         start_170_degrees_off},
     Case{
         "parallel-arms", "A universal joint whose arms start parallel",
-        "n1 asks for perpendicular arms; where they are parallel, its derivative vanishes.", "plain Newton",
+        "n1 demands perpendicular arms; where they are parallel, its derivative vanishes.", "plain Newton",
         "Newton with limited steps, then a diagnosis", "joints/universal.toml", parallel_arms},
     Case{
         "bend-90", "Two shafts at right angles",
-        "At a bend of 90 degrees a universal joint turns nothing: one shaft is locked, and in one pose two "
-        "ways "
-        "of moving cross. Nothing of that happens where the shafts become parallel.",
+        "At a bend of 90 degrees a universal joint transmits no rotation: one shaft is locked, and in one "
+        "pose two branches of motion cross. None of this happens where the shafts become parallel.",
         "the normal equations JᵀJ q̇ = Jᵀν", "rank-revealing least squares with a verdict",
         "loops/cardan.toml", bend_of_90_degrees},
     Case{
@@ -86,15 +86,15 @@ constexpr std::array kCases{
         parallelogram_through_change_points},
     Case{
         "tilted-axis", "Redundant, or contradictory?",
-        "Three equations of a planar four-bar repeat others, as long as its axes are parallel. Tilt one of "
-        "them, "
-        "and what repeated now contradicts.",
-        "the redundant equations are left out once and for all", "all equations are kept and asked",
+        "Three equations of a planar four-bar are redundant as long as its axes are parallel. Tilt one axis, "
+        "and they contradict the others.",
+        "the redundant equations are left out once and for all", "all equations are kept and checked",
         "loops/four-bar.toml", tilted_axis},
     Case{
         "accidental-redundancy", "Redundant by structure, or by accident?",
-        "Some equations repeat others for any lengths, some only for exactly these. Points of the joints are "
-        "moved a little, axes keep their directions, the loop stays closed, and one looks again.",
+        "Some equations are redundant for any lengths, some only for exactly these. The points of the joints "
+        "are moved a little, the axes keep their directions, the loop stays closed, and the rank is "
+        "determined again.",
         "the rows kept for the perfect geometry", "rank at the new geometry",
         "loops/double-scott-russell.toml", accidental_redundancy},
     Case{
@@ -114,27 +114,27 @@ constexpr std::array kCases{
     Case{
         "masses-apart", "Masses from 1e-9 to 1e9 kg in one loop",
         "Rods of Bricard's linkage weigh 1e-9, 1e9, 1e-9 ... kg: light ones carry heavy ones.",
-        "λ from Φq M⁻¹ Φqᵀ", "explicit-8, equations as they choose themselves",
+        "λ from Φq M⁻¹ Φqᵀ", "explicit-8, with the equations chosen by default",
         "dynamics/bricard-falling.toml", masses_eighteen_decades_apart},
     Case{
         "falling-at-any-size", "The same linkage from a micrometre to a thousand kilometres",
-        "With lengths times s, and times times √s, nothing changes but the units.",
+        "With lengths multiplied by s and times by √s, only the units change.",
         "Dormand-Prince 5(4) with a tolerance of 1e-6 in SI units", "explicit-8 at tolerance 1e-9",
         "dynamics/bricard-falling.toml", scene_of_any_size},
     Case{
         "turned-scene", "The whole scene turned",
-        "A mechanism must not move otherwise because somebody has laid his axes otherwise.",
-        "the rows x and y of every axis, as they are right for z", "explicit-8 at tolerance 1e-13",
+        "A mechanism must not move differently because the global axes were chosen differently.",
+        "the rows x and y of every axis, as is right for axes along z", "explicit-8 at tolerance 1e-13",
         "dynamics/four-bar-1.toml", scene_turned},
     Case{
         "stiff-governor", "A governor with stiff dampers",
-        "Its dampers settle in microseconds, its balls swing in a second: one must follow the second without "
-        "counting the first.",
+        "Its dampers settle in microseconds, its balls swing in a second: a method must follow the swing "
+        "without resolving the damping.",
         "explicit-8", "implicit-5 and implicit-9", "dynamics/governor.toml", stiff_governor},
     Case{
         "million-steps", "A million steps of a free body",
-        "Nothing holds it but its own equations, so all that a method does wrong adds up.",
-        "p is never normalised", "p to unit length after every step", "dynamics/free-asymmetric-body.toml",
+        "No joint holds it, so every error of a method adds up.", "p is never normalised",
+        "p to unit length after every step", "dynamics/free-asymmetric-body.toml",
         million_steps_of_a_free_body},
     Case{
         "drift", "A pendulum that leaves its pin",
@@ -148,18 +148,20 @@ constexpr std::array kCases{
         "dynamics/bricard-falling.toml", rank_in_every_stage},
     Case{
         "orders", "The order of every method, measured",
-        "An order gets lost without a sound. Halve the steps, and the error must fall by 2 to the order.",
+        "An order can be lost unnoticed. When the steps are halved, the error must fall by 2 to the power of "
+        "the order.",
         "rk4 that turns bodies by averages of ω'", "every method with steps halved",
         "dynamics/chain-spherical-4.toml", orders_measured},
     Case{
-        "energy-is-not-accuracy", "Energy is not accuracy", "A method can keep the energy and be elsewhere.",
+        "energy-is-not-accuracy", "Energy is not accuracy",
+        "A method can conserve energy and still be in the wrong place.",
         "explicit Euler, velocities scaled after every step so that the energy fits",
         "explicit-8 at tolerance 1e-9", "dynamics/chain-revolute-4.toml", energy_is_not_accuracy},
     Case{
         "which-reactions", "Which forces are in the joints",
-        "Where rows repeat each other, joints can be braced against each other, and forces are not unique.",
-        "the first rows that are independent, then the last", "the smallest answer and its family",
-        "dynamics/four-bar-1.toml", which_reactions},
+        "Where rows are redundant, joints can be braced against each other, and their forces are not unique.",
+        "the first rows that are independent, then the last",
+        "the smallest solution and the family of all others", "dynamics/four-bar-1.toml", which_reactions},
     Case{
         "middle-axis", "Turning about the middle axis",
         "A free body turns over again and again; a small error at one flip is a large one at the next.",
@@ -173,14 +175,15 @@ constexpr std::array kCases{
         "dynamics/chain-revolute-4.toml", pair_kept_while_falling},
     Case{
         "wound-spring", "A spring wound by four turns",
-        "The pose of a body tells its angle up to whole turns; the spring on its axis knows all of them.",
+        "The pose of a body determines its angle only up to whole turns; the torque of the spring on its "
+        "axis depends on all of them.",
         "θ by atan2, rk4", "explicit-8 at tolerance 1e-10", "dynamics/torsion-pendulum.toml", wound_spring},
     Case{
         "falling-tilted-loop", "A loop with one axis tilted",
-        "Three of 20 rows of a four-bar repeat others. With its last axis tilted by 5 degrees they ask for "
-        "something else.",
-        "rk4 with projection; rows that repeat others are left out, and nobody looks at them again",
-        "simulate as it is", "dynamics/four-bar-1.toml", loop_with_a_tilted_axis},
+        "Three of the 20 rows of a four-bar are redundant. With its last axis tilted by 5 degrees they "
+        "contradict the others.",
+        "rk4 with projection; redundant rows are left out and never checked again", "simulate as it is",
+        "dynamics/four-bar-1.toml", loop_with_a_tilted_axis},
 };
 
 }  // namespace

@@ -63,12 +63,11 @@ Result parallelogram_through_change_points() {
     const State start = assembled(lesson);
     Result result;
     result.naive =
-        "at the change point both branches satisfy everything, and the nearest pose is as often as not on "
-        "the "
-        "other one. It goes on there without a word.";
+        "at the change point both branches satisfy all equations, and the nearest pose is on the other "
+        "branch as often as not. The motion continues there without a message.";
     result.ours =
-        "the last tangent, continued, tells the branches apart; where Newton has to correct it by much, the "
-        "step is halved. The frames at the change points are said to be such.";
+        "the last tangent, continued, distinguishes the branches; where Newton has to correct much, the step "
+        "is halved. The frames at the change points are reported as such.";
     for (const int frames : {8, 40, 360}) {  // 45 deg + k 360 deg / n meets 180 deg and 360 deg exactly
         const Journey naive = by_newton_from_last_pose(lesson, start, frames);
         const Journey ours = by_tracker(lesson, start, frames);
@@ -77,7 +76,7 @@ Result parallelogram_through_change_points() {
             "frames on the branch, of " + std::to_string(int(all)) + " in three turns",
             double(naive.on_branch), at_most(0.9 * all), double(ours.on_branch), exactly(all)));
         result.measurements.push_back(
-            of_ours("frames said to be change points", double(ours.said), exactly(2.0 * kTurns)));
+            of_ours("frames reported as change points", double(ours.said), exactly(2.0 * kTurns)));
     }
     const Journey beside = by_tracker(lesson, start, 50);  // 1.8 deg beside them at the least
     result.measurements.push_back(of_ours(

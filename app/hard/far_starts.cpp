@@ -96,12 +96,12 @@ Result anti_parallel_start() {
         "s_i · s_j found, from exactly 180 deg off", axes_cosine(joint, naive.state), at_most(-0.99),
         outcome.ok() ? axes_cosine(joint, state) : -1.0, at_least(0.999999)));
     result.measurements.push_back(of_both(
-        "not as meant, of 18 starts 5 to 175 deg off",
+        "not as intended, of 18 starts 5 to 175 deg off",
         double(sweep.naive_wrong + sweep.starts - sweep.naive_closed), at_least(8.0),
         double(sweep.starts - sweep.ours_right), exactly(0.0)));
     // half way between the two: the equations have lost their rank there, and no side is nearer
     result.measurements.push_back(of_ours(
-        "exactly 90 deg off: said to be singular (1)",
+        "exactly 90 deg off: reported as singular (1)",
         !at_90.ok() && at_90.failure->cause == FailureCause::singular ? 1.0 : 0.0, exactly(1.0)));
     return result;
 }
@@ -112,14 +112,13 @@ Result start_170_degrees_off() {
     Count count;
     for (const char* lesson : kLessons) { count_from(lesson, 170.0 * kDegree, 50, count); }
     Result result;
-    result.naive =
-        "the solution that is nearest is the one upside down, and that is where whole steps go, or nowhere.";
+    result.naive = "the nearest solution is the one upside down; full steps lead there or do not converge.";
     result.ours = "steps of at most 0.5 rad go to the nearest solution; it is recognised and left.";
     result.measurements.push_back(of_both(
-        "joints assembled as meant, of 200", double(count.naive_closed - count.naive_wrong), at_most(20.0),
+        "joints assembled as intended, of 200", double(count.naive_closed - count.naive_wrong), at_most(20.0),
         double(count.ours_right), exactly(200.0)));
     result.measurements.push_back(
-        of_naive("assembled upside down without a word", double(count.naive_wrong), at_least(100.0)));
+        of_naive("assembled upside down without a message", double(count.naive_wrong), at_least(100.0)));
     return result;
 }
 

@@ -49,9 +49,9 @@ Result pair_kept_while_falling() {
 
     Result result;
     result.naive =
-        "every kept equation holds and energy is kept, so nothing looks wrong; but the "
-        "axes have left each other, and the links fall another way.";
-    result.ours = "the rule is asked after every step, and no step turns a link by more than 0.4 rad.";
+        "every kept equation holds and energy is conserved, so nothing looks wrong; but the axes have "
+        "separated, and the links fall differently.";
+    result.ours = "the rule is applied after every step, and no step turns a link by more than 0.4 rad.";
     result.measurements = {
         // the chain is 4 m long; ours: some 50 steps within 1e-7 of it, carried on by a motion that spreads
         of_both("free end off by [m]", naive.position, at_least(0.5), ours.position, at_most(2e-5)),
@@ -84,7 +84,8 @@ Result wound_spring() {
     constexpr double full = 2.0 * std::numbers::pi;
 
     Result result;
-    result.naive = "beyond half a turn the spring pulls the other way, so the disc is let go and spins on.";
+    result.naive =
+        "beyond half a turn the spring is taken to pull the other way, so the disc is released and spins on.";
     result.ours =
         "turns are counted from step to step, and steps are short enough for that, whatever is integrated.";
     result.measurements = {

@@ -42,8 +42,8 @@ Result four_bar_through_its_line() {
 
     Result result;
     result.naive =
-        "small residuals become large accelerations in the line; one window leaves it folded, with its "
-        "energy nearly kept, and four windows come out elsewhere, where they get past it at all.";
+        "small residuals become large accelerations near the line; one window leaves it folded, its energy "
+        "nearly conserved, and four windows end elsewhere if they pass it at all.";
     result.ours =
         "stages near the line are moved onto the constraints first, and the step goes over it: every "
         "parallelogram stays one.";

@@ -108,7 +108,7 @@ Result masses_eighteen_decades_apart() {
         "1/m of a heavy body is lost beside that of the light one that carries it: no digit is right, and "
         "nothing says so.";
     result.ours =
-        "mass has no say in the rank, and where light bodies carry heavy ones the whole matrix is solved "
+        "masses do not enter the rank, and where light bodies carry heavy ones the whole matrix is solved "
         "with "
         "pivoting.";
     result.measurements = {

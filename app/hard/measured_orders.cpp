@@ -118,9 +118,8 @@ Result orders_measured() {
     const auto near = [](double order) { return Bounds{order - 0.3, order + 1.0}; };
     Result result;
     result.naive =
-        "a body that is turned by the average of four angular velocities arrives where the sum of small "
-        "turns "
-        "would not: the method of fourth order has become one of second order, and nothing tells.";
+        "a body turned by the average of four angular velocities does not arrive where the small turns add "
+        "up to: the method of fourth order has become one of second order, unnoticed.";
     result.ours = "p is integrated as it is, by ṗ = ½ Lᵀ ω', and moved to unit length after the step.";
     result.measurements = {
         of_ours("order of euler", by.order<ExplicitIntegrator>(1000, explicit_euler()), near(1)),

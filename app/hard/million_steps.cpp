@@ -66,7 +66,7 @@ Result million_steps_of_a_free_body() {
     const Drift order_8 = drift_of<ExplicitIntegrator>(coarse, true, dormand_prince_853());
 
     Result result;
-    result.naive = "|p| wanders off as far as the method errs, and bodies are drawn too large or too small.";
+    result.naive = "|p| drifts by the error of the method, and bodies are drawn too large or too small.";
     result.ours =
         "|p| = 1 to rounding with every method; energy and momentum say how good the method itself is.";
     // one normalisation is right to 1e-16; without it the error of the method adds up a million times

@@ -57,7 +57,7 @@ Result loops_turned_at_random() {
     }
     Result result;
     result.naive =
-        "counting says that all four are frames, and (r, p) without the rows pᵀp = 1 shows too many "
+        "counting says that all four are rigid, and (r, p) without the rows pᵀp = 1 shows too many "
         "independent equations: a change of |p| passes for a freedom.";
     result.ours = "the same verdict in every position, with the redundant equations named.";
     const double all = double(kKnownLoops.size()) * kRotations;

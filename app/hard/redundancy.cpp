@@ -111,12 +111,12 @@ Result tilted_axis() {
     }
     Result result;
     result.naive =
-        "the three equations taken out at the perfect geometry are never asked again: the loop \"closes\" "
+        "the three equations taken out at the perfect geometry are never checked again: the loop \"closes\" "
         "with "
         "an axis that is not where it should be.";
     result.ours =
-        "such a loop cannot close, and that is said with the joint and the gap. With a spherical and a "
-        "cylindrical joint nothing repeats, and it closes whatever the tilt.";
+        "such a loop cannot close, and the message names the joint and the gap. With a spherical and a "
+        "cylindrical joint nothing is redundant, and it closes at any tilt.";
     result.measurements.push_back(of_both(
         "closed, of 12 tilts from 10^-1 to 10^-6 rad", double(tilts.naive_closed), exactly(12.0),
         double(tilts.count - tilts.refused), exactly(0.0)));
@@ -125,7 +125,7 @@ Result tilted_axis() {
         of_naive("largest miss of an equation, in tilts", tilts.naive_misfit, at_least(0.3)));
     // at 0.01 rad about x the closest fit is reached too slowly for a proof: "did not settle" is said there
     result.measurements.push_back(
-        of_ours("said to be impossible, of 12", double(tilts.cannot_close), at_least(11.0)));
+        of_ours("reported as impossible, of 12", double(tilts.cannot_close), at_least(11.0)));
     result.measurements.push_back(
         of_ours("R-S-C-R closed to 1e-12, of 12", double(tilts.closed_with_fewer), exactly(12.0)));
     return result;
@@ -134,7 +134,7 @@ Result tilted_axis() {
 Result accidental_redundancy() {
     Result result;
     result.naive =
-        "the rows that were kept still have the freedom that they had: a frame passes for a mechanism.";
+        "the kept rows still leave the freedom that they left before: a rigid frame passes for a mechanism.";
     result.ours =
         "what was redundant by accident counts again, what is redundant by structure does not. Nothing is "
         "remembered of the perfect geometry.";

@@ -71,7 +71,7 @@ std::string markdown_of(const Case& hard_case, const Result& result) {
     out += "- **Jointwise**, " + std::string(hard_case.our_method) + ": " + result.ours + "\n";
     const std::string lesson(hard_case.lesson);
     out += "- Lesson: [" + lesson + "](../lessons/catalogue/" + lesson + ")\n\n";
-    out += "| | naive | Jointwise | asked of Jointwise |\n| --- | --- | --- | --- |\n";
+    out += "| | naive | Jointwise | required of Jointwise |\n| --- | --- | --- | --- |\n";
     for (const Measurement& m : result.measurements) {
         out += "| " + markdown_cell(m.what) + " | " + value_text(m.naive) + " | " + value_text(m.ours) +
                " | " + bound_text(m.ours) + " |\n";
@@ -83,7 +83,7 @@ std::string markdown_head() {
     return "# Hard cases\n\n"
            "Written by `./dev run bench --hard --format markdown`; do not edit. Each case runs a naive "
            "method and\n"
-           "Jointwise on the same mechanism. What is asked of the numbers is asked by a test as well\n"
+           "Jointwise on the same mechanism. A test checks the required limits as well\n"
            "(`tests/app/hard_cases_test.cpp`), of the naive ones too: where the naive method stopped "
            "failing, "
            "the case\n"

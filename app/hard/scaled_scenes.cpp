@@ -126,10 +126,9 @@ Result scene_of_any_size() {
 
     Result result;
     result.naive =
-        "1e-6 m and 1e-6 m/s are compared with each other and with nothing: what one and the same motion "
-        "costs "
-        "depends on the units.";
-    result.ours = "errors are compared with the size of the scene: every size takes the same steps.";
+        "1e-6 m and 1e-6 m/s count as equal, whatever the size of the scene: the cost of one and the same "
+        "motion depends on the units.";
+    result.ours = "errors are relative to the size of the scene: every size takes the same steps.";
     const double naive_steps = double(naive_unit.counts.steps);
     // rounding may decide about one step
     const Bounds same{double(unit.counts.steps) - 1.0, double(unit.counts.steps) + 1.0};
@@ -141,7 +140,7 @@ Result scene_of_any_size() {
             "steps at 1e6 m", double(large.counts.steps), at_least(2.0 * naive_steps), double(most), same),
         // another step somewhere changes the path by the tolerance
         of_ours("paths differ by at most, by the size", differs, at_most(1e-8)),
-        of_ours("verdicts that are not '1 row repeats others'", wrong_verdicts, exactly(0)),
+        of_ours("verdicts other than '1 redundant row'", wrong_verdicts, exactly(0)),
     };
     return result;
 }
@@ -168,9 +167,10 @@ Result scene_turned() {
     }
     Result result;
     result.naive =
-        "the equations x and y of every axis are right for axes along z; turned by 90 degrees, four rows say "
-        "nothing, and the bodies are freer than they should be. At all other turns nobody notices.";
-    result.ours = "each axis has a pair of its own, in its body: the scene does not know how it lies.";
+        "the equations x and y of every axis are right for axes along z; turned by 90 degrees, four rows "
+        "become empty, and the bodies are freer than they should be. At all other angles nobody notices.";
+    result.ours =
+        "each axis has its own pair, fixed in its body: the result does not depend on how the scene lies.";
     result.measurements = {
         of_both("turned scenes, of 10, with another rank", naive_verdicts, at_least(1), verdicts, exactly(0)),
         // rounding of some 20 steps

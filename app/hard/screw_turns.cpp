@@ -78,7 +78,7 @@ Result cosine_row_at_half_turns() {
     Result result;
     result.naive =
         "the derivative of cos θ vanishes at 0, 180, 360 deg: there the row is empty. Beyond it the nut "
-        "turns back while θ and the advance go on, since cos does not know the sign.";
+        "turns back while θ and the advance go on, since cos is even.";
     result.ours = "sin(angle - θ) = 0 instead: the same row at every angle.";
     result.measurements.push_back(of_both(
         "least rank of the 6 rows at θ = k 180 deg", double(naive.rank), exactly(5.0), double(ours.rank),

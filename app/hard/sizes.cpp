@@ -80,8 +80,7 @@ Result loops_of_any_size() {
     }
     Result result;
     result.naive =
-        "what is a length and what is an angle is not told apart: in a machine of a micrometre lengths pass "
-        "for zero.";
+        "lengths and angles are not distinguished: in a machine of a micrometre, lengths pass for zero.";
     result.ours = "lengths are compared in the scene's own unit (µm, mm, m, km ...).";
     result.measurements.push_back(of_both(
         "right ranks, of 52", double(verdicts.naive_right), at_most(48.0), double(verdicts.right),

@@ -17,9 +17,9 @@ Result stiff_governor() {
 
     Result result;
     result.naive =
-        "steps are as short as the dampers need them, whatever the tolerance: asking for less accuracy saves "
+        "steps are as short as the dampers require, whatever the tolerance: asking for less accuracy saves "
         "nothing.";
-    result.ours = "the step follows the motion that one sees, and errors follow the tolerance.";
+    result.ours = "the step follows the visible motion, and errors follow the tolerance.";
     // stability bounds the naive steps, whatever the tolerance: half of what was measured is its least;
     // ours has twice what was measured, and errors of a hundred tolerances and ten
     result.measurements = {

@@ -35,7 +35,7 @@ Result loop_with_a_tilted_axis() {
 
     Result result;
     result.naive =
-        "rows that repeat others are left out unseen; the run reaches its end as if all were well, with a "
+        "redundant rows are left out unchecked; the run reaches its end as if all were well, with a "
         "pin "
         "that is not closed.";
     result.ours = contradiction

@@ -117,13 +117,12 @@ Result parallel_arms() {
     const NewtonTrace naive = trace_newton<OmegaLocal>(system, state, 0.0, NewtonMethod::plain);
     Result result;
     result.naive =
-        "the residual divided by a derivative that nearly vanishes: the body is flung round, and where it "
+        "the residual is divided by a derivative that nearly vanishes: the body is flung round, and where it "
         "comes "
         "to rest is chance. At exactly parallel arms it stays where it is.";
     result.ours =
         "a step turns no body by more than 0.5 rad, so the nearest solution is found. At exactly parallel "
-        "arms "
-        "no way is better than another: that is said, and the body left where it was.";
+        "arms no direction is better than another: the program says so and leaves the body where it was.";
     result.measurements.push_back(
         of_ours("rank of the 4 rows with parallel arms", double(verdict_on(exact).rank), exactly(3.0)));
     result.measurements.push_back(
@@ -136,7 +135,7 @@ Result parallel_arms() {
     result.measurements.push_back(
         of_naive("exactly parallel: closed (1)", naive.converged ? 1.0 : 0.0, exactly(0.0)));
     result.measurements.push_back(
-        of_ours("exactly parallel: said to be singular (1)", said_singular(outcome), exactly(1.0)));
+        of_ours("exactly parallel: reported as singular (1)", said_singular(outcome), exactly(1.0)));
     return result;
 }
 
@@ -152,13 +151,11 @@ Result bend_of_90_degrees() {
     const Velocities locked = velocities_of(driven(shafts(lesson, right_angle, 0.3), 2));
     Result result;
     result.naive =
-        "asked to turn a shaft that is locked, it answers with velocities that tear the joints apart, "
-        "without a "
-        "word.";
+        "for a driven shaft that is locked, it returns velocities that tear the joints apart, without a "
+        "message.";
     result.ours =
-        "shafts in line are a pose like any other; where two ways cross, the rank says so. Of the locked "
-        "shaft "
-        "it says that the equations contradict each other.";
+        "shafts in line are a pose like any other; where two branches cross, the rank shows it. For the "
+        "locked shaft it reports that the equations contradict each other.";
     result.measurements.push_back(
         of_ours("rank of 14 rows, shafts in line", rank_at(0.0, 0.3), exactly(11.0)));
     result.measurements.push_back(of_ours("rank at 40 deg", rank_at(40.0 * kDegree, 0.3), exactly(11.0)));
@@ -174,7 +171,8 @@ Result bend_of_90_degrees() {
         "locked shaft driven: largest miss of an equation", locked.naive_miss, at_least(0.05),
         locked.verdict.residual, at_least(0.05)));
     result.measurements.push_back(of_ours(
-        "locked shaft driven: contradiction told (1)", locked.verdict.consistent ? 0.0 : 1.0, exactly(1.0)));
+        "locked shaft driven: contradiction reported (1)", locked.verdict.consistent ? 0.0 : 1.0,
+        exactly(1.0)));
     return result;
 }
 

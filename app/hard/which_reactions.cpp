@@ -121,21 +121,21 @@ Result which_reactions() {
 
     Result result;
     result.naive =
-        "the first 17 rows and the last 17 give the same motion and other forces in the joints, each with 15 "
-        "digits and none with a reason.";
+        "the first 17 rows and the last 17 give the same motion but different forces in the joints, each "
+        "with 15 digits and no reason to prefer one.";
     result.ours =
-        "the smallest answer is shown, with the family of all others, and every component says whether it is "
-        "unique; those that are agree in every pick.";
+        "the smallest solution is shown with the family of all others, and every component is marked as "
+        "unique or not; the unique ones agree in every choice of rows.";
     result.measurements = {
-        of_naive("two picks apart, components not unique [N, N m]", picks.others, at_least(0.1)),
+        of_naive("difference of two choices, components not unique [N, N m]", picks.others, at_least(0.1)),
         // rounding of forces of 30 N
         of_both(
-            "apart, components called unique [N, N m]", picks.unique, at_most(1e-11), from_ours.unique,
+            "difference, components marked unique [N, N m]", picks.unique, at_most(1e-11), from_ours.unique,
             at_most(1e-11)),
         // along x and y forces are unique, about z torques are zero
-        of_ours("components called unique, of 24", 24.0 - not_unique(ours), exactly(12)),
+        of_ours("components marked unique, of 24", 24.0 - not_unique(ours), exactly(12)),
         of_ours("members of the family", double(ours.family.size()), exactly(3)),
-        of_ours("what of M q̈ - Q no reaction explains", ours.residual, at_most(1e-13)),
+        of_ours("part of M q̈ - Q that no reaction explains", ours.residual, at_most(1e-13)),
     };
     return result;
 }

@@ -81,14 +81,14 @@ bool Host::look_at_file() {
     state_.forget_pointed();
     state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
-    say("The file was saved anew: this is the same step of it.");
+    say("The file has changed: this is the same step of its new version.");
     return true;
 }
 
 void Host::keep_unsaved() {
     if (!session_) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
-    if (!problem.empty()) { say("What you try is lost if the program ends: " + problem); }
+    if (!problem.empty()) { say("Unsaved experiments will be lost when the program ends: " + problem); }
 }
 
 void Host::resize(int width, int height) {

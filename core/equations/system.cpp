@@ -5,14 +5,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/numerics/variants.hpp"
+
 namespace jw {
 
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
 
 int equations_of(const Primitive& primitive) {
     return std::visit([](const auto& p) { return p.kEquations; }, primitive);

@@ -7,6 +7,7 @@
 
 #include "core/jets/body_kinematics.hpp"
 #include "core/model/joint_types.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -50,11 +51,15 @@ VectorX IndependentCoordinates::sizes(const StateScales& scales) const {
     const double length = extent(scene_->mechanism);
     VectorX out(2 * d);
     for (Eigen::Index k = 0; k < d; ++k) {
-        const Measure& measure = chosen_[static_cast<std::size_t>(k)].measure;
-        const auto* of_body = std::get_if<CoordinateMeasure>(&measure);
-        const bool is_length = std::holds_alternative<DisplacementMeasure>(measure) ||
-                               (of_body != nullptr && of_body->coordinate < 3);
-        out(k) = is_length ? length : 1.0;
+        out(k) = std::visit(
+            Overloaded{
+                [](const AngleMeasure&) { return 1.0; },
+                [](const ThetaMeasure&) { return 1.0; },
+                [&](const DisplacementMeasure&) { return length; },
+                [&](const SquaredDistanceMeasure&) { return length * length; },
+                [&](const CoordinateMeasure& m) { return m.coordinate < 3 ? length : 1.0; },
+            },
+            chosen_[static_cast<std::size_t>(k)].measure);
     }
     out.tail(d) = out.head(d) * scales.omega();
     return out;

@@ -5,6 +5,7 @@
 
 #include "core/jets/body_kinematics.hpp"
 #include "core/numerics/svd.hpp"
+#include "core/numerics/variants.hpp"
 #include "core/poses/rank.hpp"
 
 namespace jw {
@@ -27,15 +28,26 @@ Place place_of_driver(const Driver& driver, const Mechanism& mechanism, const Bo
     if (driver.joint >= 0) { return place_of_joint(mechanism.joints[at(driver.joint)], bodies); }
     const auto& i = bodies[at(driver.body_i)];
     const auto& j = bodies[at(driver.body_j)];
-    if (const auto* m = std::get_if<AngleMeasure>(&driver.measure)) { return {j.r, i.A * m->s_i_local}; }
-    if (const auto* m = std::get_if<DisplacementMeasure>(&driver.measure)) {
-        return {j.r + j.A * m->B_j_local, i.A * m->s_i_local};
-    }
-    if (const auto* m = std::get_if<SquaredDistanceMeasure>(&driver.measure)) {
-        const Vec3 point = j.r + j.A * m->P_j_local;
-        return {point, point - i.r - i.A * m->P_i_local};
-    }
-    return {j.r, Vec3::UnitZ()};
+    return std::visit(
+        Overloaded{
+            [&](const AngleMeasure& m) -> Place {
+                return {j.r, i.A * m.s_i_local};
+            },
+            [&](const DisplacementMeasure& m) -> Place {
+                return {j.r + j.A * m.B_j_local, i.A * m.s_i_local};
+            },
+            [&](const SquaredDistanceMeasure& m) -> Place {
+                const Vec3 point = j.r + j.A * m.P_j_local;
+                return {point, point - i.r - i.A * m.P_i_local};
+            },
+            [&](const CoordinateMeasure&) -> Place {
+                return {j.r, Vec3::UnitZ()};
+            },
+            [&](const ThetaMeasure&) -> Place {
+                return {j.r, Vec3::UnitZ()};
+            },
+        },
+        driver.measure);
 }
 
 /// Block of one row and one body as force, and torque about the body's centre of mass over ℓ.

@@ -6,6 +6,7 @@
 
 #include "core/model/joint_types.hpp"
 #include "core/motion/forces.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -27,15 +28,23 @@ Measure moved(const CoordinateMeasure& m, const Vec3& centre) {
 }
 
 void move(Measure& measure, const Vec3& centre_i, const Vec3& centre_j) {
-    if (auto* d = std::get_if<DisplacementMeasure>(&measure)) {
-        d->B_i_local -= centre_i;
-        d->B_j_local -= centre_j;
-    } else if (auto* d2 = std::get_if<SquaredDistanceMeasure>(&measure)) {
-        d2->P_i_local -= centre_i;
-        d2->P_j_local -= centre_j;
-    } else if (const auto* c = std::get_if<CoordinateMeasure>(&measure)) {
-        measure = moved(*c, centre_j);
-    }
+    measure = std::visit(
+        Overloaded{
+            [](const AngleMeasure& m) -> Measure { return m; },
+            [](const ThetaMeasure& m) -> Measure { return m; },
+            [&](DisplacementMeasure m) -> Measure {
+                m.B_i_local -= centre_i;
+                m.B_j_local -= centre_j;
+                return m;
+            },
+            [&](SquaredDistanceMeasure m) -> Measure {
+                m.P_i_local -= centre_i;
+                m.P_j_local -= centre_j;
+                return m;
+            },
+            [&](const CoordinateMeasure& m) { return moved(m, centre_j); },
+        },
+        measure);
 }
 
 }  // namespace

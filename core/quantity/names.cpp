@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/model/joint_types.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -31,21 +32,19 @@ public:
         : dot_(kDots[at(derivative)]), mechanism_(&mechanism) {}
 
     std::string operator()(const MeasureQuantity& q) const {
-        if (const auto* c = std::get_if<CoordinateMeasure>(&q.measure)) {
-            if (c->coordinate >= 3) {
-                return dotted(body(q.body_j), "e" + std::to_string(c->coordinate - 3));
-            }
-            const std::string vector = dot_.empty() ? "" : ".r" + dot_;
-            return body(q.body_j) + vector + "." + std::string(kAxes[at(c->coordinate)]);
-        }
-        if (const auto* d = std::get_if<SquaredDistanceMeasure>(&q.measure)) {
-            if (q.joint < 0 && q.driver < 0) {
-                return between(q.body_i, "distance", d->P_i_local, q.body_j, d->P_j_local);
-            }
-            return dotted(owner(q.joint, q.driver), "distance");
-        }
-        const bool shift = std::holds_alternative<DisplacementMeasure>(q.measure);
-        return dotted(owner(q.joint, q.driver), shift ? "displacement" : "angle");
+        return std::visit(
+            Overloaded{
+                [&](const CoordinateMeasure& m) { return coordinate(q.body_j, m.coordinate); },
+                [&](const SquaredDistanceMeasure& m) {
+                    return q.joint < 0 && q.driver < 0
+                               ? between(q.body_i, "distance", m.P_i_local, q.body_j, m.P_j_local)
+                               : dotted(owner(q.joint, q.driver), "distance");
+                },
+                [&](const DisplacementMeasure&) { return dotted(owner(q.joint, q.driver), "displacement"); },
+                [&](const AngleMeasure&) { return dotted(owner(q.joint, q.driver), "angle"); },
+                [&](const ThetaMeasure&) { return dotted(owner(q.joint, q.driver), "angle"); },
+            },
+            q.measure);
     }
     std::string operator()(const AngularVelocityQuantity& q) const {
         return dotted(body(q.body), q.local ? "omega_local" : "omega") + "." + axis(q.component);
@@ -94,6 +93,11 @@ private:
         return joint >= 0 ? mechanism_->joints[at(joint)].name : mechanism_->drivers[at(driver)].name;
     }
     static std::string axis(int component) { return std::string(kAxes[at(component)]); }
+    std::string coordinate(int of, int k) const {
+        if (k >= 3) { return dotted(body(of), "e" + std::to_string(k - 3)); }
+        const std::string vector = dot_.empty() ? "" : ".r" + dot_;
+        return body(of) + vector + "." + std::string(kAxes[at(k)]);
+    }
     std::string dotted(const std::string& of, const std::string& word) const {
         return of + "." + word + dot_;
     }
@@ -105,21 +109,16 @@ private:
     const Mechanism* mechanism_;
 };
 
-/// With all derivatives.
+/// Adds a quantity with all its derivatives.
 void add(std::vector<NamedQuantity>& list, const Quantity& quantity) {
     for (int k = 0; k <= derivatives_of(quantity); ++k) { list.push_back({quantity, k}); }
 }
 
-/// Of a joint, or of a driver.
+/// Adds the reactions of a joint, or of a driver.
 void add_reactions(std::vector<NamedQuantity>& list, int joint, int driver) {
     for (const WrenchPart part : {WrenchPart::force, WrenchPart::torque}) {
         for (int k = 0; k < 4; ++k) { add(list, ReactionQuantity{joint, driver, part, k}); }
     }
-}
-
-bool drives_angle(const Driver& driver) {
-    return std::holds_alternative<AngleMeasure>(driver.measure) ||
-           std::holds_alternative<ThetaMeasure>(driver.measure);
 }
 
 }  // namespace
@@ -213,7 +212,7 @@ std::vector<NamedQuantity> quantities_of_driver(const Mechanism& mechanism, int 
     const MeasureQuantity measure = measure_of_driver(mechanism, driver);
     if (measure.driver >= 0) { add(list, measure); }
     add_reactions(list, -1, driver);
-    add(list, EffortQuantity{driver, drives_angle(mechanism.drivers[at(driver)])});
+    add(list, EffortQuantity{driver, unit_of(mechanism.drivers[at(driver)].measure) == Unit::radian});
     add(list, ResidualQuantity{-1, driver, Role::same_point, 0});
     return list;
 }

@@ -4,14 +4,12 @@ namespace jw {
 
 namespace {
 
-struct DimensionOfMeasure {
-    UnitRate operator()(const AngleMeasure& /*m*/) const { return {Unit::radian, 0}; }
-    UnitRate operator()(const ThetaMeasure& /*m*/) const { return {Unit::radian, 0}; }
-    UnitRate operator()(const DisplacementMeasure& /*m*/) const { return {Unit::metre, 0}; }
-    UnitRate operator()(const SquaredDistanceMeasure& /*m*/) const { return {Unit::metre, 0}; }
-    UnitRate operator()(const CoordinateMeasure& m) const {
-        return {m.coordinate < 3 ? Unit::metre : Unit::none, 0};
-    }
+struct UnitOfMeasure {
+    Unit operator()(const AngleMeasure& /*m*/) const { return Unit::radian; }
+    Unit operator()(const ThetaMeasure& /*m*/) const { return Unit::radian; }
+    Unit operator()(const DisplacementMeasure& /*m*/) const { return Unit::metre; }
+    Unit operator()(const SquaredDistanceMeasure& /*m*/) const { return Unit::metre; }
+    Unit operator()(const CoordinateMeasure& m) const { return m.coordinate < 3 ? Unit::metre : Unit::none; }
 };
 
 UnitRate dimension_of_vector(BodyVector vector) {
@@ -37,9 +35,7 @@ int derivatives_of_vector(BodyVector vector) {
 }
 
 struct DimensionOf {
-    UnitRate operator()(const MeasureQuantity& q) const {
-        return std::visit(DimensionOfMeasure{}, q.measure);
-    }
+    UnitRate operator()(const MeasureQuantity& q) const { return {unit_of(q.measure), 0}; }
     UnitRate operator()(const AngularVelocityQuantity& /*q*/) const { return {Unit::radian, 1}; }
     UnitRate operator()(const PointQuantity& /*q*/) const { return {Unit::metre, 0}; }
     UnitRate operator()(const PointSpeedQuantity& /*q*/) const { return {Unit::metre, 1}; }
@@ -74,7 +70,25 @@ struct DerivativesOf {
     int operator()(const PairConditionQuantity& /*q*/) const { return 0; }
 };
 
+struct NeedsMasses {
+    bool operator()(const MeasureQuantity& /*q*/) const { return false; }
+    bool operator()(const AngularVelocityQuantity& /*q*/) const { return false; }
+    bool operator()(const PointQuantity& /*q*/) const { return false; }
+    bool operator()(const PointSpeedQuantity& /*q*/) const { return false; }
+    bool operator()(const BodySizeQuantity& /*q*/) const { return false; }
+    bool operator()(const DirectionsQuantity& /*q*/) const { return false; }
+    bool operator()(const EnergyQuantity& /*q*/) const { return true; }
+    bool operator()(const ReactionQuantity& /*q*/) const { return true; }
+    bool operator()(const EffortQuantity& /*q*/) const { return true; }
+    bool operator()(const ParameterErrorQuantity& /*q*/) const { return false; }
+    bool operator()(const ResidualQuantity& /*q*/) const { return false; }
+    bool operator()(const SingularValueQuantity& /*q*/) const { return false; }
+    bool operator()(const PairConditionQuantity& /*q*/) const { return false; }
+};
+
 }  // namespace
+
+Unit unit_of(const Measure& measure) { return std::visit(UnitOfMeasure{}, measure); }
 
 UnitRate dimension_of(const Quantity& quantity) { return std::visit(DimensionOf{}, quantity); }
 
@@ -85,26 +99,31 @@ bool is_modulo_turn(const Quantity& quantity) {
     return m != nullptr && std::holds_alternative<AngleMeasure>(m->measure);
 }
 
-bool needs_masses(const Quantity& quantity) {
-    return std::holds_alternative<EnergyQuantity>(quantity) ||
-           std::holds_alternative<ReactionQuantity>(quantity) ||
-           std::holds_alternative<EffortQuantity>(quantity);
-}
+bool needs_masses(const Quantity& quantity) { return std::visit(NeedsMasses{}, quantity); }
 
 int joint_of(const Quantity& quantity) {
-    if (const auto* q = std::get_if<MeasureQuantity>(&quantity)) { return q->joint; }
-    if (const auto* q = std::get_if<ReactionQuantity>(&quantity)) { return q->joint; }
-    if (const auto* q = std::get_if<ResidualQuantity>(&quantity)) { return q->joint; }
-    if (const auto* q = std::get_if<PairConditionQuantity>(&quantity)) { return q->joint; }
-    return -1;
+    // a quantity that belongs to a joint has the joint's index as a member
+    return std::visit(
+        [](const auto& q) {
+            if constexpr (requires { q.joint; }) {
+                return q.joint;
+            } else {
+                return -1;
+            }
+        },
+        quantity);
 }
 
 int driver_of(const Quantity& quantity) {
-    if (const auto* q = std::get_if<MeasureQuantity>(&quantity)) { return q->driver; }
-    if (const auto* q = std::get_if<ReactionQuantity>(&quantity)) { return q->driver; }
-    if (const auto* q = std::get_if<ResidualQuantity>(&quantity)) { return q->driver; }
-    if (const auto* q = std::get_if<EffortQuantity>(&quantity)) { return q->driver; }
-    return -1;
+    return std::visit(
+        [](const auto& q) {
+            if constexpr (requires { q.driver; }) {
+                return q.driver;
+            } else {
+                return -1;
+            }
+        },
+        quantity);
 }
 
 }  // namespace jw

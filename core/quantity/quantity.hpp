@@ -6,11 +6,11 @@
 #include "core/jets/drivers.hpp"
 #include "core/model/joint_types.hpp"
 
-/// What can be measured on a mechanism. A quantity is a plain value; names.hpp says how it is called,
-/// evaluate.hpp what it is at an instant.
+/// Quantities: what can be measured on a mechanism. A quantity is a plain value; names.hpp says how it is
+/// called, evaluate.hpp what it is at an instant.
 namespace jw {
 
-/// What a number is measured in before any "per second".
+/// Unit of a number before any "per second".
 enum class Unit { none, metre, radian, joule, newton, newton_metre };
 
 /// A unit per so many seconds: rad/s is {radian, 1}.
@@ -89,7 +89,7 @@ struct EnergyQuantity {
 
 enum class WrenchPart { force, torque };
 
-/// What a joint or driver does to body j; the torque is about the joint's point.
+/// Force or torque of a joint or driver on body j; the torque is about the joint's point.
 struct ReactionQuantity {
     int joint = -1;   ///< -1: of the driver
     int driver = -1;  ///< -1: of the joint
@@ -130,16 +130,19 @@ using Quantity = std::variant<
     DirectionsQuantity, EnergyQuantity, ReactionQuantity, EffortQuantity, ParameterErrorQuantity,
     ResidualQuantity, SingularValueQuantity, PairConditionQuantity>;
 
-/// Of the quantity itself; its n-th derivative is per s to the n more.
+/// Dimension of the quantity itself; its n-th derivative has n more "per second".
 UnitRate dimension_of(const Quantity& quantity);
 
-/// How many derivatives have a meaning and are known: 0, 1 or 2.
+/// Unit of what a driver prescribes by its measure; a squared distance stands for the distance.
+Unit unit_of(const Measure& measure);
+
+/// Number of derivatives that have a meaning and are known: 0, 1 or 2.
 int derivatives_of(const Quantity& quantity);
 
-/// It comes modulo a turn.
+/// True if the quantity is known modulo a turn only.
 bool is_modulo_turn(const Quantity& quantity);
 
-/// It is of a motion by masses and forces: energies, reactions, efforts.
+/// True for quantities of a motion by masses and forces: energies, reactions, efforts.
 bool needs_masses(const Quantity& quantity);
 
 /// The joint that it is about, -1 for none.

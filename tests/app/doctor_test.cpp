@@ -49,7 +49,7 @@ TEST_CASE("doctor finds everything that is needed for pictures here", "[app][doc
     CHECK_THAT(ran.out, Catch::Contains("DejaVuSansMono.ttf (package fonts-dejavu-core)"));
     CHECK_THAT(ran.out, Catch::Contains("latinmodern-math.otf (package fonts-lmodern)"));
     CHECK_THAT(ran.out, Catch::Contains("Eigen 3."));
-    CHECK_THAT(ran.out, Catch::EndsWith("\neverything that is needed is there\n"));
+    CHECK_THAT(ran.out, Catch::EndsWith("\neverything needed is there\n"));
 }
 
 TEST_CASE("doctor says the same as JSON", "[app][doctor]") {
@@ -87,9 +87,9 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
     CHECK_THAT(
         broken.out, Catch::Contains(
                         "font '" + folder.path("latinmodern-math.otf") +
-                        "' is damaged: it is no TrueType or OpenType font; replace the file, or take its "
+                        "' is damaged: it is not a TrueType or OpenType font; replace the file, or take its "
                         "folder out of JOINTWISE_FONTS (package fonts-lmodern)"));
-    CHECK_THAT(broken.out, Catch::Contains("\nsomething that is needed is damaged"));
+    CHECK_THAT(broken.out, Catch::Contains("\nsomething needed is damaged"));
     // nothing to install: it is there
     CHECK(broken.out.find("apt-get install") == std::string::npos);
     const auto fonts = nlohmann::json::parse(broken_json.out)["fonts"];
@@ -105,7 +105,7 @@ TEST_CASE("missing fonts are named with their packages", "[app][doctor]") {
     CHECK(exit_of(diagnosis) == Exit::bad_input);
     CHECK(
         verdict_of(diagnosis) ==
-        "not everything that is needed is there; install it:\n  apt-get install fonts-dejavu-core "
+        "something needed is missing; install it:\n  apt-get install fonts-dejavu-core "
         "fonts-lmodern");
     CHECK_THAT(
         describe(diagnosis),
@@ -125,7 +125,7 @@ TEST_CASE("a surface that does not load is status 2, one that draws wrong is sta
     CHECK(exit_of(diagnosis) == Exit::bad_input);
     CHECK(
         verdict_of(diagnosis) ==
-        "not everything that is needed is there; install it:\n  apt-get install libosmesa6\n"
+        "something needed is missing; install it:\n  apt-get install libosmesa6\n"
         "  offscreen: unset MESA_GL_VERSION_OVERRIDE");
     surface.state = Outcome::draws_wrong;
     CHECK(exit_of(diagnosis) == Exit::numerics);

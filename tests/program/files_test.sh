@@ -133,9 +133,9 @@ for command in "plot mine.toml --out p.png" "open mine.toml --picture p.png" "re
     # shellcheck disable=SC2086
     expect 2 "DejaVuSans.ttf' is damaged: it ends too early" "$command with half a font" "$program" $command
 done
-expect 2 "something that is needed is damaged" "doctor with half a font" "$program" doctor
+expect 2 "something needed is damaged" "doctor with half a font" "$program" doctor
 unset JOINTWISE_FONTS
-JOINTWISE_LESSONS="$folder/none" expect 2 "not everything that is needed is there" "doctor without lessons" "$program" doctor
+JOINTWISE_LESSONS="$folder/none" expect 2 "something needed is missing" "doctor without lessons" "$program" doctor
 
 [ "$failures" -eq 0 ] || exit 1
 echo "files test: passed"

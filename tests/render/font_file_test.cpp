@@ -58,7 +58,7 @@ TEST_CASE("what is no font is named with the reason", "[render][fonts]") {
     const TemporaryFolder folder;
     const auto path = written(folder, {});
     CHECK_THROWS_WITH(
-        FontFace(path), "font '" + path.string() + "' is damaged: it is no TrueType or OpenType font");
+        FontFace(path), "font '" + path.string() + "' is damaged: it is not a TrueType or OpenType font");
     CHECK_THROWS_WITH(FontFace(folder.path() / "none.ttf"), Catch::Contains("No such file or directory"));
     // tables beyond any file
     CHECK(fault_of_font(Bytes{0, 1, 0, 0, 255, 255, 0, 0, 0, 0, 0, 0}) == "it ends too early");

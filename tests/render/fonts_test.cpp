@@ -107,9 +107,10 @@ TEST_CASE("a file that is no font is named, and the letters that are there stay"
     std::ofstream(folder.path() / "DejaVuSans.ttf") << "not a font";
     ::setenv("JOINTWISE_FONTS", folder.path().c_str(), 1);
     CHECK_THROWS_WITH(
-        load_fonts(1.5F), "font '" + (folder.path() / "DejaVuSans.ttf").string() +
-                              "' is damaged: it is no TrueType or OpenType font; replace the file, or take "
-                              "its folder out of JOINTWISE_FONTS");
+        load_fonts(1.5F),
+        "font '" + (folder.path() / "DejaVuSans.ttf").string() +
+            "' is damaged: it is not a TrueType or OpenType font; replace the file, or take "
+            "its folder out of JOINTWISE_FONTS");
     ::unsetenv("JOINTWISE_FONTS");
     CHECK(missing_from(*fonts.normal, kLatin).empty());
     CHECK(ImGui::GetIO().Fonts->IsBuilt());

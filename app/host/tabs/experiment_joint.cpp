@@ -13,6 +13,7 @@
 #include "app/session/view/series.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/quantity/quantity.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {
@@ -43,7 +44,8 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
     }
 }
 
-/// How good the pair in use is for every direction; pulling on the sphere turns the axis of body i.
+/// Draws the condition of the pair in use for every direction; pulling on the sphere turns the axis of body
+/// i.
 void sphere(const LessonUi& ui, int index, const Joint& joint) {
     const ParallelForm form = joint.parallel_form;
     const bool has_pair = form != ParallelForm::all_three && form != ParallelForm::pair;
@@ -199,8 +201,7 @@ void experiment_drivers(const LessonUi& ui) {
     if (!lesson.mechanism.drivers.empty()) { section(ui, "Drivers"); }
     for (std::size_t k = 0; k < lesson.mechanism.drivers.size(); ++k) {
         const Driver& driver = lesson.mechanism.drivers[k];
-        const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
-                              std::holds_alternative<ThetaMeasure>(driver.measure);
+        const bool is_angle = unit_of(driver.measure) == Unit::radian;
         const double unit = is_angle ? std::numbers::pi / 180.0 : 1.0;
         const double reach = is_angle ? 360.0 : 2.0 * extent(ui.session.as_written().mechanism);
         TimeFunction function = driver.function;

@@ -112,7 +112,7 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     if (!iterates) {
         return note(
             ui,
-            "It is closed at the start estimate already: there is nothing to iterate. Pull a body "
+            "It is already closed at the start estimate: there is nothing to iterate. Pull a body "
             "away at the step before and come back.");
     }
     const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};

@@ -59,7 +59,7 @@ void PriceTab::controls(const LessonUi& ui) {
     } else {
         if (ImGui::Button("Measure")) { begin(ui.session); }
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("a sweep of tolerances by every method, some seconds on this machine");
+            ImGui::SetTooltip("a sweep of tolerances with every method; takes some seconds");
         }
     }
     ImGui::SameLine();

@@ -22,7 +22,7 @@ std::string ScaledFonts::load(float scale) {
         fonts_ = render::load_fonts(in_eighths(scale));
     } catch (const std::runtime_error& error) {
         if (version_ == 0) { throw; }
-        return std::string("The text stays as large as it is: ") + error.what();
+        return std::string("The text size stays as it is: ") + error.what();
     }
     ++version_;
     return {};

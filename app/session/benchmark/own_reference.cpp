@@ -131,7 +131,7 @@ std::string agreement_text(const PointPath& best, const PointPath& check) {
     for (const auto& [position, velocity] : best) { reach = std::max(reach, position.norm()); }
     const double digits = std::floor(-std::log10(std::max(apart / std::max(reach, 1e-300), 1e-16)));
     return number_text(apart, 2) + " m apart: " + number_text(std::max(digits, 0.0), 2) +
-           " digits agree; errors below that say nothing";
+           " digits agree; smaller errors have no meaning";
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ Reference own_reference(const Lesson& lesson, const std::stop_token& stop) {
     }
     reference.origin = best.name + " (none is stored), ";
     reference.origin += both ? "and " + other.name + ": " + agreement_text(*best.path, *other.path)
-                             : "not checked by another way: " + other.failure;
+                             : "not checked in a second way: " + other.failure;
     return reference;
 }
 

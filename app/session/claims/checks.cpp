@@ -12,6 +12,7 @@
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/equations/assembler.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -22,14 +23,19 @@ namespace {
 constexpr double kNearby = 1e-2;
 
 std::string text_of(const Moment& moment, const Lesson& lesson) {
-    if (std::holds_alternative<AsGiven>(moment)) { return "as given"; }
-    if (const auto* at = std::get_if<AtTime>(&moment)) { return "at " + number_text(at->t, 6) + " s"; }
-    const int count = std::get<AfterAddition>(moment).count;
-    if (count == 0) { return "free bodies"; }
-    const Addition& a = lesson.order[static_cast<std::size_t>(count - 1)];
-    const auto k = static_cast<std::size_t>(a.index);
-    return "after " + (a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
-                                                       : lesson.mechanism.drivers[k].name);
+    return std::visit(
+        Overloaded{
+            [](const AsGiven&) -> std::string { return "as given"; },
+            [](const AtTime& at) { return "at " + number_text(at.t, 6) + " s"; },
+            [&](const AfterAddition& after) -> std::string {
+                if (after.count == 0) { return "free bodies"; }
+                const Addition& a = lesson.order[static_cast<std::size_t>(after.count - 1)];
+                const auto k = static_cast<std::size_t>(a.index);
+                return "after " + (a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                                   : lesson.mechanism.drivers[k].name);
+            },
+        },
+        moment);
 }
 
 /// The pose is singular if it can be moved to one where the rank is higher.

@@ -6,6 +6,7 @@
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/wording/explanations.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double kTight = 1e-10;
 constexpr double kLoose = 1e-8;
 
-/// As many joints and drivers as the claims speak of.
+/// Options of a story that adds only the joints and drivers that the claims need.
 StoryOptions what_claims_need(const Lesson& lesson) {
     StoryOptions options = poses_only();
     options.additions = 0;
@@ -44,11 +45,13 @@ ClaimPoses::ClaimPoses(const Lesson& lesson) : lesson_(&lesson), story_(lesson, 
 }
 
 Pose ClaimPoses::at(const Moment& moment) const {
-    if (std::holds_alternative<AsGiven>(moment)) { return as_given(); }
-    if (const auto* at = std::get_if<AtTime>(&moment)) {
-        return at->by_forces ? by_forces_.at(at->t) : motion_.at(at->t);
-    }
-    return after(std::get<AfterAddition>(moment).count);
+    return std::visit(
+        Overloaded{
+            [&](const AsGiven&) { return as_given(); },
+            [&](const AtTime& at) { return at.by_forces ? by_forces_.at(at.t) : motion_.at(at.t); },
+            [&](const AfterAddition& addition) { return after(addition.count); },
+        },
+        moment);
 }
 
 Pose ClaimPoses::as_given() const {
@@ -141,8 +144,8 @@ std::string ClaimPoses::run(
     return outcome.failure ? failure_text(*outcome.failure, settings, lesson_->mechanism) : std::string();
 }
 
-/// By two runs over the whole duration, whatever times are claimed: what is found at one of them must not
-/// depend on the others.
+/// Follows the motion by two runs over the whole duration, whatever times are claimed: what is found at one
+/// of them must not depend on the others.
 void ClaimPoses::follow_forces() {
     std::vector<double> times = claimed_times(true);
     times.insert(times.end(), {0.0, lesson_->dynamics->duration});

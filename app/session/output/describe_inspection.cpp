@@ -146,7 +146,7 @@ std::string redundant_lines(const Inspection& inspection, int width) {
 /// Says of a large system how certain the rank is and how to get the full spectrum.
 std::string without_spectrum_text(const RankReport& rank) {
     return "largest singular value about " + number_text(rank.first_value(), 3) +
-           ", last one that counts about " + small_text(rank.last_value()) + "; zero up to " +
+           ", smallest one above zero about " + small_text(rank.last_value()) + "; zero up to " +
            small_text(rank.threshold) +
            ". The others and the free motions of so many columns take long: --spectrum computes them.";
 }

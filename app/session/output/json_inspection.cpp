@@ -3,6 +3,7 @@
 #include "app/session/output/json.hpp"
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "core/numerics/variants.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {
@@ -46,8 +47,15 @@ struct MeasureJson {
 };
 
 const char* measure_name(const Measure& measure) {
-    constexpr const char* names[] = {"angle", "displacement", "squared distance", "coordinate", "theta"};
-    return names[measure.index()];
+    return std::visit(
+        Overloaded{
+            [](const AngleMeasure&) { return "angle"; },
+            [](const DisplacementMeasure&) { return "displacement"; },
+            [](const SquaredDistanceMeasure&) { return "squared distance"; },
+            [](const CoordinateMeasure&) { return "coordinate"; },
+            [](const ThetaMeasure&) { return "theta"; },
+        },
+        measure);
 }
 
 Json constraints_of(const System& system) {

@@ -3,6 +3,7 @@
 
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/picture/picture_shapes.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw::picture {
 
@@ -26,8 +27,8 @@ struct Circle {
     Vec3 at(double angle) const { return centre + radius * direction(angle); }
 };
 
-/// Where along the axis the circle is in plain sight: as near to P_i as possible, rather in front of the
-/// bodies.
+/// Finds the place along the axis where the circle is not hidden: as near to P_i as possible, preferably in
+/// front of the bodies.
 Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const State& state) {
     constexpr int samples = 16;
     constexpr int places = 8;
@@ -58,7 +59,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
     return best;
 }
 
-/// From u_i to u_j about s_i, with what marks its ends.
+/// Adds the arc from u_i to u_j about s_i, with the marks of its ends.
 void add_angle(
     const PictureStyle& style, const PlacedJoint& j, const State& state, double angle, Picture& picture) {
     const Circle circle = circle_in_sight(style, j, state);
@@ -106,26 +107,31 @@ void add_driver(
     const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
     const Mechanism& mechanism = lesson.mechanism;
     const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
-    if (d.joint >= 0) {
-        const auto k = static_cast<std::size_t>(d.joint);
-        const PlacedJoint joint = placed(mechanism, d.joint, state);
-        if (std::holds_alternative<AngleMeasure>(d.measure)) {
-            return add_angle(style, joint, state, relative_angle(mechanism.joints[k], state), picture);
-        }
-        if (std::holds_alternative<ThetaMeasure>(d.measure)) {
-            const auto theta = static_cast<std::size_t>(mechanism.theta_indices()[k]);
-            return add_angle(style, joint, state, state.theta[theta], picture);
-        }
-        return add_displacement(style, joint, picture);
-    }
+    const auto k = static_cast<std::size_t>(d.joint);  // only where the measure is one of a joint
     const BodyFrame i = frame_of(state, d.body_i);
     const BodyFrame j = frame_of(state, d.body_j);
-    if (const auto* m = std::get_if<SquaredDistanceMeasure>(&d.measure)) {
-        add_distance(style, i.point(m->P_i_local), j.point(m->P_j_local), "d", picture);
-    } else if (const auto* c = std::get_if<CoordinateMeasure>(&d.measure);
-               c != nullptr && c->coordinate < 3) {
-        add_coordinate(style, j.r, c->coordinate, picture);
-    }
+    std::visit(
+        Overloaded{
+            [&](const AngleMeasure&) {
+                const double angle = relative_angle(mechanism.joints[k], state);
+                add_angle(style, placed(mechanism, d.joint, state), state, angle, picture);
+            },
+            [&](const ThetaMeasure&) {
+                const auto theta = static_cast<std::size_t>(mechanism.theta_indices()[k]);
+                add_angle(style, placed(mechanism, d.joint, state), state, state.theta[theta], picture);
+            },
+            [&](const DisplacementMeasure&) {
+                add_displacement(style, placed(mechanism, d.joint, state), picture);
+            },
+            [&](const SquaredDistanceMeasure& m) {
+                add_distance(style, i.point(m.P_i_local), j.point(m.P_j_local), "d", picture);
+            },
+            [&](const CoordinateMeasure& m) {
+                // a coordinate of p is not a length that can be drawn
+                if (m.coordinate < 3) { add_coordinate(style, j.r, m.coordinate, picture); }
+            },
+        },
+        d.measure);
 }
 
 }  // namespace jw::picture

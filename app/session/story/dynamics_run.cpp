@@ -56,7 +56,7 @@ void add_residual(const Reactions& found, double t, DynamicsTable& table) {
     if (found.holds() || !table.reaction_note.empty()) { return; }
     table.reaction_note =
         "at t = " + number_text(t, 6) + " s the reactions leave " + small_text(found.residual) +
-        " of the forces on the bodies unexplained, where rounding explains " + small_text(found.bound);
+        " of the forces on the bodies unexplained, of which rounding explains " + small_text(found.bound);
 }
 
 std::string summary_of(const DynamicsTable& table) {
@@ -89,12 +89,12 @@ std::string fit_note(const DynamicsTable& table) {
     if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
     const double left_open = table.rows.front()[table.column_of("position_violation")];
     if (left_open < twelve_digits) { return {}; }
-    return "equations that repeat others are off by " + small_text(left_open) +
-           " at the start, so that branches that should cross near a singular position part there: it may go "
-           "on folded; numbers with 12 digits and more keep it on its branch";
+    return "redundant equations are violated by " + small_text(left_open) +
+           " at the start, so branches that should cross near a singular position separate there, and the "
+           "motion may go on along the folded one; numbers with 12 or more digits keep it on its branch";
 }
 
-constexpr const char* kNearest = " do not fit the joints, nearest ones that do are used: ";
+constexpr const char* kNearest = " do not fit the joints; the nearest ones that do are used: ";
 
 /// Bodies whose start poses are moved, those that are moved most first.
 std::string pose_note(const Mechanism& given, const Snapshot& start) {
@@ -148,7 +148,7 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
         const Body& body = given.bodies[b];
         compare(
             body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s",
-            " (a joint that is not in its origin asks for a 'velocity' besides)");
+            " (a joint away from its origin needs a 'velocity' as well)");
         compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", "");
     }
     return text.empty() ? text : "the start velocities" + (kNearest + text);
@@ -198,7 +198,7 @@ private:
             text += ", and is given up after " + std::to_string(request_->settings.most_steps);
         }
         if (stiff) {
-            text += "; stability keeps the steps short, not accuracy: --method implicit-5 takes longer ones";
+            text += "; stability, not accuracy, limits the step size: --method implicit-5 takes longer steps";
         }
         *note_ = text;
         if (request_->tell) { request_->tell(text); }
@@ -297,8 +297,8 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
         used.settings.dense.reset();
         used.method_chosen = true;
         const long steps = table.outcome.counts.steps;
-        table.pace_note = "the scene is stiff: stability kept the steps of " + method +
-                          " short, not accuracy (" + std::to_string(steps) +
+        table.pace_note = "the scene is stiff: stability, not accuracy, limits the steps of " + method +
+                          " (" + std::to_string(steps) +
                           " of them to t = " + number_text(table.outcome.failure->t, 3) +
                           " s); implicit-5 was taken instead, --method " + method + " keeps it";
         if (request.tell) { request.tell(table.pace_note); }

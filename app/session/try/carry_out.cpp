@@ -43,7 +43,9 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
     const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(experiment);
     if (!session.in_hand()) {
         // a driven motion was led along its way
-        return {session.index() != index || said.empty(), said.empty() ? "the motion goes its way" : said};
+        return {
+            session.index() != index || said.empty(),
+            said.empty() ? "the motion moved along its path" : said};
     }
     if (same_pose(before, session.step().state)) {
         session.apply(LetGo{});

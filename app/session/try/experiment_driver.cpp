@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/session/try/experiment_parts.hpp"
+#include "core/quantity/quantity.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/typed.hpp"
 
@@ -12,21 +13,11 @@ const Driver& driver_of(const Lesson& lesson, int index) {
     return lesson.mechanism.drivers.at(static_cast<std::size_t>(index));
 }
 
-/// What a driver prescribes: angles have degrees or radians, lengths metres.
-enum class Kind { angle, length, euler_parameter };
-
-Kind kind_of(const Driver& driver) {
-    if (std::holds_alternative<AngleMeasure>(driver.measure)) { return Kind::angle; }
-    if (std::holds_alternative<ThetaMeasure>(driver.measure)) { return Kind::angle; }
-    const auto* coordinate = std::get_if<CoordinateMeasure>(&driver.measure);
-    return coordinate != nullptr && coordinate->coordinate >= 3 ? Kind::euler_parameter : Kind::length;
-}
-
 /// Goes past the unit: it must follow numbers of an angle and may follow those of a length.
 /// @param per  "" or "/s"
-bool degrees_follow(Words& words, Kind kind, const std::string& per) {
-    if (kind != Kind::angle) {
-        words.take(kind == Kind::length ? "m" + per : "1" + per);
+bool degrees_follow(Words& words, Unit unit, const std::string& per) {
+    if (unit != Unit::radian) {
+        words.take(unit == Unit::metre ? "m" + per : "1" + per);
         return false;
     }
     if (words.take("deg" + per) || words.take("°" + per)) { return true; }
@@ -34,32 +25,32 @@ bool degrees_follow(Words& words, Kind kind, const std::string& per) {
     throw Unreadable("the unit is missing; expected deg" + per + " or rad" + per);
 }
 
-double value(Words& words, Kind kind, const std::string& per, const std::string& what) {
+double value(Words& words, Unit unit, const std::string& per, const std::string& what) {
     const double number = words.number(what);
-    return degrees_follow(words, kind, per) ? radians(number) : number;
+    return degrees_follow(words, unit, per) ? radians(number) : number;
 }
 
 /// Numbers up to the next word that is none, all in one unit.
-std::vector<double> values(Words& words, Kind kind, const std::string& what) {
+std::vector<double> values(Words& words, Unit unit, const std::string& what) {
     std::vector<double> all;
     const auto is_number = [&] { return words.peek().find_first_of("+-.0123456789") == 0; };
     do { all.push_back(words.number(what)); } while (is_number());
-    if (degrees_follow(words, kind, "")) { std::ranges::transform(all, all.begin(), radians); }
+    if (degrees_follow(words, unit, "")) { std::ranges::transform(all, all.begin(), radians); }
     return all;
 }
 
-TimeFunction::Harmonic read_harmonic(Words& words, Kind kind) {
+TimeFunction::Harmonic read_harmonic(Words& words, Unit unit) {
     TimeFunction::Harmonic h;
-    h.amplitude = value(words, kind, "", "the amplitude");
-    if (words.take("omega")) { h.omega = value(words, Kind::angle, "/s", "omega"); }
-    if (words.take("phase")) { h.phase = value(words, Kind::angle, "", "the phase"); }
+    h.amplitude = value(words, unit, "", "the amplitude");
+    if (words.take("omega")) { h.omega = value(words, Unit::radian, "/s", "omega"); }
+    if (words.take("phase")) { h.phase = value(words, Unit::radian, "", "the phase"); }
     return h;
 }
 
-TimeFunction::SmoothStep read_step(Words& words, Kind kind) {
+TimeFunction::SmoothStep read_step(Words& words, Unit unit) {
     TimeFunction::SmoothStep step;
-    if (words.take("from")) { step.from = value(words, kind, "", "the value before"); }
-    if (words.take("to")) { step.to = value(words, kind, "", "the value after"); }
+    if (words.take("from")) { step.from = value(words, unit, "", "the value before"); }
+    if (words.take("to")) { step.to = value(words, unit, "", "the value after"); }
     if (words.take("between")) {
         step.start = words.number("a time [s]");
         step.end = words.number("a time [s]");
@@ -76,42 +67,42 @@ double& coefficient(TimeFunction& function, std::size_t power) {
     return function.polynomial[power];
 }
 
-void read_clause(Words& words, Kind kind, TimeFunction& function) {
+void read_clause(Words& words, Unit unit, TimeFunction& function) {
     static const std::vector<std::string> clauses{"start",      "rate",     "function",
                                                   "polynomial", "harmonic", "step"};
     switch (words.name(clauses, "part of a driver's function")) {
-        case 0: coefficient(function, 0) = value(words, kind, "", "the start"); break;
-        case 1: coefficient(function, 1) = value(words, kind, "/s", "the rate"); break;
+        case 0: coefficient(function, 0) = value(words, unit, "", "the start"); break;
+        case 1: coefficient(function, 1) = value(words, unit, "/s", "the rate"); break;
         case 2: function = {}; break;
-        case 3: function.polynomial = values(words, kind, "a coefficient"); break;
-        case 4: function.harmonics.push_back(read_harmonic(words, kind)); break;
-        default: function.steps.push_back(read_step(words, kind)); break;
+        case 3: function.polynomial = values(words, unit, "a coefficient"); break;
+        case 4: function.harmonics.push_back(read_harmonic(words, unit)); break;
+        default: function.steps.push_back(read_step(words, unit)); break;
     }
 }
 
 /// "30 90 deg"
-std::string values_text(const std::vector<double>& numbers, Kind kind, const std::string& per = {}) {
+std::string values_text(const std::vector<double>& numbers, Unit unit, const std::string& per = {}) {
     std::vector<double> shown = numbers;
-    std::string unit = kind == Kind::length ? " m" + per : "";
-    if (kind == Kind::angle) {
+    std::string behind = unit == Unit::metre ? " m" + per : "";
+    if (unit == Unit::radian) {
         const writing::AngleTexts typed = writing::typed_angles(numbers);
-        unit = " " + typed.unit + per;
+        behind = " " + typed.unit + per;
         shown = typed.values;
     }
     std::string text;
     for (const double number : shown) { text += (text.empty() ? "" : " ") + writing::number_text(number); }
-    return text + unit;
+    return text + behind;
 }
 
-std::string whole_text(const TimeFunction& f, Kind kind) {
+std::string whole_text(const TimeFunction& f, Unit unit) {
     std::string text = " function";
-    if (!f.polynomial.empty()) { text += " polynomial " + values_text(f.polynomial, kind); }
+    if (!f.polynomial.empty()) { text += " polynomial " + values_text(f.polynomial, unit); }
     for (const TimeFunction::Harmonic& h : f.harmonics) {
-        text += " harmonic " + values_text({h.amplitude}, kind) + " omega " +
-                values_text({h.omega}, Kind::angle, "/s") + " phase " + values_text({h.phase}, Kind::angle);
+        text += " harmonic " + values_text({h.amplitude}, unit) + " omega " +
+                values_text({h.omega}, Unit::radian, "/s") + " phase " + values_text({h.phase}, Unit::radian);
     }
     for (const TimeFunction::SmoothStep& s : f.steps) {
-        text += " step from " + values_text({s.from}, kind) + " to " + values_text({s.to}, kind) +
+        text += " step from " + values_text({s.from}, unit) + " to " + values_text({s.to}, unit) +
                 " between " + writing::number_text(s.start) + " " + writing::number_text(s.end) + " s";
     }
     return text;
@@ -123,13 +114,13 @@ SetDriver read_driver(Words& words, const Lesson& lesson) {
     const auto index = static_cast<int>(words.name(names_of_drivers(lesson), "driver"));
     const Driver& driver = driver_of(lesson, index);
     SetDriver experiment{index, driver.function};
-    do { read_clause(words, kind_of(driver), experiment.function); } while (!words.done());
+    do { read_clause(words, unit_of(driver.measure), experiment.function); } while (!words.done());
     return experiment;
 }
 
 std::string text_of(const SetDriver& experiment, const Lesson& lesson) {
     const Driver& driver = driver_of(lesson, experiment.driver);
-    const Kind kind = kind_of(driver);
+    const Unit unit = unit_of(driver.measure);
     const std::string head = "driver " + quoted_name(driver.name, names_of_drivers(lesson));
     TimeFunction wanted = experiment.function;
     TimeFunction shifted = driver.function;
@@ -139,10 +130,10 @@ std::string text_of(const SetDriver& experiment, const Lesson& lesson) {
         coefficient(shifted, 0) = start;
         coefficient(shifted, 1) = rate;
         if (shifted == wanted) {
-            return head + " start " + values_text({start}, kind) + " rate " + values_text({rate}, kind, "/s");
+            return head + " start " + values_text({start}, unit) + " rate " + values_text({rate}, unit, "/s");
         }
     }
-    return head + whole_text(wanted, kind);
+    return head + whole_text(wanted, unit);
 }
 
 }  // namespace jw::experiment_text

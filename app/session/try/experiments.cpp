@@ -83,7 +83,7 @@ public:
     Edit operator()(const SetPresent& a) {
         const std::size_t size = a.what.kind == Addition::Kind::joint ? lesson_.mechanism.joints.size()
                                                                       : lesson_.mechanism.drivers.size();
-        if (!is_index(a.what.index, size)) { return refused("there is nothing of that number"); }
+        if (!is_index(a.what.index, size)) { return refused("there is no joint or driver of that number"); }
         const std::string name = name_of(lesson_, a.what);
         const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
         if (is_present == a.present) {
@@ -139,10 +139,8 @@ public:
         return done(driver.name + " changed");
     }
 
-    template <class Other>
-    Edit operator()(const Other& /*looking*/) {
-        return refused("");
-    }
+    template <class E>
+    requires(!EditsLesson<E>) Edit operator()(const E& /*experiment*/) { return refused(""); }
 
 private:
     Joint* joint_of(int index) {
@@ -151,15 +149,20 @@ private:
                    : nullptr;
     }
 
-    /// What drivers along a joint measure moves with the joint.
+    /// Updates the measures of the drivers along a joint to its new geometry.
     void measure_anew(int index) {
         const Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
         for (Driver& driver : lesson_.mechanism.drivers) {
             if (driver.joint != index) { continue; }
-            if (std::holds_alternative<AngleMeasure>(driver.measure)) { driver.measure = angle_of(joint); }
-            if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
-                driver.measure = displacement_of(joint);
-            }
+            driver.measure = std::visit(
+                Overloaded{
+                    [&](const AngleMeasure&) -> Measure { return angle_of(joint); },
+                    [&](const DisplacementMeasure&) -> Measure { return displacement_of(joint); },
+                    [](const SquaredDistanceMeasure& m) -> Measure { return m; },
+                    [](const CoordinateMeasure& m) -> Measure { return m; },
+                    [](const ThetaMeasure& m) -> Measure { return m; },
+                },
+                driver.measure);
         }
     }
 

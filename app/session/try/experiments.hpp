@@ -4,10 +4,12 @@
 #include <string>
 #include <variant>
 
+#include "core/numerics/variants.hpp"
 #include "lessons/lesson.hpp"
 
-/// What a person can do to a lesson that is being told: look at another step, or try something else than
-/// the author did. Plain values: the window makes them from clicks and keys, the command line from text.
+/// Experiments: what a person can do with an open lesson, such as going to another step or trying another
+/// variant than the author's. Plain values: the window makes them from clicks and keys, the command line from
+/// text.
 namespace jw {
 
 /// Another step of the story; beyond its ends means the first or the last one.
@@ -84,6 +86,14 @@ using Experiment = std::variant<
     GoTo, SetParallelForm, SetScrewAngleForm, SetCoordinates, SetPresent, SetEquationPresent, SetGeometry,
     SetDriver, Drag, Release, ShowFreedom, LetGo, Undo, Redo, StartOver>;
 
+/// Experiments that change the lesson itself; the others look at it, move it or go through its history.
+using LessonEdit = std::variant<
+    SetParallelForm, SetScrewAngleForm, SetCoordinates, SetPresent, SetEquationPresent, SetGeometry,
+    SetDriver>;
+
+template <class E>
+concept EditsLesson = kIsAlternative<E, LessonEdit>;
+
 /// `geometry` with another axis in body i (or j): the vectors perpendicular to it turn with it.
 /// @param s_local  any length but zero
 JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec3& s_local);
@@ -94,7 +104,7 @@ struct Edit {
     std::string what;  ///< "A keeps all three", or the reason
 };
 
-/// What an experiment makes of a lesson.
+/// Applies an experiment to a copy of a lesson.
 /// @param written  the lesson as its author wrote it: where things that are put back come from
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment);
 

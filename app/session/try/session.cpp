@@ -11,7 +11,7 @@ namespace {
 // a person remembers less
 constexpr std::size_t kMostHistory = 200;
 
-/// Where somebody is in a story, so that the same place is found in another telling of it.
+/// Place in a story, so that the same place is found in the story of a changed lesson.
 struct Place {
     Step::Kind kind = Step::Kind::bodies;
     std::optional<Addition> subject;
@@ -92,7 +92,7 @@ std::size_t gesture_of(const Experiment& experiment) {
 
 }  // namespace
 
-/// What has been computed of what is shown; each only when asked for.
+/// Results for the shown step, each computed when first asked for.
 struct Session::Cache {
     std::optional<View> view;
     std::optional<Picture> picture;
@@ -117,36 +117,62 @@ const Step& Session::step() const {
 }
 
 std::string Session::apply(const Experiment& experiment) {
-    if (const auto* a = std::get_if<Drag>(&experiment)) { return drag(*a); }
-    if (std::holds_alternative<Release>(experiment)) { return release(); }
-    if (const auto* a = std::get_if<ShowFreedom>(&experiment)) { return show_freedom(*a); }
-    if (hand_) {
-        hand_.reset();
+    return std::visit([this](const auto& e) { return perform(e); }, experiment);
+}
+
+std::string Session::perform(const EditsLesson auto& experiment) {
+    leave_hand();
+    return edit(experiment);
+}
+
+std::string Session::perform(const Drag& experiment) { return drag(experiment); }
+
+std::string Session::perform(const Release& /*experiment*/) { return release(); }
+
+std::string Session::perform(const ShowFreedom& experiment) { return show_freedom(experiment); }
+
+std::string Session::perform(const LetGo& /*experiment*/) {
+    leave_hand();
+    return {};
+}
+
+std::string Session::perform(const GoTo& experiment) {
+    leave_hand();
+    gesture_ = 0;
+    const int last = static_cast<int>(story_->steps().size()) - 1;
+    const int next = std::clamp(experiment.step, 0, last);
+    if (next != index_) {
+        index_ = next;
         changed();
     }
-    if (std::holds_alternative<LetGo>(experiment)) { return {}; }
-    if (const auto* a = std::get_if<GoTo>(&experiment)) {
-        gesture_ = 0;
-        const int last = static_cast<int>(story_->steps().size()) - 1;
-        const int next = std::clamp(a->step, 0, last);
-        if (next != index_) {
-            index_ = next;
-            changed();
-        }
-        return {};
-    }
-    if (std::holds_alternative<Undo>(experiment)) { return step_back_in_history(undo_, redo_); }
-    if (std::holds_alternative<Redo>(experiment)) { return step_back_in_history(redo_, undo_); }
-    if (std::holds_alternative<StartOver>(experiment)) {
-        if (!is_changed()) { return "Nothing was changed."; }
-        Past past = present("start over");
-        take_over(written_);
-        undo_.push_back(std::move(past));
-        redo_.clear();
-        gesture_ = 0;
-        return "The lesson is as it was written.";
-    }
-    return edit(experiment);
+    return {};
+}
+
+std::string Session::perform(const Undo& /*experiment*/) {
+    leave_hand();
+    return step_back_in_history(undo_, redo_);
+}
+
+std::string Session::perform(const Redo& /*experiment*/) {
+    leave_hand();
+    return step_back_in_history(redo_, undo_);
+}
+
+std::string Session::perform(const StartOver& /*experiment*/) {
+    leave_hand();
+    if (!is_changed()) { return "Nothing was changed."; }
+    Past past = present("start over");
+    take_over(written_);
+    undo_.push_back(std::move(past));
+    redo_.clear();
+    gesture_ = 0;
+    return "The lesson is as it was written.";
+}
+
+void Session::leave_hand() {
+    if (!hand_) { return; }
+    hand_.reset();
+    changed();
 }
 
 std::string Session::edit(const Experiment& experiment) {

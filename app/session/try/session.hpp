@@ -21,16 +21,16 @@ public:
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// As it stands, changes included.
+    /// The lesson with all changes made so far.
     const Lesson& lesson() const;
     const Lesson& as_written() const { return *written_; }
     const Story& story() const { return *story_; }
 
     /// Index of the step of the story that is shown, or in whose place something moved by hand is shown.
     int index() const { return index_; }
-    /// What is shown.
+    /// The shown step.
     const Step& step() const;
-    /// Not a step of the story: led by hand, or along a free motion.
+    /// True if the shown pose is not a step of the story: it is led by hand, or along a free motion.
     bool in_hand() const { return hand_ != nullptr; }
 
     /// @return what was done or why it was not, for people; empty where there is nothing to say
@@ -49,16 +49,16 @@ public:
     std::uint64_t version() const { return version_; }
     /// Grows whenever the lesson is told anew.
     std::uint64_t told() const { return told_; }
-    /// How often numbers were computed for a view: nothing may be while nothing changes.
+    /// Number of times that a view was computed. Tests check that it does not grow while nothing changes.
     std::uint64_t views_computed() const { return views_computed_; }
 
     bool is_changed() const { return lesson_ != written_; }
-    /// What undo (redo) would take back (do again), empty if there is nothing.
+    /// Text of the change that undo (redo) would take back (repeat); empty if there is none.
     std::string undo_text() const;
     std::string redo_text() const;
 
-    /// Whether the free motion that is shown goes on or was there for an instant only; see
-    /// core/kinematics/freedoms.hpp. Nothing if none is shown.
+    /// True if the shown free motion is finite, false if it exists for an instant only
+    /// (core/kinematics/freedoms.hpp); nothing if none is shown.
     std::optional<bool> shown_freedom_is_finite() const;
 
     /// Index of the step of the story that is nearest to time `t` of the motion; the last step without one.
@@ -74,6 +74,18 @@ private:
     };
     struct Cache;
 
+    // one for each experiment, or kind of experiments
+    std::string perform(const EditsLesson auto& experiment);
+    std::string perform(const Drag& experiment);
+    std::string perform(const Release& experiment);
+    std::string perform(const ShowFreedom& experiment);
+    std::string perform(const LetGo& experiment);
+    std::string perform(const GoTo& experiment);
+    std::string perform(const Undo& experiment);
+    std::string perform(const Redo& experiment);
+    std::string perform(const StartOver& experiment);
+    /// Back to the pose of the step, from what a hand or a free motion led to.
+    void leave_hand();
     std::string edit(const Experiment& experiment);
     std::string drag(const Drag& drag);
     std::string scrub(const Drag& drag);

@@ -8,6 +8,7 @@
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/quantity/evaluate.hpp"
+#include "core/quantity/quantity.hpp"
 
 namespace jw {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double kRoundingOfSum =
     1e-9;  // of a step: a last interval shorter than this is the rounding of the sum
 
-/// What an analysis gives of every moving body, then of every screw.
+/// Quantities that an analysis yields for every moving body, then for every screw.
 std::vector<NamedQuantity> quantities_of(const System& system, Analysis analysis) {
     std::vector<NamedQuantity> list;
     const int highest = static_cast<int>(analysis);
@@ -95,7 +96,7 @@ SweepRow row_of(
     return row;
 }
 
-/// What an equation asks for, as a rate or an acceleration: "91 deg/s" of a driven angle.
+/// Rate or acceleration that an equation demands, as text: "91 deg/s" for a driven angle.
 std::string asked_text(const System& system, int row, double value, const std::string& per, double t) {
     const RowOrigin origin = system.origin(row);
     if (origin.kind != RowOrigin::Kind::driver) { return number_text(value, 6) + " 1" + per; }
@@ -104,10 +105,9 @@ std::string asked_text(const System& system, int row, double value, const std::s
     if (std::holds_alternative<SquaredDistanceMeasure>(driver.measure)) {
         return number_text(value / (2.0 * driver.function.at(t).f), 6) + " m" + per;
     }
-    const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
-                          std::holds_alternative<ThetaMeasure>(driver.measure);
-    return is_angle ? number_text(value * kDegreesPerRadian, 6) + " deg" + per
-                    : number_text(value, 6) + " m" + per;
+    const Unit unit = unit_of(driver.measure);
+    if (unit == Unit::radian) { return number_text(value * kDegreesPerRadian, 6) + " deg" + per; }
+    return number_text(value, 6) + (unit == Unit::metre ? " m" : " 1") + per;
 }
 
 /// The redundant equation that misses what those that it repeats ask for by most.
@@ -143,7 +143,7 @@ std::string contradiction_of(
            asked_text(system, worst->row, implied, per, frame.t);
 }
 
-/// Of velocities, or of accelerations where velocities agree.
+/// Contradiction of the velocity equations, or of the acceleration equations where velocities agree.
 std::string contradiction_at(const System& system, const MotionFrame& frame) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(frame.state, frame.t);

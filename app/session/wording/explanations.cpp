@@ -84,14 +84,14 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
         if (row.misfit <= row.bound) { continue; }
         doubts.push_back(
             "The combination for " + row_label(system, row.row) + " misses by " + small_text(row.misfit) +
-            ", where rounding explains " + small_text(row.bound) + ".");
+            ", of which rounding explains " + small_text(row.bound) + ".");
     }
     for (std::size_t k = 0; k < report.free_motion_proofs.size(); ++k) {
         const FreeMotionProof& proof = report.free_motion_proofs[k];
         if (proof.holds()) { continue; }
         doubts.push_back(
             "Free motion " + std::to_string(k + 1) + " changes the equations by " +
-            small_text(proof.residual) + ", where rounding explains " + small_text(proof.bound) + ".");
+            small_text(proof.residual) + ", of which rounding explains " + small_text(proof.bound) + ".");
     }
     return doubts;
 }

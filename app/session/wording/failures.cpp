@@ -4,6 +4,7 @@
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -112,15 +113,11 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
 /// "62.25°" of what a driver prescribes, to a hundredth of the gap: the fit that found it is no better.
 std::string measure_text(const Driver& driver, double value, double gap) {
     constexpr int digits = 9;  // of two that differ little
-    const bool is_angle = std::holds_alternative<AngleMeasure>(driver.measure) ||
-                          std::holds_alternative<ThetaMeasure>(driver.measure);
-    const double factor = is_angle ? kDegreesPerRadian : 1.0;
+    const Unit unit = unit_of(driver.measure);
+    const double factor = unit == Unit::radian ? kDegreesPerRadian : 1.0;
     const double step = 0.01 * std::pow(10.0, std::floor(std::log10(std::max(factor * gap, 1e-300))));
     const std::string number = number_text(step * std::round(factor * value / step), digits);
-    if (is_angle) { return number + "°"; }
-    const auto* coordinate = std::get_if<CoordinateMeasure>(&driver.measure);
-    const bool is_number = coordinate != nullptr && coordinate->coordinate >= 3;
-    return number + (is_number ? "" : " m");
+    return number + (unit == Unit::radian ? "°" : unit == Unit::metre ? " m" : "");
 }
 
 std::string drivers_text(const System& system, const PositionFailure& failure) {
@@ -165,12 +162,12 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 }
 
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
-    std::string text = "Newton-Raphson did not settle" + moment_of(failure) + " within " +
+    std::string text = "Newton-Raphson did not converge" + moment_of(failure) + " within " +
                        count_text(failure.iterations, "iteration");
     if (failure.residual >= kHolds) {
         text += ": " + row_label(system, failure.row) + " is off by " + small_text(failure.value);
     } else {
-        text += ": what it came to meets the equations only where this pose does not lead";
+        text += ": the pose that it found satisfies the equations, but this pose does not lead there";
     }
     return text +
            ". Whether there is a pose that meets all equations is not known; a start pose nearer to it" +

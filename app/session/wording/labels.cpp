@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/numerics/variants.hpp"
 #include "lessons/equation_labels.hpp"
 
 namespace jw {
@@ -140,27 +141,28 @@ EquationText equation_text(const System& system, const Constraint& constraint) {
 }
 
 EquationText driver_text(const Driver& driver) {
-    EquationText text;
-    text.primitive = "driver";
-    text.unit = "-";
-    if (std::holds_alternative<AngleMeasure>(driver.measure) ||
-        std::holds_alternative<ThetaMeasure>(driver.measure)) {
-        text.formula = combined("drive,1", "θ − f(t) = 0");
-        text.unit = "rad";
-    } else if (std::holds_alternative<DisplacementMeasure>(driver.measure)) {
-        text.formula = combined("drive,1", "@s_i^T @d − f(t) = 0");
-        text.unit = "m";
-    } else if (std::holds_alternative<SquaredDistanceMeasure>(driver.measure)) {
-        text.formula = combined("drive,1", "@d^T @d − f(t)^2 = 0");
-        text.unit = "m²";
-    } else {
-        const int k = std::get<CoordinateMeasure>(driver.measure).coordinate;
-        const std::string symbol = k < 3 ? axis_name(k) : "e_" + std::to_string(k - 3);
-        text.formula = combined("drive,1", symbol + " − f(t) = 0");
-        text.unit = k < 3 ? "m" : "-";
-    }
-    text.plain = plain_of(text.formula);
-    return text;
+    const auto of = [](const std::string& formula, const char* unit) {
+        EquationText text;
+        text.primitive = "driver";
+        text.formula = combined("drive,1", formula);
+        text.plain = plain_of(text.formula);
+        text.unit = unit;
+        return text;
+    };
+    const std::string of_angle = "θ − f(t) = 0";
+    return std::visit(
+        Overloaded{
+            [&](const AngleMeasure&) { return of(of_angle, "rad"); },
+            [&](const ThetaMeasure&) { return of(of_angle, "rad"); },
+            [&](const DisplacementMeasure&) { return of("@s_i^T @d − f(t) = 0", "m"); },
+            [&](const SquaredDistanceMeasure&) { return of("@d^T @d − f(t)^2 = 0", "m²"); },
+            [&](const CoordinateMeasure& m) {
+                const int k = m.coordinate;
+                const std::string symbol = k < 3 ? axis_name(k) : "e_" + std::to_string(k - 3);
+                return of(symbol + " − f(t) = 0", k < 3 ? "m" : "-");
+            },
+        },
+        driver.measure);
 }
 
 std::string component_name(const Constraint& constraint, int component) {

@@ -37,13 +37,13 @@ std::string absence_text(Absence absence) {
         case Absence::no_masses: return "there are no masses and forces here";
         case Absence::no_acceleration: return "no accelerations are known here";
         case Absence::no_derivative: return "it has no such derivative";
-        case Absence::not_unique: return "it is not unique: equations repeat each other and leave it open";
-        case Absence::not_there: return "its joint or driver takes no part here";
-        case Absence::no_motion_of_it: return "the pose is no moment of the motion by masses and forces";
+        case Absence::not_unique: return "it is not unique: redundant equations leave it open";
+        case Absence::not_there: return "its joint or driver is not present here";
+        case Absence::no_motion_of_it: return "the pose is not part of the motion by masses and forces";
         case Absence::rank_lost: return "the rows have lost rank, so there is no condition";
         case Absence::singular: break;
     }
-    return "it has a corner here, and no rate";
+    return "it is not differentiable here";
 }
 
 std::string column_of_before(const std::string& today) {

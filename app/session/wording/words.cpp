@@ -120,7 +120,8 @@ double Words::number(const std::string& what) {
         throw Unreadable(what_came(text) + " where " + what + " should be; expected a number");
     }
     if (!std::isfinite(value) || std::abs(value) > kLargest) {
-        throw Unreadable(in_quotes(text) + " is too large or no number; expected at most 1e9 in size");
+        throw Unreadable(
+            in_quotes(text) + " is too large or not a number; expected at most 1e9 in magnitude");
     }
     // a unit may follow without a blank: "30deg"
     Word& word = words_[next_];
@@ -140,7 +141,7 @@ int Words::integer(const std::string& what) {
     const std::string text(peek());
     const double value = number(what);
     if (value != std::floor(value)) {
-        throw Unreadable(in_quotes(text) + " is no whole number; expected " + what);
+        throw Unreadable(in_quotes(text) + " is not a whole number; expected " + what);
     }
     return static_cast<int>(value);
 }

@@ -76,9 +76,9 @@ TEST_CASE("doctor tells lessons that are missing from lessons that are damaged",
     Diagnosis diagnosis;
     diagnosis.lessons = damaged;
     CHECK(exit_of(diagnosis) == Exit::bad_input);
-    CHECK_THAT(verdict_of(diagnosis), Catch::StartsWith("something that is needed is damaged"));
+    CHECK_THAT(verdict_of(diagnosis), Catch::StartsWith("something needed is damaged"));
     diagnosis.lessons = none;
-    CHECK_THAT(verdict_of(diagnosis), Catch::StartsWith("not everything that is needed is there"));
+    CHECK_THAT(verdict_of(diagnosis), Catch::StartsWith("something needed is missing"));
 }
 
 TEST_CASE("doctor says on standard error that something is wrong", "[app][doctor]") {

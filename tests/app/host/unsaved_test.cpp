@@ -109,7 +109,8 @@ TEST_CASE("That the file cannot be written is told once") {
     open_changed(person);
     person.host().keep_unsaved();
     CHECK_THAT(
-        person.host().notice().text(), Catch::StartsWith("What you try is lost if the program ends: "));
+        person.host().notice().text(),
+        Catch::StartsWith("Unsaved experiments will be lost when the program ends: "));
     person.rest();
     person.host().keep_unsaved();
     CHECK(person.host().notice().text().empty());

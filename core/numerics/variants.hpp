@@ -1,0 +1,22 @@
+#pragma once
+
+#include <type_traits>
+#include <variant>
+
+/// Visiting of variants with one function per alternative: the compiler names every place that forgot a new
+/// one.
+namespace jw {
+
+/// Overload set of lambdas for std::visit.
+template <class... Ts>
+struct Overloaded : Ts... {
+    using Ts::operator()...;
+};
+
+/// True if T is an alternative of the variant V.
+template <class T, class V>
+inline constexpr bool kIsAlternative = false;
+template <class T, class... Ts>
+inline constexpr bool kIsAlternative<T, std::variant<Ts...>> = (std::is_same_v<T, Ts> || ...);
+
+}  // namespace jw
