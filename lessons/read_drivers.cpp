@@ -186,8 +186,10 @@ void read_driver(Fields& fields, Reading& reading) {
     if (is_name || what) {
         const bool placed = is_name ? place_by_name(fields, reading, *quantity, driver)
                                     : place(fields, reading, static_cast<What>(*what), driver);
-        const bool angle =
-            placed ? unit_of(driver.measure) == Unit::radian : what == static_cast<std::size_t>(What::angle);
+        // where the target is wrong, the keys of the function are read as they were probably meant
+        const bool angle_named =
+            is_name ? quantity->value.ends_with(".angle") : what == static_cast<std::size_t>(What::angle);
+        const bool angle = placed ? unit_of(driver.measure) == Unit::radian : angle_named;
         driver.function = read_time_function(fields, angle);
         if (from_start && from_start->value && placed) {
             driver.function.polynomial.resize(std::max<std::size_t>(1, driver.function.polynomial.size()));

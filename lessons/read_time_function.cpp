@@ -112,7 +112,7 @@ void check_values(Fields& fields, const TimeFunction& function, double from, dou
         const std::string place = fields.what() + " reaches " + short_number(value.f) +
                                   " at t = " + short_number(t) + " s; expected ";
         if (!finite || std::abs(value.f) > kLargestNumber) {
-            fields.problems().add(fields.span(), place + "at most 1e9 in size");
+            fields.problems().add(fields.span(), place + "at most 1e9 in magnitude");
             return;
         }
         if (never_negative && value.f < 0.0) {

@@ -266,8 +266,8 @@ TEST_CASE("A quantity that no driver can prescribe is refused", "[lessons][quant
     says("arm.omega.z", "no driver can prescribe 'arm.omega.z'");
     says("base.x", "body 'base' is fixed; expected one that moves");
     says("arm.distance[0 0 0].arm[1 0 0]", "belong to one body");
-    says("pen.angle", "is no quantity; expected NAME.WHAT");
-    says("pin.speed", "is no quantity of joint 'pin'");
+    says("pen.angle", "is not a quantity; expected NAME.WHAT");
+    says("pin.speed", "is not a quantity of joint 'pin'");
     says("speed", "one of");
 }
 
@@ -344,8 +344,8 @@ TEST_CASE("Claims that nothing can judge are refused with their place", "[lesson
     };
     says(
         "quantity = \"energy.sum\"\n" + value, false, "needs masses and forces; expected a table [dynamics]");
-    says("quantity = \"energy.som\"\n" + value, true, "is no quantity; expected energy.kinetic");
-    says("quantity = \"pin.force.x\"\n" + value, true, "reactions hold a motion; expected 'at_s'");
+    says("quantity = \"energy.som\"\n" + value, true, "is not a quantity; expected energy.kinetic");
+    says("quantity = \"pin.force.x\"\n" + value, true, "reactions belong to a motion; expected 'at_s'");
     says("at_s = 3\nquantity = \"energy.sum\"\n" + value, true, "from 0 to 'duration' of [dynamics]");
     says("at_s = 1\nof = \"motion\"\nquantity = \"energy.sum\"\n" + value, true, "of [motion]");
     says("quantity = \"arm.r_dot.x\"\n" + value, true, "nothing moves before the motion");

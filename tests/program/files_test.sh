@@ -49,7 +49,7 @@ expect 2 "the name is too long" "a long name" "$program" step "$(printf 'x%.0s' 
 expect 2 "larger than 10 MB" "a device without end" "$program" step /dev/zero
 expect 2 "the file is empty" "an empty device" "$program" step /dev/null
 bash -c 'exec 3<>pipe; exec timeout 100 "$0" step pipe' "$program" >out 2>err && fail "a pipe that stays silent is read"
-grep -qF "nothing more came through this pipe" err || fail "a pipe whose writer stays silent is not named"
+grep -qF "nothing more was written into this pipe" err || fail "a pipe whose writer stays silent is not named"
 "$program" step <(cat mine.toml) >out 2>err || fail "a lesson does not come through a pipe"
 (sleep 0.3; cat mine.toml) | "$program" step /dev/stdin >out 2>err || fail "a late lesson does not come through a pipe"
 
@@ -77,7 +77,7 @@ cmp -s mine.toml mine.png && cmp -s mine.toml shot/frame_00000.png && cmp -s min
 cp mine.toml grown.toml
 timeout 100 "$program" solve grown.toml >>grown.toml 2>err && fail "results are written into the lesson"
 cmp -s mine.toml grown.toml || fail "results behind '>>' changed the lesson"
-grep -qF "expected another file behind '>'" err || fail "results into the lesson are not named"
+grep -qF "expected another file after '>'" err || fail "results into the lesson are not named"
 
 # ---- outputs that are no files
 for output in pipe /dev/null /dev/full; do
