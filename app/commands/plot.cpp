@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
@@ -11,6 +12,7 @@
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/series.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/enum_words.hpp"
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
 
@@ -21,7 +23,7 @@ namespace {
 struct PlotOptions {
     std::string file;
     std::vector<std::string> experiments;
-    std::string of = "quantities";
+    std::string of = "quantities";  ///< a word of kPlotted
     std::string joint;
     std::vector<std::string> curves;
     std::string out;
@@ -50,10 +52,22 @@ int joint_of(const PlotOptions& options, const Story& story) {
     return static_cast<int>(found - names.begin());
 }
 
+enum class Plotted { quantities, residuals, singular_values, conditions };
+constexpr std::array kPlotted{
+    EnumWord<Plotted>{Plotted::quantities, "quantities", "quantities over time"},
+    EnumWord<Plotted>{Plotted::residuals, "residuals", "‖Φ‖ over all iterations"},
+    EnumWord<Plotted>{Plotted::singular_values, "singular-values", "singular values over time"},
+    EnumWord<Plotted>{Plotted::conditions, "conditions", "condition of the pairs over time"}};
+
+Plotted plotted(const PlotOptions& options) { return *value_of(kPlotted, options.of); }
+
 SeriesSet set_of(const PlotOptions& options, const Story& story) {
-    if (options.of == "quantities") { return motion_series(story); }
-    if (options.of == "residuals") { return newton_series(story); }
-    if (options.of == "singular-values") { return singular_value_series(story); }
+    switch (plotted(options)) {
+        case Plotted::quantities: return motion_series(story);
+        case Plotted::residuals: return newton_series(story);
+        case Plotted::singular_values: return singular_value_series(story);
+        case Plotted::conditions: break;
+    }
     return condition_series(story, joint_of(options, story));
 }
 
@@ -77,7 +91,7 @@ std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& cu
 /// The curves by their names of today; of quantities also such as are not plotted unless asked for.
 std::vector<std::string> found_curves(
     const PlotOptions& options, const Story& story, SeriesSet& set, const Streams& streams) {
-    if (options.of != "quantities") { return options.curves; }
+    if (plotted(options) != Plotted::quantities) { return options.curves; }
     std::vector<std::string> names;
     for (const std::string& curve : options.curves) {
         names.push_back(curve);
@@ -100,12 +114,6 @@ SeriesSet only(SeriesSet set, const std::vector<int>& shown) {
     return set;
 }
 
-const char* title_of(const std::string& of) {
-    if (of == "quantities") { return "quantities over time"; }
-    if (of == "residuals") { return "‖Φ‖ over all iterations"; }
-    return of == "conditions" ? "condition of the pairs over time" : "singular values over time";
-}
-
 Exit plot(const PlotOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallestPlot, kLargestPlot);
     const bool is_csv = options.out.ends_with(".csv");
@@ -126,7 +134,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     if (is_csv) {
         render::write_file_atomically(options.out, csv_of(only(set, state.shown)));
     } else {
-        const std::string title = changed.lesson.title + ": " + title_of(options.of);
+        const std::string title = changed.lesson.title + ": " + label_of(kPlotted, plotted(options));
         render::write_file_atomically(
             options.out, render::encode_png(picture_of_plot(set, state, title, size.width, size.height)));
     }
@@ -146,7 +154,7 @@ void add_plot(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
     command->add_option("--of", options->of, "quantities, residuals, singular-values or conditions")
-        ->check(CLI::IsMember({"quantities", "residuals", "singular-values", "conditions"}))
+        ->check(CLI::IsMember(words_of(kPlotted)))
         ->type_name("WHAT")
         ->capture_default_str();
     command

@@ -3,18 +3,28 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/numerics/variants.hpp"
+
 namespace jw {
 
 namespace {
 
 /// Nothing if what it comes after is gone.
 std::optional<Moment> carried(const Moment& when, const Lesson& written, const Lesson& changed) {
-    const auto* after = std::get_if<AfterAddition>(&when);
-    if (after == nullptr || after->count == 0) { return when; }
-    const Addition& addition = written.order[static_cast<std::size_t>(after->count - 1)];
-    const auto found = std::ranges::find(changed.order, addition);
-    if (found == changed.order.end()) { return std::nullopt; }
-    return AfterAddition{static_cast<int>(found - changed.order.begin()) + 1};
+    using Carried = std::optional<Moment>;
+    return std::visit(
+        Overloaded{
+            [](const AsGiven& given) -> Carried { return given; },
+            [&](const AfterAddition& after) -> Carried {
+                if (after.count == 0) { return after; }
+                const Addition& addition = written.order[static_cast<std::size_t>(after.count - 1)];
+                const auto found = std::ranges::find(changed.order, addition);
+                if (found == changed.order.end()) { return std::nullopt; }
+                return AfterAddition{static_cast<int>(found - changed.order.begin()) + 1};
+            },
+            [](const AtTime& at) -> Carried { return at; },
+        },
+        when);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/picture/picture_shapes.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw::picture {
 
@@ -216,9 +217,14 @@ Shaft shaft_of(const Lesson& lesson, int body, const BodyFrame& frame, const Vec
         if (way.dot(axis) < 0.0) { std::swap(shaft.from, shaft.to); }
         if (shaft.slenderness() > best.slenderness()) { best = shaft; }
     };
+    const auto look_at = Overloaded{
+        [](const Box&) {},
+        [&](const Cylinder& c) { consider(c.from, c.to, c.radius); },
+        [](const Sphere&) {},
+        [&](const Rod& r) { consider(r.from, r.to, r.radius); },
+    };
     for (const Shape& shape : lesson.looks[static_cast<std::size_t>(body)].shapes) {
-        if (const auto* c = std::get_if<Cylinder>(&shape)) { consider(c->from, c->to, c->radius); }
-        if (const auto* r = std::get_if<Rod>(&shape)) { consider(r->from, r->to, r->radius); }
+        std::visit(look_at, shape);
     }
     return best;
 }

@@ -8,6 +8,7 @@
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -126,12 +127,16 @@ std::string newton_sentence(const System& system, const NewtonStep& newton) {
 }
 
 std::string iteration_sentence(const Step& step) {
-    if (const auto* newton = std::get_if<NewtonStep>(&step.events.back())) {
-        return newton_sentence(*step.system, *newton);
-    }
-    const auto& wrong = std::get<WrongBranch>(step.events.back());
-    return "All equations hold, but on the wrong branch: " + branch_text(*step.system, wrong) +
-           ". In the picture that is already turned by half a turn; Newton-Raphson starts again from there.";
+    return std::visit(
+        Overloaded{
+            [&](const NewtonStep& newton) { return newton_sentence(*step.system, newton); },
+            [&](const WrongBranch& wrong) {
+                return "All equations hold, but on the wrong branch: " + branch_text(*step.system, wrong) +
+                       ". In the picture that is already turned by half a turn; Newton-Raphson starts again "
+                       "from there.";
+            },
+        },
+        step.events.back());
 }
 
 std::string closing_text(const Step& step) {

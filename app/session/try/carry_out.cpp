@@ -2,6 +2,7 @@
 
 #include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -60,21 +61,34 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
     return {true, what + (said.empty() ? "" : ": " + said)};
 }
 
+ExperimentResult applied(Session& session, const Experiment& experiment) {
+    const std::uint64_t before = session.told();
+    const std::string said = session.apply(experiment);
+    return {session.told() != before || said.empty(), said};
+}
+
 }  // namespace
 
 ExperimentResult carry_out(Session& session, const std::string& text) {
     std::string error;
     const std::optional<Experiment> experiment = read_experiment(text, session, error);
     if (!experiment) { return {false, error}; }
-    if (std::holds_alternative<Drag>(*experiment) || std::holds_alternative<ShowFreedom>(*experiment)) {
-        return move(session, *experiment);
-    }
-    const std::uint64_t told = session.told();
-    const std::string said = session.apply(*experiment);
-    if (std::holds_alternative<GoTo>(*experiment)) {
-        return {true, "at step " + std::to_string(session.index())};
-    }
-    return {session.told() != told || said.empty(), said};
+    return std::visit(
+        Overloaded{
+            [&](const GoTo& place) -> ExperimentResult {
+                session.apply(place);
+                return {true, "at step " + std::to_string(session.index())};
+            },
+            [&](const EditsLesson auto& change) { return applied(session, change); },
+            [&](const Drag& drag) { return move(session, drag); },
+            [&](const Release& release) { return applied(session, release); },
+            [&](const ShowFreedom& freedom) { return move(session, freedom); },
+            [&](const LetGo& let_go) { return applied(session, let_go); },
+            [&](const Undo& undo) { return applied(session, undo); },
+            [&](const Redo& redo) { return applied(session, redo); },
+            [&](const StartOver& start_over) { return applied(session, start_over); },
+        },
+        *experiment);
 }
 
 }  // namespace jw

@@ -11,6 +11,7 @@
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/motion/forces.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -204,14 +205,18 @@ SeriesSet newton_series(const Story& story) {
     for (const Solve& solve : solves_of(story)) {
         Series series{solve.name, "-", std::vector<double>(set.at.size(), kMissing), 0.0, false};
         for (std::size_t k = 0; k < solve.events.size(); ++k) {
-            const auto* newton = std::get_if<NewtonStep>(&solve.events[k]);
-            if (newton == nullptr) {
-                if (!set.at.empty()) { set.marks.push_back({set.at.back(), "wrong branch left"}); }
-                continue;
-            }
-            set.at.push_back(static_cast<double>(set.at.size()));
-            set.steps.push_back(solve.steps[k]);
-            series.values.push_back(newton->phi_norm);
+            std::visit(
+                Overloaded{
+                    [&](const NewtonStep& newton) {
+                        set.at.push_back(static_cast<double>(set.at.size()));
+                        set.steps.push_back(solve.steps[k]);
+                        series.values.push_back(newton.phi_norm);
+                    },
+                    [&](const WrongBranch&) {
+                        if (!set.at.empty()) { set.marks.push_back({set.at.back(), "wrong branch left"}); }
+                    },
+                },
+                solve.events[k]);
         }
         if (!solve.events.empty()) { set.series.push_back(std::move(series)); }
     }

@@ -7,6 +7,7 @@
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
+#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -71,31 +72,34 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     return view;
 }
 
+NewtonRow newton_row_of(const System& system, const NewtonStep& newton) {
+    NewtonRow row;
+    row.iteration = newton.iteration;
+    row.phi_norm = newton.phi_norm;
+    row.largest_row = row_label(system, newton.largest_row);
+    row.largest_value = newton.largest_value;
+    row.stepped = newton.rank > 0;  // neither when closed nor when given up
+    row.delta_norm = newton.delta_norm;
+    row.turn_deg = newton.turn * kDegreesPerRadian;
+    row.fraction = newton.fraction;
+    row.rank = newton.rank;
+    if (newton.converged) {
+        row.note = "closed";
+    } else if (newton.fraction < 1.0) {
+        row.note = "step limited";
+    }
+    return row;
+}
+
 std::vector<NewtonRow> newton_rows_of(const Step& step) {
     std::vector<NewtonRow> rows;
-    for (const PositionEvent& event : step.events) {
-        if (std::holds_alternative<WrongBranch>(event)) {
+    const auto add = Overloaded{
+        [&](const NewtonStep& newton) { rows.push_back(newton_row_of(*step.system, newton)); },
+        [&](const WrongBranch&) {
             if (!rows.empty()) { rows.back().note = "wrong branch, left"; }
-            continue;
-        }
-        const auto& newton = std::get<NewtonStep>(event);
-        NewtonRow row;
-        row.iteration = newton.iteration;
-        row.phi_norm = newton.phi_norm;
-        row.largest_row = row_label(*step.system, newton.largest_row);
-        row.largest_value = newton.largest_value;
-        row.stepped = newton.rank > 0;  // neither when closed nor when given up
-        row.delta_norm = newton.delta_norm;
-        row.turn_deg = newton.turn * kDegreesPerRadian;
-        row.fraction = newton.fraction;
-        row.rank = newton.rank;
-        if (newton.converged) {
-            row.note = "closed";
-        } else if (newton.fraction < 1.0) {
-            row.note = "step limited";
-        }
-        rows.push_back(std::move(row));
-    }
+        },
+    };
+    for (const PositionEvent& event : step.events) { std::visit(add, event); }
     return rows;
 }
 
