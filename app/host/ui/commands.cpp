@@ -65,6 +65,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::help, Group::files, "Keys", "?, F1", Key::f1, '?'},
     CommandInfo{Command::quit, Group::files, "Close", "Ctrl+Q", Key::none, 0, Key::q},
 };
+static_assert(kCommands.size() == static_cast<std::size_t>(Command::quit) + 1, "a command without an entry");
 
 }  // namespace
 

@@ -63,7 +63,7 @@ enum class Command {
     copy_matrix_csv,
     save_csv,
     help,
-    quit,
+    quit,  // stays the last one: the table is checked by it
 };
 
 enum class Group { timeline, panels, experiments, picture, files };
