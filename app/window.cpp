@@ -156,7 +156,7 @@ void listen(GLFWwindow* window) {
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
         if (focused == GLFW_FALSE) { host_of(w).push(InputEvent::leave()); }
     });
-    // what is hidden and shown again has lost its picture
+    // a window that was hidden and is shown again has lost its picture
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { host_of(w).rouse(); });
 }
 

@@ -39,7 +39,7 @@ std::string to_text(double value, std::chars_format format) {
 
 /// Multiples of `v` as somebody may have typed them: small whole numbers first, then with 1 for the largest.
 std::vector<Vec3> short_multiples(const Vec3& v) {
-    // what rounding leaves of a zero is no component
+    // a remainder of rounding is not a component
     const Vec3 scaled =
         (v / v.cwiseAbs().maxCoeff()).unaryExpr([](double x) { return std::abs(x) > 1e-9 ? x : 0.0; });
     std::vector<Vec3> out;

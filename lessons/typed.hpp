@@ -19,7 +19,7 @@ inline double omega_of_frequency(double hertz) { return (2.0 * std::numbers::pi)
 /// Advance for a radian [m/rad] of the advance in one turn [m].
 inline double alpha_of_pitch(double pitch) { return pitch / (2.0 * std::numbers::pi); }
 
-// what several roundings leave of unit length or of a right angle
+// deviation from unit length or from a right angle after several roundings
 inline constexpr double kUnitUpToRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// `v` made unit. What is unit already stays as it is, digit for digit: making it unit again would change the

@@ -126,7 +126,7 @@ void write_claims(const Written& written, Lines& lines) {
     for (const Claim& claim : written.lesson->claims) {
         if (!has_meaning(claim, written)) { continue; }
         const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
-        // as long as the reader takes them in this order
+        // valid as long as the reader takes them in this order
         const bool same_block = before != nullptr && before->when == claim.when && before->why == claim.why &&
                                 place_of(before->fact) < place_of(claim.fact);
         if (!same_block) { blocks.emplace_back(); }

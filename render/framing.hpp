@@ -19,7 +19,7 @@ public:
 
     bool empty() const { return balls_.empty(); }
 
-    // of the axis-aligned box around it; meaningless when empty
+    // corners of the axis-aligned box around it; meaningless when empty
     const Vector3d& lowest() const { return lowest_; }
     const Vector3d& highest() const { return highest_; }
     Vector3d centre() const { return 0.5 * (lowest_ + highest_); }

@@ -197,7 +197,7 @@ Look halo(const Colour& colour, int id) {
 }
 
 Look look_of(const Shape& shape, Tone tone) {
-    // what is seen through bodies is a sign, not a body
+    // a shape seen through bodies is a symbol, not a body
     const Colour colour = shape.see_through ? toned(shape.colour, tone) : shape.colour;
     if (shape.highlighted && shape.see_through) { return halo(colour, shape.id); }
     if (shape.highlighted) { return {colour, kStrongEdge, toned(palette::kInk, tone), shape.id}; }

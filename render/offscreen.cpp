@@ -13,7 +13,7 @@ namespace jw::render {
 
 namespace {
 
-// of Debian 12, and the name that comes with the headers
+// library of Debian 12, and the name that comes with the headers
 constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so"};
 
 /// OSMesa, loaded when the first picture is drawn: text needs none of it, and brings no compiler of shaders

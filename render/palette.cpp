@@ -11,8 +11,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// What is white on paper becomes this light in the dark, and black this: neither dazzles nor sinks into the
-// black of a projector.
+// Lightness that white paper, and black ink, get in the dark tone: neither dazzles nor sinks into the black
+// of a projector.
 constexpr double kDarkest = 0.20;
 constexpr double kLightest = 0.96;
 // Lifts what lies between: equal steps of lightness are harder to tell apart on dark ground.

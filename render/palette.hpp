@@ -51,7 +51,7 @@ inline constexpr std::array kBodies{kBlue, kOrange, kGreen, kPurple, kSky, kVerm
 
 constexpr Colour body(std::size_t index) { return kBodies[index % kBodies.size()]; }
 
-// what vectors mean, the same in 3D, in formulas and in tables
+// colours of vectors, the same in 3D, in formulas and in tables
 inline constexpr Colour kVectorI = from_hex(0x0B5FA5);  ///< s_i, u_i, h_i: fixed in body i
 inline constexpr Colour kVectorJ = from_hex(0xC2410C);  ///< s_j, u_j, h_j: fixed in body j
 inline constexpr Colour kVectorD = from_hex(0x0F7A5C);  ///< d, from body i to body j

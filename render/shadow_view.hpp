@@ -11,7 +11,7 @@ struct ShadowView {
     Eigen::Matrix4d map_from_world;   ///< x, y and depth from 0 to 1 inside the map
     Eigen::Matrix4d clip_from_world;  ///< the same for drawing into the map, -1 to 1
     double width = 1.0;               ///< of the map [m]
-    // of the casters in the map; empty where lowest > highest
+    // corners of the casters in the map; empty where lowest > highest
     Eigen::Vector2d lowest = Eigen::Vector2d::Ones();
     Eigen::Vector2d highest = Eigen::Vector2d::Zero();
 

@@ -35,7 +35,8 @@ DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson
     DynamicsRequest request = request_of(lesson);
     apply(options.dynamics, request.settings);
     request.reactions = options.reactions;
-    // what fixes the numbers that are integrated, or how constraints are kept, fixes the kind of method
+    // options that fix the integrated coordinates, or the treatment of the constraints, also fix the kind of
+    // method
     request.method_chosen = request.method_chosen || !options.dynamics.method.empty() ||
                             !options.dynamics.coordinates.empty() || drifts(request.settings.treatment);
     const bool adaptive = entry_of(request.settings.method).adaptive;
@@ -107,7 +108,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     DynamicsRequest request = request_for(options, lesson);
     request.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     DynamicsTable table;
-    // what is known while it runs is said while it runs
+    // notes are written while the simulation runs, as soon as they are known
     request.tell = [&](const std::string& note) {
         streams.err << (streams.err_is_terminal ? "\r\033[K" : "") << "jointwise: note: " << note << '\n'
                     << std::flush;

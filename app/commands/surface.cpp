@@ -147,7 +147,7 @@ LibraryReport examine_library(const char* name) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) { return report; }
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) { return report; }
     report.words.assign(words.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
-    // what the system's loader says of a file that is not there; anything else is about one that is
+    // the message of the system's loader for a missing file; anything else is about an existing one
     const bool absent = report.words.find("No such file") != std::string::npos;
     report.state = absent ? SurfaceReport::State::missing : SurfaceReport::State::damaged;
     return report;

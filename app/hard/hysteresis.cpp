@@ -82,7 +82,7 @@ Result axis_at_the_diagonal() {
     result.ours =
         "the choice is kept until the dropped component is below 0.8 of the largest. The price: a condition "
         "of up to √3 / 0.8 instead of √3.";
-    // of 20000 random samples two in three choose another component than the one before
+    // two in three of 20000 random samples choose another component than the one before
     result.measurements.push_back(of_both(
         "switches in 20000 poses at (1, 1, 1) ± 1e-12", double(noise.naive), at_least(10000.0),
         double(noise.ours), exactly(0.0)));

@@ -105,7 +105,7 @@ Result long_and_short_vectors() {
     result.measurements.push_back(of_both(
         "right ranks, of 200", double(verdicts.naive_right), at_most(0.8 * all), double(verdicts.right),
         exactly(all)));
-    // as without the long vectors, and for the same reason
+    // the same bound as without the long vectors, for the same reason
     result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e11)));
     // one rounding for each product
     result.measurements.push_back(

@@ -121,7 +121,7 @@ void Host::frame(double seconds) {
     draw_interface();
     ImGui::Render();
     advance(seconds);
-    // what was drawn in a hurry is drawn well when it rests
+    // a picture that was drawn fast while it moved is drawn in full quality at rest
     if (was_moving_ && !is_moving()) { rouse(); }
     was_moving_ = is_moving();
 }

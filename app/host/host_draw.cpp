@@ -39,7 +39,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     side_column(ui, layout_, tabs_);
     timeline_bar(ui, layout_.bar);
 
-    // what is under the pointer now is lit in the next frame
+    // the thing under the pointer lights up in the next frame
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help;
     const Pointed pointed = reachable ? pointed_at(spots, {mouse.x, mouse.y}) : Pointed{};

@@ -24,7 +24,7 @@ namespace jw::host {
 
 namespace {
 
-// of the cards in the browser, large enough for a projector
+// size of the cards in the browser, large enough for a projector
 constexpr int kThumbnailWidth = 464;
 constexpr int kThumbnailHeight = 264;
 constexpr double kPickRadius = 4.0;  // pixels at 720

@@ -68,7 +68,7 @@ bool DrivenFrames::start(const State& state, const Motion& velocity, const Motio
     equations_->choose_rows(t, y_.data());
     if (equations_->rows() - equations_->rows_left_out() != system_->columns(3)) { return false; }
     const RowsVerdict verdict = equations_->evaluate(t, y_.data(), y_dot_.data());
-    // what was found by others stays: it may be better than what the rows kept here say
+    // results found by others stay: they may be better than those of the rows kept here
     std::size_t n = 0;
     for (const int body : system_->moving_bodies()) {
         const auto b = static_cast<std::size_t>(body);

@@ -102,7 +102,7 @@ void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
 
 void begin_turns(Loads& loads, Bodies bodies) {
     constexpr double half_turn = std::numbers::pi;
-    // of π typed in degrees, and of a joint that starts half a turn away
+    // rounding of π typed in degrees, and of a joint that starts half a turn away
     constexpr double rounding = 1e-9;
     for (RotationalSpring& spring : loads.rotational_springs) {
         spring.twist_before = 0.0;

@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-// of the forces: far above rounding, 1e-13; a pose that somebody has pulled elsewhere leaves more
+// relative to the forces: far above rounding, 1e-13; a pose that was pulled elsewhere leaves more
 constexpr double kNoMotion = 1e-6;
 
 QuantityValue absent(Absence why) {

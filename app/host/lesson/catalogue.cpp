@@ -50,7 +50,7 @@ std::vector<CatalogueEntry> catalogue_of(
         std::size_t count = 0;
         for (const fs::path& path : paths) {
             std::error_code error;
-            // what became a pipe meanwhile is not waited for
+            // a file that has become a pipe meanwhile is not waited for
             if (count == kMostShown || !fs::is_regular_file(path, error)) { continue; }
             entries.push_back(entry_of(path));
             entries.back().chapter = chapter;

@@ -32,7 +32,7 @@ Saved save_text(const std::filesystem::path& path, const std::string& text) {
 
 Saved save_lesson(const std::filesystem::path& path, const Session& session) {
     const std::string text = text_to_save(session);
-    // what cannot be read back is not to be found out in the next lecture
+    // a text that cannot be read back must not be discovered in the next lecture
     const ReadResult read = read_lesson(text, path.filename().string());
     return read.lesson ? save_text(path, text) : Saved{false, "Not saved: " + read.report()};
 }

@@ -9,7 +9,7 @@ namespace jw::panels {
 
 namespace {
 
-// of cells, at 720
+// size of cells, at a height of 720 pixels
 constexpr float kHighest = 20.0F;
 constexpr float kWidest = 46.0F;
 constexpr float kEven = 4.0F;      ///< from here on a pixel more or less per cell would be seen
@@ -138,7 +138,7 @@ float matrix_height(const Canvas& canvas, const MatrixView& matrix, float cell) 
 std::vector<Span> row_owners(const MatrixView& matrix) {
     return spans_of(rows_of(matrix), [&](std::size_t k) {
         const MatrixView::Row& row = matrix.rows[k];
-        // of normalisation rows the columns tell the body
+        // for normalisation rows the columns show the body
         return row.label == kNormalisation ? std::string("norms") : row.owner;
     });
 }

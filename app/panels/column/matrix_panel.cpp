@@ -216,7 +216,7 @@ void link_matrix(const Canvas& canvas, const MatrixView& matrix, const MatrixLay
     const float thick = std::max(1.0F, canvas.px(2.0F));
     const auto columns = static_cast<int>(matrix.columns.size());
     const auto rows = static_cast<int>(matrix.rows.size());
-    // what is lit side by side gets one frame
+    // neighbours that are lit get one frame
     const auto mark = [&](int count, const auto& pointable_of, const auto& box_of) {
         for (int k = 0; k < count; ++k) { canvas.spot(box_of(k, 1), pointable_of(k)); }
         for (int k = 0; k < count;) {

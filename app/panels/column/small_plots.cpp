@@ -116,7 +116,7 @@ void convergence_plot(const Canvas& canvas, const Box& box, const std::vector<Ne
     const float margin = 0.6F * canvas.line_height(canvas.fonts().small);
     std::vector<double> norms;
     for (const NewtonRow& row : rows) { norms.push_back(row.phi_norm); }
-    // the same for every iteration of every solve: quadratic convergence looks the same everywhere
+    // one axis for every iteration of every solve: quadratic convergence looks the same everywhere
     const Axis axis = axis_of_powers(norms, kLowestPower, box.bottom() - margin, box.y + margin);
     const Box plot = draw_powers(canvas, box, axis);
     const auto steps = static_cast<float>(std::max<std::size_t>(6, rows.size()));

@@ -96,7 +96,7 @@ void set_values_axis(
     const float line = canvas.line_height(canvas.fonts().small);
     const int most = static_cast<int>(pane.plot.height / (kTickDistance * line));
     pane.ticks = ticks_of(pane.y, std::max(2, most), pane.unit == "deg" ? Ticks::degrees : Ticks::decimal);
-    // what is zero lies at the lower end of a logarithmic axis, and is said to
+    // zeros lie at the lower end of a logarithmic axis, and the plot says so
     const bool room =
         pane.ticks.ticks.empty() || pane.y.start - pane.y.pixel(pane.ticks.ticks.front().at) > 0.9F * line;
     if (has_zeros(set, pane, span) && room) {

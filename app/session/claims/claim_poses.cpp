@@ -12,7 +12,7 @@ namespace jw {
 
 namespace {
 
-// what a trusted computation is compared with, and what says how far that can be trusted
+// tolerances of the trusted run, and of the one that shows how far it can be trusted
 constexpr double kTight = 1e-10;
 constexpr double kLoose = 1e-8;
 
@@ -157,7 +157,7 @@ void ClaimPoses::follow_forces() {
     if (failure.empty()) { failure = run(kTight, times, found); }
     for (const double t : times) {
         Pose& pose = by_forces_[t];
-        // what was reached before the run ended counts
+        // moments reached before the run ended count
         if (found.contains(t)) {
             pose.instant = found.at(t);
             pose.rough = rough.at(t);

@@ -8,7 +8,7 @@ namespace jw {
 
 namespace {
 
-// of an attentive reader in a lecture, formulas beside the text
+// pace of an attentive reader in a lecture, formulas beside the text
 constexpr double kSecondsToLook = 1.5;
 constexpr double kSecondsPerCharacter = 0.05;
 

@@ -34,7 +34,7 @@ Axes axes_of(const Story& story) {
         if (!joint.type->uses(kAxisI)) { continue; }
         axes.all.push_back(direction(joint.body_i, joint.geometry.s_i_local));
         if (crossed) { axes.all.push_back(direction(joint.body_j, joint.geometry.s_j_local)); }
-        // what slides along its axis is seen best from the side
+        // a joint that slides along its axis is seen best from the side
         if (!joint.type->uses(Role::distance_parallel)) { axes.turning.push_back(axes.all.back()); }
     }
     return axes;

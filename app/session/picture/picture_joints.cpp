@@ -20,7 +20,7 @@ Mat3 axes_with_z(const Vec3& z, const Vec3& x_hint) {
     return A;
 }
 
-// of a pin's radius: half a bar that is shown with its slide only
+// half a bar that is shown with its slide only, in radii of the pin
 constexpr double kStub = 4.2;
 
 /// Draws the glyph of one joint. `g` is the radius of a pin.

@@ -9,7 +9,7 @@ namespace {
 
 namespace palette = render::palette;
 
-// of the picture's unit
+// lengths in the picture's unit
 constexpr double kVectorLength = 0.20;
 constexpr double kSideLength = 0.10;  // of h and u beyond the surface of the bodies
 constexpr double kApart = 0.024;      // between two vectors that would lie on each other

@@ -25,7 +25,7 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
 
 namespace {
 
-// of a solve that fails: how it starts is worth a look, sixty times the same is not
+// iterations shown of a solve that fails: its beginning is worth a look, sixty more of the same are not
 constexpr std::size_t kFirstIterations = 6;
 
 /// Leaves the first iterations of the last solve and the last one; the Newton table has all of them.
@@ -37,7 +37,7 @@ void thin_out_iterations(std::vector<Step>& steps) {
         steps.begin() + static_cast<std::ptrdiff_t>(first + kFirstIterations), std::prev(steps.end()));
 }
 
-// of one that is told again at every change: a scene that somebody made stiff or endless ends early
+// limit of a story that is told again at every change: a scene that was made stiff or endless ends early
 constexpr long kMostStepsOfStory = 10'000;
 // their reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
@@ -59,7 +59,7 @@ std::optional<Reactions> reactions_of(const Step& step) {
 std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     if (lesson.motion || !lesson.dynamics) { return lesson.motion; }
     if (!why_not(lesson.dynamics->method, lesson.dynamics->treatment).empty()) { return std::nullopt; }
-    // what takes less than the blink of an eye is shown in slow motion, what takes long as it is
+    // motions shorter than the blink of an eye are shown in slow motion, long ones at their own pace
     constexpr double shortest_show = 8.0;
     MotionPlan plan;
     plan.to = lesson.dynamics->duration;

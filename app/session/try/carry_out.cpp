@@ -10,7 +10,7 @@ namespace {
 
 // a pull goes a few steps of a fifth of the machine's size; farther than this nobody drags
 constexpr int kMostPulls = 200;
-// of the way that is left: closer than this nobody sees [m per m]
+// relative to the way that is left: nobody sees a smaller gap [m per m]
 constexpr double kArrived = 1e-12;
 
 Vec3 point_at(const Session& session, const Drag& drag) {

@@ -7,7 +7,7 @@ namespace jw {
 
 namespace {
 
-// of a free motion, each way: enough to see where it leads, and small steps to stay on it
+// steps along a free motion, each way: enough to see where it leads, and small enough to stay on it
 constexpr int kFollowSteps = 24;
 constexpr double kFollowTurn = 0.03;  // [rad] per step
 

@@ -61,7 +61,7 @@ private:
 
 Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
     Lesson part = lesson;
-    // what the story has not added yet stays out; what is put back takes part
+    // additions that the story has not made yet stay out; those that are put back take part
     std::erase_if(part.order, [&](const Addition& a) {
         return is_in(session_.lesson().order, a) && !is_in(present_, a);
     });

@@ -17,7 +17,8 @@ namespace jw {
 
 namespace {
 
-// of the largest value of a unit: velocities and accelerations come from poses that are right to 1e-13
+// relative to the largest value of a unit: velocities and accelerations come from poses that are right to
+// 1e-13
 constexpr double kRoundingPart = 1e-10;
 constexpr double kSmallestRounding = 1e-12;  // where everything of a unit is at rest
 
@@ -110,7 +111,7 @@ std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     int k = 0;
     for (const QuantityMotion& q : quantities_of(step)) {
         const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
-        // of curves that rounding alone tells apart, the first
+        // where only rounding distinguishes curves, the first one
         if (changes > (1.0 + 1e-9) * most) {
             most = changes;
             best = k;

@@ -175,7 +175,7 @@ SeriesSet condition_series(const Story& story, int joint) {
         }
         before = step.system.get();
     }
-    // of p1; p2 has another unit of length in it, but is chosen by the same axis
+    // the rows of p1; those of p2 contain a unit of length, but are chosen by the same axis
     set.telling = series::all_of(set);
     if (set.telling.size() > 4) { set.telling.resize(4); }
     if (set.series.empty()) {

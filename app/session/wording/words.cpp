@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// as in lesson files
+// the limit of lesson files
 constexpr double kLargest = 1e9;
 // no name of a lesson that somebody types has more words
 constexpr std::size_t kWordsOfAName = 4;

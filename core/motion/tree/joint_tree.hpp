@@ -32,7 +32,7 @@ struct TreeNode {
     Vec4 p_parent = Vec4::Unit(0);     ///< its orientation at q = 0, in the parent's frame; axis and welded
     Vec3 turn_local = Vec3::Zero();    ///< axis: [rad] per q
     Vec3 shift_local = Vec3::Zero();   ///< axis: [m] per q
-    // what follows from these
+    // derived from these
     bool turns = false;
     bool shifts = false;
     Vec4 p_turned = Vec4::Zero();  ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
