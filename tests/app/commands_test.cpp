@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <fstream>
+#include <set>
+
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
@@ -58,6 +61,18 @@ TEST_CASE("What is written is said by --format; --output and --json say the same
         const Ran both = run_with(command, {"--format", "json", "--json"});
         CHECK(both.status == 2);
         CHECK_THAT(both.err, Catch::Contains("--format excludes --json"));
+    }
+}
+
+TEST_CASE("Every command has a section of its own in docs/command-line.md", "[app][commands]") {
+    std::ifstream file(std::string(JW_SOURCE_ROOT) + "/docs/command-line.md");
+    std::set<std::string> sections;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("## ")) { sections.insert(line.substr(3)); }
+    }
+    for (const std::string& command : kCommands) {
+        INFO(command);
+        CHECK(sections.contains(command));
     }
 }
 

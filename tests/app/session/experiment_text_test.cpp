@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+
 #include "lessons/equation_labels.hpp"
 #include "lessons/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
@@ -124,13 +126,17 @@ std::string problem_of(const std::string& text, const Session& session) {
 
 TEST_CASE("every experiment is told in words that are read as the same experiment", "[app][session]") {
     Random random(7);
+    std::set<std::size_t> kinds;
     for (const auto& file : all_lesson_files()) {
         const Session session(without_motion(shipped(file)));
         INFO(file);
         for (const Experiment& experiment : edits_of(session.lesson(), random)) {
             check_there_and_back(experiment, session);
+            kinds.insert(experiment.index());
         }
     }
+    // a kind without an example would pass untold
+    CHECK(kinds.size() == std::variant_size_v<Experiment>);
 }
 
 TEST_CASE("names with blanks, and names that begin others, are read as they are told", "[app][session]") {
