@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <new>
 
 #include "app/commands/commands.hpp"
@@ -53,11 +54,24 @@ std::string words_of(const std::filesystem::filesystem_error& error) {
     return where + error.code().message();
 }
 
+/// Help that leaves the list of excluded options out where all of them are hidden.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        const std::string text = CLI::Formatter::make_option_opts(option);
+        const std::size_t excludes = text.find(" Excludes:");
+        if (excludes == std::string::npos) { return text; }
+        const bool names_one = text.find("--", excludes) != std::string::npos;
+        return names_one ? text : text.substr(0, excludes);
+    }
+};
+
 }  // namespace
 
 int run_program(
     const std::vector<std::string>& arguments, const Streams& streams, const SurfaceDoctor& doctor_window) {
     CLI::App app(kDescription, "jointwise");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.footer(kFooter);
     app.set_version_flag("--version", std::string("jointwise ") + JW_VERSION);
     app.require_subcommand(1);

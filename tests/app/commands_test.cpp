@@ -41,6 +41,7 @@ TEST_CASE("help of every command has an example that works", "[app][commands]") 
         CHECK(help.status == 0);
         INFO(help.out);
         CHECK(help.out.find("Example: jointwise " + command) != std::string::npos);
+        CHECK_THAT(help.out, !Catch::Contains("Excludes:  ") && !Catch::Contains("Excludes: \n"));
     }
     const Ran all = run({"--help"});
     CHECK(all.status == 0);
