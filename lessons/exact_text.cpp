@@ -93,7 +93,27 @@ std::string list_text(std::span<const double> values) {
 
 std::string vector_text(const Vec3& v) { return list_text({v.data(), 3}); }
 
+namespace {
+
+/// Text with backslashes, as formulas have them, is easier to read where none is doubled.
+bool reads_better_literally(const std::string& text) {
+    const auto is_special = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == '\x7f';
+    };
+    return text.find('\\') != std::string::npos && text.find("'''") == std::string::npos &&
+           !text.ends_with('\'') && std::ranges::none_of(text, is_special);
+}
+
+std::string literal_text(const std::string& text) {
+    const bool one_line = text.find('\n') == std::string::npos;
+    if (one_line && text.find('\'') == std::string::npos) { return '\'' + text + '\''; }
+    return (one_line ? "'''" : "'''\n") + text + "'''";
+}
+
+}  // namespace
+
 std::string string_text(const std::string& text) {
+    if (reads_better_literally(text)) { return literal_text(text); }
     if (text.find('\n') == std::string::npos) {
         std::string out = "\"";
         for (const char c : text) { out += escaped(c); }

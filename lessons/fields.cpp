@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/math/text_parts.hpp"
+#include "lessons/text_place.hpp"
 #include "lessons/typed.hpp"
 
 namespace jw {
@@ -37,6 +39,10 @@ bool Fields::has(std::string_view key) { return find(key) != nullptr; }
 SourceSpan Fields::span(std::string_view key) const {
     const toml::node* node = table_->get(key);
     return node != nullptr ? span_of(node->source()) : span();
+}
+
+SourceSpan Fields::place_in(std::string_view key, std::size_t at) const {
+    return place_in_text(problems_->source(), span(key), at);
 }
 
 void Fields::wrong_type(std::string_view key, const toml::node& node, std::string_view expected) {
@@ -85,6 +91,25 @@ std::optional<Located<std::string>> Fields::text(std::string_view key) {
     }
     std::erase(value, '\r');
     return Located<std::string>{std::move(value), where};
+}
+
+std::optional<Located<std::string>> Fields::words(std::string_view key) {
+    auto words = text(key);
+    if (!words) { return words; }
+    for (math::Problem& problem : math::text_parts(words->value).problems) {
+        problems_->add(place_in(key, problem.at), std::move(problem.message), std::move(problem.hint));
+    }
+    return words;
+}
+
+std::optional<Located<std::string>> Fields::formula(std::string_view key) {
+    auto source = text(key);
+    if (!source) { return source; }
+    if (auto problem = math::read_math(source->value).problem) {
+        problems_->add(place_in(key, problem->at), std::move(problem->message), std::move(problem->hint));
+        return std::nullopt;
+    }
+    return source;
 }
 
 std::optional<Located<double>> Fields::number(std::string_view key) {

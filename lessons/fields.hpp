@@ -38,12 +38,19 @@ public:
     SourceSpan span() const { return span_of(table_->source()); }
     SourceSpan span(std::string_view key) const;
     Problems& problems() const { return *problems_; }
+    /// Place of a byte of the text under `key`.
+    SourceSpan place_in(std::string_view key, std::size_t at) const;
     /// Name of the table in messages: "joint", "joint 'hinge'".
     const std::string& what() const { return what_; }
     void call(std::string what) { what_ = std::move(what); }
 
     // absent keys give nothing; wrong ones give nothing and a diagnostic
     std::optional<Located<std::string>> text(std::string_view key);
+    /// Words for people, with formulas between dollar signs (docs/mathematics.md). Reports formulas that
+    /// cannot be read.
+    std::optional<Located<std::string>> words(std::string_view key);
+    /// A formula without dollar signs.
+    std::optional<Located<std::string>> formula(std::string_view key);
     std::optional<Located<double>> number(std::string_view key);
     std::optional<Located<double>> positive(std::string_view key);
     std::optional<Located<double>> not_negative(std::string_view key);

@@ -21,7 +21,10 @@ struct Located {
 /// Collects the errors and warnings of a file.
 class Problems {
 public:
-    explicit Problems(std::string file) : file_(std::move(file)) {}
+    /// @param source  of the file; outlives this
+    Problems(std::string file, const std::string& source) : file_(std::move(file)), source_(&source) {}
+
+    const std::string& source() const { return *source_; }
 
     void add(const SourceSpan& span, std::string message, std::string hint = {});
     /// A warning does not keep the lesson from being read.
@@ -35,6 +38,7 @@ public:
 
 private:
     std::string file_;
+    const std::string* source_;
     std::vector<Diagnostic> list_;
     int errors_count_ = 0;
 };

@@ -174,7 +174,7 @@ void read_driver(Fields& fields, Reading& reading) {
     Driver driver;
     driver.measure = ThetaMeasure{};
     driver.name = reading.declare(fields, Named::Kind::driver, index);
-    const auto words = fields.text("text");
+    const auto words = fields.words("text");
     const auto from_start = fields.flag("from_start");
     const auto quantity = fields.text("quantity");
     fields.require(

@@ -19,7 +19,8 @@ void read_head(Fields& root, Lesson& lesson) {
     root.require("title", "the title of the lesson");
     take("chapter", lesson.chapter);
     take("source", lesson.source);
-    take("text", lesson.text);
+    if (const auto words = root.words("text")) { lesson.text = words->value; }
+    while (lesson.text.ends_with('\n')) { lesson.text.pop_back(); }
     lesson.coordinates = root.word("coordinates", kChoices).value_or(lesson.coordinates);
 }
 

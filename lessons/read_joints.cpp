@@ -69,7 +69,7 @@ void read_joint(Fields& fields, Reading& reading) {
     joint.body_i = bodies.i;
     joint.body_j = bodies.j;
     joint.type = &kJointTypes[type.value_or(0)];
-    const auto words = fields.text("text");
+    const auto words = fields.words("text");
     if (type) {
         read_geometry(fields, pair_of(reading, bodies), joint);
         read_parallel_form(fields, joint);

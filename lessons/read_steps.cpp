@@ -41,7 +41,7 @@ bool moves_at(const Lesson& lesson, double t) {
 void read_step(Fields& fields, Reading& reading) {
     const auto at = fields.text("at");
     const auto at_s = fields.number("at_s");
-    const auto text = fields.text("text");
+    const auto text = fields.words("text");
     fields.call("the step");
     fields.at_most_one({"at", "at_s"});
     fields.require("text", "the words to show");

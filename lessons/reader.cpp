@@ -95,7 +95,7 @@ std::string ReadResult::report() const {
 ReadResult read_lesson(std::string source, std::string file_name) {
     ReadResult result;
     result.source = std::move(source);
-    Problems problems(file_name);
+    Problems problems(file_name, result.source);
     if (const auto table = reading::parse_toml(result.source, problems)) {
         Fields root(*table, "the lesson", problems);
         if (read_format(root, *table)) {

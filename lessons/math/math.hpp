@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Mathematics in the texts of a lesson as a tree; read by read_math.hpp, written by write_math.hpp, typeset
+/// by the panels, evaluated by lessons/formula. docs/mathematics.md describes the notation.
+namespace jw::math {
+
+struct Node;
+/// Nodes side by side.
+using Row = std::vector<Node>;
+
+enum class SignKind {
+    letter,       ///< s, Φ
+    number,       ///< 2, 0.5
+    operation,    ///< + − × ·
+    relation,     ///< = ≡ <
+    opening,      ///< (
+    closing,      ///< )
+    fence,        ///< | ‖: opens and closes
+    punctuation,  ///< ,
+    function,     ///< sin, det
+    large,        ///< ∑ ∫
+    ordinary,     ///< ∂ ∞ … ′
+};
+
+enum class Alphabet {
+    italic,   ///< the default of letters
+    bold,     ///< vectors slanted, matrices, capitals and digits upright
+    upright,  ///< \mathrm
+};
+
+/// A letter, number, operator or the name of a function.
+struct Sign {
+    std::string utf8;
+    SignKind kind = SignKind::letter;
+    Alphabet alphabet = Alphabet::italic;
+
+    bool operator==(const Sign&) const = default;
+};
+/// Words within a formula, set upright with their spaces.
+struct Words {
+    std::string utf8;
+
+    bool operator==(const Words&) const = default;
+};
+/// A space of its own.
+struct Space {
+    double em = 0.0;
+
+    bool operator==(const Space&) const = default;
+};
+struct Fraction {
+    Row above;
+    Row below;
+
+    bool operator==(const Fraction&) const;
+};
+struct Root {
+    Row inner;
+
+    bool operator==(const Root&) const;
+};
+enum class AccentKind { tilde, dot, two_dots, bar, hat, arrow };
+struct Accent {
+    AccentKind kind = AccentKind::tilde;
+    Row inner;
+
+    bool operator==(const Accent&) const;
+};
+/// Nodes between delimiters that grow with them; both empty: a group in braces.
+struct Group {
+    std::string open;  ///< "(", "[", "{", "|", "‖" or nothing
+    std::string close;
+    Row inner;
+
+    bool operator==(const Group&) const;
+};
+enum class MatrixKind { brackets, parentheses, bars, plain, cases };
+struct Matrix {
+    MatrixKind kind = MatrixKind::brackets;
+    std::vector<std::vector<Row>> rows;  ///< cells; all rows are equally long
+
+    bool operator==(const Matrix&) const;
+};
+
+/// A thing with what stands at its lower and upper right.
+struct Node {
+    std::variant<Sign, Words, Space, Fraction, Root, Accent, Group, Matrix> nucleus;
+    Row below;             ///< subscript
+    Row above;             ///< superscript; primes first
+    std::size_t from = 0;  ///< bytes of the source that it was read from; not compared
+    std::size_t to = 0;
+
+    bool operator==(const Node& other) const {
+        return nucleus == other.nucleus && below == other.below && above == other.above;
+    }
+};
+
+inline bool Fraction::operator==(const Fraction&) const = default;
+inline bool Root::operator==(const Root&) const = default;
+inline bool Accent::operator==(const Accent&) const = default;
+inline bool Group::operator==(const Group&) const = default;
+inline bool Matrix::operator==(const Matrix&) const = default;
+
+/// True if the node is this sign, in any alphabet, whatever its scripts.
+bool is_sign(const Node& node, const char* utf8);
+/// True if the node is a sign of that kind, whatever its scripts.
+bool is_kind(const Node& node, SignKind kind);
+
+}  // namespace jw::math

@@ -1,0 +1,84 @@
+#include "lessons/math/text_parts.hpp"
+
+#include <utility>
+
+#include "lessons/math/write_math.hpp"
+
+namespace jw::math {
+
+namespace {
+
+/// Where the formula that starts at `from` ends: at its dollar signs, not at an escaped one.
+std::size_t end_of_formula(std::string_view text, std::size_t from, std::string_view mark) {
+    for (std::size_t at = from; at < text.size(); ++at) {
+        if (text[at] == '\\') {
+            ++at;
+        } else if (text.substr(at).starts_with(mark)) {
+            return at;
+        }
+    }
+    return std::string_view::npos;
+}
+
+void add_words(TextParts& parts, std::string words) {
+    if (words.empty()) { return; }
+    parts.parts.push_back({TextPart::Kind::words, std::move(words), {}});
+}
+
+void add_formula(TextParts& parts, std::string_view source, std::size_t from, TextPart::Kind kind) {
+    Reading reading = read_math(source);
+    if (reading.problem) {
+        reading.problem->at += from;
+        parts.problems.push_back(std::move(*reading.problem));
+    }
+    parts.parts.push_back({kind, std::string(source), std::move(reading.row)});
+}
+
+}  // namespace
+
+TextParts text_parts(std::string_view text) {
+    TextParts parts;
+    std::string words;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text.substr(at).starts_with("\\$")) {
+            words += '$';
+            at += 2;
+            continue;
+        }
+        if (text[at] != '$') {
+            words += text[at++];
+            continue;
+        }
+        const bool display = text.substr(at).starts_with("$$");
+        const std::string_view mark = display ? "$$" : "$";
+        const std::size_t from = at + mark.size();
+        const std::size_t end = end_of_formula(text, from, mark);
+        if (end == std::string_view::npos) {
+            parts.problems.push_back(
+                {at, "a formula starts with '" + std::string(mark) + "' and does not end",
+                 "write \\$ for a dollar sign"});
+            words += text.substr(at);
+            break;
+        }
+        add_words(parts, std::exchange(words, {}));
+        add_formula(
+            parts, text.substr(from, end - from), from,
+            display ? TextPart::Kind::display : TextPart::Kind::formula);
+        at = end + mark.size();
+    }
+    add_words(parts, std::move(words));
+    return parts;
+}
+
+bool has_formulas(std::string_view text) { return text.find('$') != std::string_view::npos; }
+
+std::string plain_words(std::string_view text) {
+    if (!has_formulas(text)) { return std::string(text); }
+    std::string plain;
+    for (const TextPart& part : text_parts(text).parts) {
+        plain += part.kind == TextPart::Kind::words ? part.words : write_plain(part.row);
+    }
+    return plain;
+}
+
+}  // namespace jw::math

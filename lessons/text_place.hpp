@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "lessons/source_span.hpp"
+
+/// Places within the texts of a lesson file.
+namespace jw {
+
+/// Place of byte `at` of the text whose quotes open at `start`: escapes, line feeds and the omitted first
+/// line feed of a text in three quotes are counted as TOML reads them. `start` itself where that is not
+/// known.
+SourceSpan place_in_text(std::string_view source, const SourceSpan& start, std::size_t at);
+
+}  // namespace jw
