@@ -22,9 +22,10 @@ struct Fonts {
     ImFont* title = nullptr;   ///< 23 px, bold
     ImFont* mono = nullptr;    ///< 14 px
 
-    ImFont* formula = nullptr;               ///< 21 px
-    ImFont* formula_script = nullptr;        ///< 15 px, sub- and superscripts of `formula`
-    ImFont* formula_large = nullptr;         ///< 30 px, the headline of a step
+    ImFont* formula = nullptr;         ///< 21 px
+    ImFont* formula_script = nullptr;  ///< 15 px, sub- and superscripts of `formula`
+    ImFont* formula_small = nullptr;   ///< 18 px, beside words of `small`; its scripts are `formula_script`
+    ImFont* formula_large = nullptr;   ///< 30 px, the headline of a step
     ImFont* formula_large_script = nullptr;  ///< 21 px
 
     float scale = 1.0F;

@@ -11,6 +11,7 @@
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw::host {
 
@@ -77,7 +78,7 @@ void card(const Ui& ui, LessonShelf& shelf, int index, float width, bool first_o
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) {
         std::string tip = entry.path.string();
-        if (!entry.text.empty()) { tip = panels::run_on(entry.text) + "\n\n" + tip; }
+        if (!entry.text.empty()) { tip = panels::run_on(math::plain_words(entry.text)) + "\n\n" + tip; }
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(ui.px(420.0F));
         ImGui::TextUnformatted(tip.c_str());

@@ -118,9 +118,9 @@ void equations(const LessonUi& ui, int index, const Joint& joint) {
 }
 
 /// A symbol as in the equations, in a row of widgets.
-void symbol(const LessonUi& ui, const char* markup) {
+void symbol(const LessonUi& ui, const char* latex) {
     const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
-    const panels::Formula formula = panels::layout_formula(markup, panels::formula_fonts(canvas.fonts()));
+    const panels::Formula formula = panels::layout_formula(latex, panels::formula_fonts(canvas.fonts()));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float baseline = at.y + ImGui::GetStyle().FramePadding.y + std::round(ImGui::GetFont()->Ascent);
     panels::draw_formula(canvas, {at.x, baseline}, formula, panels::theme::kInk);
@@ -128,9 +128,9 @@ void symbol(const LessonUi& ui, const char* markup) {
 }
 
 /// Three sliders of one vector in one row. @return true if it was moved
-bool sliders(const LessonUi& ui, const char* markup, Vec3& value, double reach) {
-    ImGui::PushID(markup);
-    symbol(ui, markup);
+bool sliders(const LessonUi& ui, const char* latex, Vec3& value, double reach) {
+    ImGui::PushID(latex);
+    symbol(ui, latex);
     bool moved = false;
     for (int k = 0; k < 3; ++k) {
         ImGui::SameLine(k == 0 ? ui.px(66.0F) : 0.0F, ui.px(6.0F));
@@ -157,18 +157,18 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
         Vec3 s_i = g.s_i_local.normalized();
         Vec3 s_j = g.s_j_local.normalized();
         // a direction of no length cannot be meant: the last one stays
-        if (sliders(ui, "@s′_i", s_i, 1.0) && s_i.norm() > 0.05) {
+        if (sliders(ui, "\\mathbf{s}'_i", s_i, 1.0) && s_i.norm() > 0.05) {
             g = with_axis(g, false, s_i);
             moved = true;
         }
-        if (sliders(ui, "@s′_j", s_j, 1.0) && s_j.norm() > 0.05) {
+        if (sliders(ui, "\\mathbf{s}'_j", s_j, 1.0) && s_j.norm() > 0.05) {
             g = with_axis(g, true, s_j);
             moved = true;
         }
     }
     note(ui, "Points in their bodies [m]:");
-    moved = sliders(ui, "@s′_i^P", g.P_i_local, reach) || moved;
-    moved = sliders(ui, "@s′_j^P", g.P_j_local, reach) || moved;
+    moved = sliders(ui, "\\mathbf{s}'_i^P", g.P_i_local, reach) || moved;
+    moved = sliders(ui, "\\mathbf{s}'_j^P", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {
         auto length = static_cast<float>(g.length);
         ImGui::SetNextItemWidth(ui.px(200.0F));

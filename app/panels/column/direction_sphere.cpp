@@ -208,7 +208,7 @@ void draw_present(
     } else {
         canvas.ring(at, radius, theme::kAccent, canvas.px(2.0F));
     }
-    const Formula name = layout_formula("@s_i", formula_fonts(canvas.fonts()));
+    const Formula name = layout_formula("\\mathbf{s}_i", formula_fonts(canvas.fonts()));
     const ImFont* const bold = canvas.fonts().bold;
     const std::string value = fixed_text(quality_now(sphere), 2) + (front ? "" : " (behind)");
     const float line = canvas.line_height(bold);

@@ -262,10 +262,10 @@ Colour colour_of_entry(double value, double largest) {
 
 float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matrix) {
     const std::string title = name_of(matrix.choice) + "   " + size_of(matrix);
-    const float top = heading(canvas, box, "@Φ_q", title, {});
+    const float top = heading(canvas, box, "\\boldsymbol{\\Phi}_q", title, {});
     const double largest = largest_of(matrix);
     const float room = box.width - canvas.px(4.0F) - canvas.text_width(canvas.fonts().bold, title) -
-                       layout_formula("@Φ_q", formula_fonts(canvas.fonts())).width;
+                       layout_formula("\\boldsymbol{\\Phi}_q", formula_fonts(canvas.fonts())).width;
     if (largest > 0.0) { draw_legend(canvas, box, largest, room); }
 
     const Box rest{box.x, box.y + top, box.width, box.height - top};

@@ -17,7 +17,7 @@ constexpr float kNamePart = 0.13F;
 constexpr float kColumnGap = 8.0F;  ///< between two vectors
 
 struct Symbol {
-    const char* markup;  ///< empty: nothing in this column
+    const char* latex;  ///< empty: nothing in this column
     const char* unit;
 };
 
@@ -63,9 +63,9 @@ void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int de
 
 /// A symbol over its columns, with its unit, and a line under all of them.
 void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
-    if (*symbol.markup == '\0') { return; }
+    if (*symbol.latex == '\0') { return; }
     const ImFont* const small = canvas.fonts().small;
-    const Formula formula = layout_formula(symbol.markup, formula_fonts(canvas.fonts()));
+    const Formula formula = layout_formula(symbol.latex, formula_fonts(canvas.fonts()));
     const float gap = canvas.px(6.0F);
     const float width = formula.width + gap + canvas.text_width(small, symbol.unit);
     const float left = std::round(cell.x + 0.5F * (cell.width - width + canvas.px(kColumnGap)));
@@ -154,20 +154,23 @@ float bodies_motion_panel(
     float height = heading(canvas, box, "Bodies", "x, y, z in the global frame");
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += table(
-        canvas, below(), bodies, {{"@r", "m"}, {"˙r", "m/s"}, {"@ω", "rad/s"}}, most_bodies(density),
-        [&](const Box& row, const BodyMotion& body) {
+        canvas, below(), bodies,
+        {{"\\mathbf{r}", "m"}, {"\\dot{\\mathbf{r}}", "m/s"}, {"\\boldsymbol{\\omega}", "rad/s"}},
+        most_bodies(density), [&](const Box& row, const BodyMotion& body) {
             draw_numbers(canvas, vector_cell(row, 0, 3), body.r, 3);
             draw_numbers(canvas, vector_cell(row, 1, 3), body.r_dot, 2);
             draw_numbers(canvas, vector_cell(row, 2, 3), body.omega, 2);
         });
     if (density != Density::roomy) { return height; }
     height += canvas.px(4.0F);
-    return height + table(
-                        canvas, below(), bodies, {{"", ""}, {"¨r", "m/s²"}, {"˙ω", "rad/s²"}},
-                        most_bodies(density), [&](const Box& row, const BodyMotion& body) {
-                            draw_numbers(canvas, vector_cell(row, 1, 3), body.r_ddot, 2);
-                            draw_numbers(canvas, vector_cell(row, 2, 3), body.omega_dot, 2);
-                        });
+    return height +
+           table(
+               canvas, below(), bodies,
+               {{"", ""}, {"\\ddot{\\mathbf{r}}", "m/s²"}, {"\\dot{\\boldsymbol{\\omega}}", "rad/s²"}},
+               most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+                   draw_numbers(canvas, vector_cell(row, 1, 3), body.r_ddot, 2);
+                   draw_numbers(canvas, vector_cell(row, 2, 3), body.omega_dot, 2);
+               });
 }
 
 float coordinates_panel(
@@ -175,8 +178,8 @@ float coordinates_panel(
     float height = heading(canvas, box, "Coordinates q", "where the bodies start");
     const Box below{box.x, box.y + height, box.width, 0.0F};
     height += table(
-        canvas, below, bodies, {{"@r", "x, y, z in m"}, {"@p", "e₀, e₁, e₂, e₃"}}, 2 * most_bodies(density),
-        [&](const Box& row, const BodyMotion& body) {
+        canvas, below, bodies, {{"\\mathbf{r}", "x, y, z in m"}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
+        2 * most_bodies(density), [&](const Box& row, const BodyMotion& body) {
             draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
             draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);
         });

@@ -86,8 +86,7 @@ void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     if (text.empty()) { return; }
     height += canvas.px(8.0F);
     const Box below{inner.x, inner.y + height, inner.width, inner.height - height};
-    const std::size_t room = lines_of(fonts.normal, below.height);
-    const bool fits = wrapped(*fonts.normal, text, below.width).size() <= room;
+    const bool fits = paragraph_height(canvas, fonts.normal, text, below.width) <= below.height;
     const ImFont* const author = fits ? fonts.normal : fonts.small;
     paragraph(canvas, below, author, theme::kSoft, text, lines_of(author, below.height));
 }

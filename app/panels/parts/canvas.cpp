@@ -64,12 +64,13 @@ void Canvas::text(Point at, const ImFont* font, Colour colour, std::string_view 
     list_->AddText(font, font->FontSize, whole, packed(colour), set.data(), set.data() + set.size());
 }
 
-void Canvas::glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const {
+void Canvas::glyph(Point origin, const ImFontGlyph& glyph, Colour colour, float stretch) const {
     if (list_ == nullptr || glyph.Visible == 0) { return; }
     list_->PrimReserve(6, 4);
     list_->PrimRectUV(
-        {origin.x + glyph.X0, origin.y + glyph.Y0}, {origin.x + glyph.X1, origin.y + glyph.Y1},
-        {glyph.U0, glyph.V0}, {glyph.U1, glyph.V1}, packed(colour));
+        {origin.x + glyph.X0, origin.y + stretch * glyph.Y0},
+        {origin.x + glyph.X1, origin.y + stretch * glyph.Y1}, {glyph.U0, glyph.V0}, {glyph.U1, glyph.V1},
+        packed(colour));
 }
 
 void Canvas::fill(const Box& box, Colour colour, float rounding) const {

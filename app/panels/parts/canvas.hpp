@@ -60,8 +60,8 @@ public:
     /// `y` is the top of the line; `x` its left edge, centre or right edge.
     void text(
         Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
-    /// One glyph at any x, as formulas need it.
-    void glyph(Point origin, const ImFontGlyph& glyph, Colour colour) const;
+    /// One glyph at any x, as formulas need it. @param stretch  in height, from `origin` on
+    void glyph(Point origin, const ImFontGlyph& glyph, Colour colour, float stretch = 1.0F) const;
 
     void fill(const Box& box, Colour colour, float rounding = 0.0F) const;
     void outline(const Box& box, Colour colour, float thickness = 1.0F, float rounding = 0.0F) const;

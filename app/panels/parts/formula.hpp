@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "app/panels/parts/canvas.hpp"
+#include "lessons/math/math.hpp"
 
-/// Formulas as on the page, from the markup of app/session/wording/labels.hpp, to which it adds `˙r` and
-/// `¨r`: a bold letter under one or two dots.
+/// Formulas as on the page, from the notation of docs/mathematics.md.
 namespace jw::panels {
 
 /// The fonts of one size.
@@ -17,6 +17,8 @@ struct FormulaFonts {
 
 FormulaFonts formula_fonts(const render::Fonts& fonts);
 FormulaFonts large_formula_fonts(const render::Fonts& fonts);
+/// Fonts of formulas beside words of the small font.
+FormulaFonts small_text_formula_fonts(const render::Fonts& fonts);
 /// Fonts of formulas in tables and pictures: the script font is also the base.
 FormulaFonts small_formula_fonts(const render::Fonts& fonts);
 
@@ -27,16 +29,31 @@ struct FormulaGlyph {
     const ImFontGlyph* glyph = nullptr;
     Point origin;  ///< of the glyph's line box, from the left end of the formula's baseline
     Ink ink = Ink::plain;
+    float stretch = 1.0F;  ///< in height, of delimiters and roots around what is tall
+};
+/// A line: of a fraction, a root or a bracket.
+struct FormulaRule {
+    Box box;  ///< from the left end of the baseline
 };
 
 struct Formula {
     std::vector<FormulaGlyph> glyphs;
+    std::vector<FormulaRule> rules;
     float width = 0.0F;
     float ascent = 0.0F;   ///< above the baseline, of what is really inked
     float descent = 0.0F;  ///< below it
 };
 
-Formula layout_formula(std::string_view markup, const FormulaFonts& fonts);
+/// Size of fractions and sums.
+enum class MathStyle {
+    in_line,  ///< fractions in small letters, so that lines stay apart
+    display,
+};
+
+Formula layout_formula(const math::Row& row, const FormulaFonts& fonts, MathStyle style = MathStyle::in_line);
+/// A formula of the program itself.
+/// @throws std::invalid_argument if it is not written as docs/mathematics.md says
+Formula layout_formula(std::string_view latex, const FormulaFonts& fonts);
 
 /// @param colours  of vectors as in the picture; otherwise everything is drawn in `colour`
 void draw_formula(

@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/rich_text.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -53,12 +53,23 @@ float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines) {
     const float line = canvas.line_height(font);
+    if (math::has_formulas(text)) {
+        const float room = static_cast<float>(most_lines) * line;
+        const RichText rich = layout_rich_to(canvas.fonts(), *font, text, box.width, room);
+        draw_rich(canvas, {box.x, box.y}, font, colour, rich);
+        return rich.height;
+    }
     float y = box.y;
     for (const std::string& words : wrapped_to(*font, text, box.width, most_lines)) {
         canvas.text({box.x, y}, font, colour, words);
         y += line;
     }
     return y - box.y;
+}
+
+float paragraph_height(const Canvas& canvas, const ImFont* font, std::string_view text, float width) {
+    if (math::has_formulas(text)) { return layout_rich(canvas.fonts(), *font, text, width).height; }
+    return static_cast<float>(wrapped(*font, text, width).size()) * canvas.line_height(font);
 }
 
 std::string live_text(double value) {

@@ -14,7 +14,7 @@ enum class Density { roomy, compact, tight };
 /// Bold title at the left, soft note at the right, a hairline below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
 
-/// Draws a heading with a formula before the title: "@Φ_q".
+/// Draws a heading with a formula before the title: "\\boldsymbol{\\Phi}_q".
 float heading(
     const Canvas& canvas, const Box& box, std::string_view symbol, std::string_view title,
     std::string_view note);
@@ -23,10 +23,13 @@ float heading_height(const Canvas& canvas);
 /// Width of the thinnest line.
 float hairline(const Canvas& canvas);
 
-/// Wrapped text; whole sentences are left out where more than `most_lines` would be needed.
+/// Wrapped text with formulas; whole sentences are left out where more than `most_lines` would be needed.
 float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines = 100);
+
+/// What a paragraph needs to be whole.
+float paragraph_height(const Canvas& canvas, const ImFont* font, std::string_view text, float width);
 
 /// Value of an equation as text: "0.0123", "-1.2e-07", and "0" for rounding.
 std::string live_text(double value);

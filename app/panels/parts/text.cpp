@@ -101,16 +101,6 @@ void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_
     if (!line.empty()) { lines.push_back(line); }
 }
 
-/// Ends of sentences, last first: positions behind ". ", "? " and "! ".
-std::vector<std::size_t> sentence_ends(std::string_view text) {
-    std::vector<std::size_t> ends;
-    for (std::size_t k = text.size(); k-- > 1;) {
-        const bool stop = text[k - 1] == '.' || text[k - 1] == '?' || text[k - 1] == '!';
-        if (stop && (text[k] == ' ' || text[k] == '\n')) { ends.push_back(k); }
-    }
-    return ends;
-}
-
 }  // namespace
 
 std::u32string from_utf8(std::string_view text) {
@@ -143,11 +133,17 @@ std::string typeset(std::string_view text) {
     constexpr std::array<std::pair<char, const char*>, 6> subscripts{
         {{'i', "ᵢ"}, {'j', "ⱼ"}, {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}}};
     std::string set;
+    bool in_formula = false;
     for (std::size_t k = 0; k < text.size(); ++k) {
         const auto found = std::ranges::find_if(subscripts, [&](const auto& subscript) {
             const bool ends = k + 2 >= text.size() || !is_word(text[k + 2]);
             return text[k] == '_' && k + 1 < text.size() && text[k + 1] == subscript.first && ends;
         });
+        in_formula = in_formula != (text[k] == '$' && (k == 0 || text[k - 1] != '\\'));
+        if (in_formula) {
+            set += text[k];
+            continue;
+        }
         // one letter alone before it: s_i, but not file_1
         const bool single = k >= 1 && (k == 1 || !is_word(text[k - 2]) || !is_word(text[k - 1]));
         if (found != subscripts.end() && single) {
@@ -204,6 +200,20 @@ std::string shortened_name(const ImFont& font, std::string_view name, float widt
     const float room = width - text_width(font, "…") - text_width(font, end);
     if (room <= 0.0F) { return shortened(font, name, width); }
     return std::string(name.substr(0, bytes_that_fit(font, name, room))) + "…" + std::string(end);
+}
+
+std::vector<std::size_t> sentence_ends(std::string_view text) {
+    std::vector<std::size_t> ends;
+    bool in_formula = false;
+    for (std::size_t k = 1; k < text.size(); ++k) {
+        if (text[k - 1] == '$' && (k < 2 || text[k - 2] != '\\')) { in_formula = !in_formula; }
+        const char c = text[k - 1];
+        if (!in_formula && (c == '.' || c == '?' || c == '!') && (text[k] == ' ' || text[k] == '\n')) {
+            ends.push_back(k);
+        }
+    }
+    std::ranges::reverse(ends);
+    return ends;
 }
 
 std::vector<std::string> wrapped_to(

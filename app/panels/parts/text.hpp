@@ -17,7 +17,8 @@ float text_width(const ImFont& font, std::string_view text);
 /// Hyphens before digits become − unless they join words: "x = -1.2e-07" but "p1-2" stays.
 std::string with_minus_signs(std::string_view text);
 
-/// Text as its author meant it: typed "s_i" and "d_0" become "sᵢ" and "d₀", " - " becomes " – ".
+/// Text as its author meant it: typed "s_i" and "d_0" become "sᵢ" and "d₀", " - " becomes " – "; formulas
+/// between dollar signs stay as they are.
 std::string typeset(std::string_view text);
 
 /// Lines no wider than `width`. Breaks at spaces, not next to "·", "=" or "→", and within a word only if
@@ -29,6 +30,9 @@ std::string shortened(const ImFont& font, std::string_view text, float width);
 
 /// Shortens a name in its middle, since names often differ at their end: "segment-7" becomes "segm…7".
 std::string shortened_name(const ImFont& font, std::string_view name, float width);
+
+/// Ends of sentences outside formulas, last first: places behind ". ", "? " and "! ".
+std::vector<std::size_t> sentence_ends(std::string_view text);
 
 /// At most `most_lines` lines; what does not fit is left out from the end of a sentence on, marked "…".
 std::vector<std::string> wrapped_to(

@@ -13,6 +13,7 @@
 #include "app/session/wording/quantity_text.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
@@ -192,7 +193,7 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
         std::visit([&](const auto& fact) { judge(fact, pose, result); }, claim.fact);
     }
     result.span = claim.span;
-    result.why = claim.why;
+    result.why = math::plain_words(claim.why);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "app/session/wording/text_width.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
@@ -109,7 +110,7 @@ std::string describe(const View& view, int width) {
     text += '\n' + std::string("  ") + wrapped(view.sentence, width - 2, 2) + '\n';
     if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&
         view.kind != Step::Kind::assembled) {
-        text += "  » " + wrapped(view.author_text, width - 4, 4) + '\n';
+        text += "  » " + wrapped(math::plain_words(view.author_text), width - 4, 4) + '\n';
     }
     switch (view.kind) {
         case Step::Kind::bodies:

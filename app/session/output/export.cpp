@@ -2,6 +2,8 @@
 
 #include "app/session/output/csv.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/math/read_math.hpp"
+#include "lessons/math/write_math.hpp"
 
 namespace jw {
 
@@ -83,7 +85,9 @@ std::string bracketed(const MatrixView& matrix) {
 
 }  // namespace
 
-std::string equation_latex(const EquationGroup& group) { return display(latex_of(group.formula)); }
+std::string equation_latex(const EquationGroup& group) {
+    return display(math::write_latex(math::own_math(group.formula)));
+}
 
 std::string matrix_latex(const MatrixView& matrix, MatrixStyle style) {
     const std::string name = "\\boldsymbol{\\Phi}_{\\boldsymbol{q}} = ";

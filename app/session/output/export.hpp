@@ -8,8 +8,6 @@
 /// line feeds, numbers with all digits).
 namespace jw {
 
-/// Formula markup (labels.hpp) as a formula of LaTeX, without delimiters; ASCII.
-std::string latex_of(const std::string& markup);
 /// Words and labels for \text{...}; what LaTeX gives a meaning is escaped, symbols are set as mathematics.
 /// Letters of other alphabets stay as they are.
 std::string latex_text(const std::string& text);

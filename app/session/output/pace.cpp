@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/session/wording/text_width.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
@@ -17,7 +18,8 @@ constexpr double kSecondsPerCharacter = 0.05;
 double seconds_to_look(const View& view, double moment) {
     if (view.kind == Step::Kind::motion) { return moment; }
     if (view.kind == Step::Kind::iteration) { return kSecondsToLook; }
-    const int characters = displayed_width(view.sentence) + displayed_width(view.author_text);
+    const int characters =
+        displayed_width(view.sentence) + displayed_width(math::plain_words(view.author_text));
     return kSecondsToLook + kSecondsPerCharacter * characters;
 }
 

@@ -12,7 +12,7 @@
 /// The 3D part of a step's picture: bodies, joints, and the vectors of the joint that the step is about.
 namespace jw {
 
-/// A name that belongs to a point of the scene, in formula markup (labels.hpp).
+/// A name that belongs to a point of the scene, a formula as docs/mathematics.md says.
 struct Annotation {
     Vec3 at = Vec3::Zero();       ///< what it names: the tip of a vector, a point [m]
     Vec3 towards = Vec3::Zero();  ///< direction in which there is room for it, global; zero: anywhere

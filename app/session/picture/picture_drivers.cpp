@@ -82,8 +82,8 @@ void add_angle(
     const Vec3 apart = 1.5 * vector_radius(style.unit) * (j.s_i.dot(style.view) > 0.0 ? -1.0 : 1.0) * j.s_i;
     const Vec3 foot_i = circle.centre - apart;
     const Vec3 foot_j = circle.centre + apart;
-    add_vector(style, foot_i, foot_i + length * j.u_i, palette::kVectorI, "@u_i", picture);
-    add_vector(style, foot_j, foot_j + 0.9 * length * j.u_j, palette::kVectorJ, "@u_j", picture);
+    add_vector(style, foot_i, foot_i + length * j.u_i, palette::kVectorI, "\\mathbf{u}_i", picture);
+    add_vector(style, foot_j, foot_j + 0.9 * length * j.u_j, palette::kVectorJ, "\\mathbf{u}_j", picture);
 }
 
 /// The displacement of a joint beside its bar.

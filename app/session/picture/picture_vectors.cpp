@@ -48,11 +48,11 @@ public:
             points(type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B");
         }
         axes(type);
-        if (type.uses(kSidesH)) { sides("@h", j_.h_i, j_.h_j); }
-        if (type.uses(kSidesU)) { sides("@u", j_.u_i, j_.u_j); }
+        if (type.uses(kSidesH)) { sides("\\mathbf{h}", j_.h_i, j_.h_j); }
+        if (type.uses(kSidesU)) { sides("\\mathbf{u}", j_.u_i, j_.u_j); }
         if (uses_d_) {
             const Vec3 aside = aside_of_d(type);
-            add_distance(style_, j_.P_i + aside, j_.P_j + aside, "@d", *picture_);
+            add_distance(style_, j_.P_i + aside, j_.P_j + aside, "\\mathbf{d}", *picture_);
         }
         if (type.uses(Role::same_point)) { add_gap(style_, j_, *picture_); }
     }
@@ -87,13 +87,16 @@ private:
         if (uses_i) {
             aside_i_ = std::max(half, margin(joint_style_.aside_i));
             const Vec3 foot = j_.P_i + aside_i_ * beside(style_, j_.s_i);
-            add_vector(style_, foot, foot + length_of(j_.s_i) * j_.s_i, palette::kVectorI, "@s_i", *picture_);
+            add_vector(
+                style_, foot, foot + length_of(j_.s_i) * j_.s_i, palette::kVectorI, "\\mathbf{s}_i",
+                *picture_);
         }
         if (uses_j) {
             const double aside = sense * std::max(half, margin(joint_style_.aside_j));
             const Vec3 foot = j_.P_j - aside * beside(style_, j_.s_j);
             add_vector(
-                style_, foot, foot + 0.82 * length_of(j_.s_j) * j_.s_j, palette::kVectorJ, "@s_j", *picture_);
+                style_, foot, foot + 0.82 * length_of(j_.s_j) * j_.s_j, palette::kVectorJ, "\\mathbf{s}_j",
+                *picture_);
         }
     }
     /// Longer where it is seen nearly end-on, so that it does not shrink to its head on the picture.

@@ -9,7 +9,7 @@
 #include "app/session/view/view_equations.hpp"
 
 /// Contents of a step as plain values. The terminal, the JSON, the panels and the pictures all read them, so
-/// a number shown in two places is computed once. Formula markup as in labels.hpp.
+/// a number shown in two places is computed once. Formulas as docs/mathematics.md says.
 namespace jw {
 
 struct MatrixView {

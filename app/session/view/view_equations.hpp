@@ -33,7 +33,7 @@ struct ChoiceView {
 /// The equations of one primitive of the joint (or of the driver) that the step is about.
 struct EquationGroup {
     std::string primitive;  ///< "p1"
-    std::string formula;    ///< markup
+    std::string formula;    ///< as docs/mathematics.md says
     std::string plain;      ///< one line of Unicode
     std::string unit;       ///< "m", "m²", "rad" or "-"
     std::vector<EquationRow> rows;

@@ -4,40 +4,53 @@
 
 #include "core/numerics/variants.hpp"
 #include "lessons/equation_labels.hpp"
+#include "lessons/math/read_math.hpp"
+#include "lessons/math/write_math.hpp"
 
 namespace jw {
 
 namespace {
 
 std::string combined(const std::string& name, const std::string& body) {
-    return "@Φ^{(" + name + ")} ≡ " + body;
+    return R"(\boldsymbol{\Phi}^{()" + name + R"()} \equiv )" + body;
 }
 
 /// Marks of each primitive; the count in the superscript is that of independent equations, as on the slides.
 std::string formula_of(Role role, const Joint& joint) {
     const bool pair = joint.parallel_form == ParallelForm::pair;
     switch (role) {
-        case Role::same_point: return combined("s,3", "@r_i + @A_i @s′_i^P − @A_j @s′_j^P − @r_j = @0");
+        case Role::same_point:
+            return combined(
+                "s,3",
+                R"(\mathbf{r}_i + \mathbf{A}_i \mathbf{s}'_i^P - \mathbf{A}_j \mathbf{s}'_j^P - \mathbf{r}_j = \mathbf{0})");
         case Role::axes_parallel:
-            return pair ? combined("n1,1", "@a_i^T @s_j = 0,  @b_i^T @s_j = 0")
-                        : combined("p1,2", "~s_i @s_j = @0");
+            return pair ? combined(
+                              "n1,1",
+                              R"(\mathbf{a}_i^T \mathbf{s}_j = 0,\quad \mathbf{b}_i^T \mathbf{s}_j = 0)")
+                        : combined("p1,2", R"(\tilde{\mathbf{s}}_i \mathbf{s}_j = \mathbf{0})");
         case Role::distance_parallel:
-            return pair ? combined("n2,1", "@a_i^T @d = 0,  @b_i^T @d = 0")
-                        : combined("p2,2", "~s_i @d = @0");
-        case Role::axes_perpendicular: return combined("n1,1", "@s_i^T @s_j = 0");
-        case Role::distance_perpendicular: return combined("n2,1", "@s_i^T @d = 0");
-        case Role::distance_perpendicular_j: return combined("n2,1", "@s_j^T @d = 0");
-        case Role::sides_perpendicular: return combined("n1,1", "@h_i^T @h_j = 0");
-        case Role::length: return combined("d,1", "@d^T @d − L^2 = 0");
-        case Role::screw_advance: return combined("r,1", "(d − d^0) − α (θ − θ^0) = 0");
+            return pair ? combined(
+                              "n2,1", R"(\mathbf{a}_i^T \mathbf{d} = 0,\quad \mathbf{b}_i^T \mathbf{d} = 0)")
+                        : combined("p2,2", R"(\tilde{\mathbf{s}}_i \mathbf{d} = \mathbf{0})");
+        case Role::axes_perpendicular: return combined("n1,1", R"(\mathbf{s}_i^T \mathbf{s}_j = 0)");
+        case Role::distance_perpendicular: return combined("n2,1", R"(\mathbf{s}_i^T \mathbf{d} = 0)");
+        case Role::distance_perpendicular_j: return combined("n2,1", R"(\mathbf{s}_j^T \mathbf{d} = 0)");
+        case Role::sides_perpendicular: return combined("n1,1", R"(\mathbf{h}_i^T \mathbf{h}_j = 0)");
+        case Role::length: return combined("d,1", R"(\mathbf{d}^T \mathbf{d} - L^2 = 0)");
+        case Role::screw_advance: return combined("r,1", R"((d - d^0) - \alpha\,(\theta - \theta^0) = 0)");
         case Role::screw_angle: break;
     }
     switch (joint.geometry.screw_angle_form) {
-        case ScrewAngleForm::cosine: return combined("θ,1", "@u_i^T @u_j − cos θ = 0");
-        case ScrewAngleForm::sine: return combined("θ,1", "(@u_i × @u_j)^T @s_i − sin θ = 0");
+        case ScrewAngleForm::cosine:
+            return combined(R"(\theta,1)", R"(\mathbf{u}_i^T \mathbf{u}_j - \cos\theta = 0)");
+        case ScrewAngleForm::sine:
+            return combined(
+                R"(\theta,1)", R"((\mathbf{u}_i \times \mathbf{u}_j)^T \mathbf{s}_i - \sin\theta = 0)");
         case ScrewAngleForm::rotation: break;
     }
-    return combined("θ,1", "(@u_i × @u_j)^T @s_i cos θ − @u_i^T @u_j sin θ = 0");
+    return combined(
+        R"(\theta,1)",
+        R"((\mathbf{u}_i \times \mathbf{u}_j)^T \mathbf{s}_i \cos\theta - \mathbf{u}_i^T \mathbf{u}_j \sin\theta = 0)");
 }
 
 const char* unit_of_role(Role role) {
@@ -53,26 +66,13 @@ const Constraint& constraint_of(const System& system, const RowOrigin& origin) {
     return system.constraints()[static_cast<std::size_t>(origin.index)];
 }
 
-std::string subscript(char c) {
-    switch (c) {
-        case 'i': return "ᵢ";
-        case 'j': return "ⱼ";
-        case '0': return "₀";
-        case '1': return "₁";
-        case '2': return "₂";
-        case '3': return "₃";
-        default: return std::string("_") + c;
-    }
+/// Euler parameters: "e₀".
+std::string euler_parameter(int k) {
+    constexpr std::array digits{"₀", "₁", "₂", "₃"};
+    return std::string("e") + digits[static_cast<std::size_t>(k)];
 }
 
-std::string superscript(const std::string& text) {
-    if (text == "T") { return "ᵀ"; }
-    if (text == "P") { return "ᴾ"; }
-    if (text == "B") { return "ᴮ"; }
-    if (text == "0") { return "⁰"; }
-    if (text == "2") { return "²"; }
-    return text;
-}
+std::string in_unicode(const std::string& latex) { return math::write_plain(math::own_math(latex)); }
 
 }  // namespace
 
@@ -105,37 +105,12 @@ const char* name_of_form(ParallelForm form) {
 
 std::string name_of_role(Role role, ParallelForm form) { return primitive_name(role, form); }
 
-std::string plain_of(const std::string& markup) {
-    std::string text;
-    for (std::size_t k = 0; k < markup.size(); ++k) {
-        const char c = markup[k];
-        if (c == '@') { continue; }
-        if (c == '~') {
-            text += markup[++k];
-            text += "\u0303";
-        } else if ((c == '_' || c == '^') && k + 1 < markup.size()) {
-            std::string group(1, markup[k + 1]);
-            if (markup[k + 1] == '{') {
-                const std::size_t end = markup.find('}', k);
-                group = markup.substr(k + 2, end - k - 2);
-                k = end;
-            } else {
-                ++k;
-            }
-            text += c == '_' ? (group.size() == 1 ? subscript(group[0]) : group) : superscript(group);
-        } else {
-            text += c;
-        }
-    }
-    return text;
-}
-
 EquationText equation_text(const System& system, const Constraint& constraint) {
     const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(constraint.joint)];
     EquationText text;
     text.primitive = name_of_role(constraint.role, joint.parallel_form);
     text.formula = formula_of(constraint.role, joint);
-    text.plain = plain_of(text.formula);
+    text.plain = in_unicode(text.formula);
     text.unit = unit_of_role(constraint.role);
     return text;
 }
@@ -145,21 +120,23 @@ EquationText driver_text(const Driver& driver) {
         EquationText text;
         text.primitive = "driver";
         text.formula = combined("drive,1", formula);
-        text.plain = plain_of(text.formula);
+        text.plain = in_unicode(text.formula);
         text.unit = unit;
         return text;
     };
-    const std::string of_angle = "θ − f(t) = 0";
+    const std::string of_angle = R"(\theta - f(t) = 0)";
     return std::visit(
         Overloaded{
             [&](const AngleMeasure&) { return of(of_angle, "rad"); },
             [&](const ThetaMeasure&) { return of(of_angle, "rad"); },
-            [&](const DisplacementMeasure&) { return of("@s_i^T @d − f(t) = 0", "m"); },
-            [&](const SquaredDistanceMeasure&) { return of("@d^T @d − f(t)^2 = 0", "m²"); },
+            [&](const DisplacementMeasure&) { return of(R"(\mathbf{s}_i^T \mathbf{d} - f(t) = 0)", "m"); },
+            [&](const SquaredDistanceMeasure&) {
+                return of(R"(\mathbf{d}^T \mathbf{d} - f(t)^2 = 0)", "m²");
+            },
             [&](const CoordinateMeasure& m) {
                 const int k = m.coordinate;
                 const std::string symbol = k < 3 ? axis_name(k) : "e_" + std::to_string(k - 3);
-                return of(symbol + " − f(t) = 0", k < 3 ? "m" : "-");
+                return of(symbol + " - f(t) = 0", k < 3 ? "m" : "-");
             },
         },
         driver.measure);
@@ -229,7 +206,7 @@ std::vector<ColumnName> column_names(const System& system, CoordinateChoice choi
         const std::string& owner = mechanism.bodies[static_cast<std::size_t>(body)].name;
         for (int k = 0; k < 3; ++k) { names.push_back({owner, axis_name(k), axis_name(k)}); }
         for (int k = 0; euler && k < 4; ++k) {
-            names.push_back({owner, "e" + std::to_string(k), "e" + subscript(static_cast<char>('0' + k))});
+            names.push_back({owner, "e" + std::to_string(k), euler_parameter(k)});
         }
         for (int k = 0; !euler && k < 3; ++k) {
             names.push_back(

@@ -8,11 +8,9 @@
 /// Names of rows, columns and equations as people read them; the only place where provenance becomes text.
 namespace jw {
 
-/// Formula markup: `@s` a bold letter, `~s` a bold letter with a tilde, `_` and `^` take one character or a
-/// {group}; single letters are italic, everything else upright.
 struct EquationText {
     std::string primitive;  ///< "p1"
-    std::string formula;    ///< markup
+    std::string formula;    ///< as docs/mathematics.md says
     std::string plain;      ///< the same in one line of Unicode
     std::string unit;       ///< "m", "m²" or "-"
 };
@@ -36,9 +34,6 @@ struct ColumnName {
     std::string symbol;      ///< "x", "e₀", "ω′x", "θ"
 };
 std::vector<ColumnName> column_names(const System& system, CoordinateChoice choice);
-
-/// One line of Unicode for formula markup.
-std::string plain_of(const std::string& markup);
 
 const char* name_of_choice(CoordinateChoice choice);  ///< "rp-modified", as on the command line
 const char* name_of_form(ParallelForm form);          ///< "drop x", as in a lesson

@@ -235,7 +235,8 @@ TEST_CASE("An edit that cannot be closed is told, and undone again") {
     person.ask(Command::tab_experiments);
     const std::string before = text_of(person.view());
     const int joint = joint_of(person, "D");
-    const Widget slider = find(person, kTry, {"joint of try it", joint, "@s\u2032_i^P", 0, "##component"});
+    const Widget slider =
+        find(person, kTry, {"joint of try it", joint, "\\mathbf{s}'_i^P", 0, "##component"});
     person.drag(slider.x + 20.0F, slider.y, slider.x + 110.0F, slider.y);
     CHECK_FALSE(person.session().story().failure() == nullptr);
     CHECK_FALSE(person.view().failure.empty());

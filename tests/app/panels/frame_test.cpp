@@ -24,7 +24,8 @@ Picture crowded_picture() {
     Picture picture;
     for (int k = 0; k < 12; ++k) {
         const Vec3 at(0.3 * (k % 4), 0.2 * (k / 4), 0.1 * (k % 3));
-        picture.annotations.push_back({at, Vec3::UnitZ(), "@s_i^P", render::palette::kVectorI, false});
+        picture.annotations.push_back(
+            {at, Vec3::UnitZ(), "\\mathbf{s}_i^P", render::palette::kVectorI, false});
         picture.annotations.push_back({at, -Vec3::UnitZ(), "a body", render::palette::kInk, true});
         picture.scene.arrows.push_back({at, at + Vec3(0.0, 0.0, 0.2)});
     }

@@ -20,7 +20,9 @@ EquationGroup group_of(const char* primitive, const char* formula, std::vector<E
 
 EquationGroup same_point() {
     return group_of(
-        "s", "@Φ^{(s,3)} ≡ @r_i + @A_i @s′_i^P − @A_j @s′_j^P − @r_j = @0",
+        "s",
+        "\\boldsymbol{\\Phi}^{(s,3)} \\equiv \\mathbf{r}_i + \\mathbf{A}_i \\mathbf{s}'_i^P - \\mathbf{A}_j "
+        "\\mathbf{s}'_j^P - \\mathbf{r}_j = \\mathbf{0}",
         {{"x", -0.0651, 0, EquationRow::Status::kept},
          {"y", 1.25e-7, 1, EquationRow::Status::kept},
          {"z", -3.4e-12, 2, EquationRow::Status::redundant}});
@@ -127,7 +129,10 @@ View titled(Step::Kind kind) {
 
 View four_bar(Step::Kind kind) {
     View view = titled(kind);
-    view.equations = {same_point(), parallel("p1", "@Φ^{(p1,2)} ≡ ~s_i @s_j = @0")};
+    view.equations = {
+        same_point(),
+        parallel(
+            "p1", "\\boldsymbol{\\Phi}^{(p1,2)} \\equiv \\tilde{\\mathbf{s}}_i \\mathbf{s}_j = \\mathbf{0}")};
     fill_matrix(view, 4, 3, 5);
     fill_rank(view, 17);
     view.rank.rank_before = 15;
@@ -141,11 +146,17 @@ View four_bar(Step::Kind kind) {
 View screw(Step::Kind kind) {
     View view = titled(kind);
     view.equations = {
-        parallel("p1", "@Φ^{(p1,2)} ≡ ~s_i @s_j = @0"), parallel("p2", "@Φ^{(p2,2)} ≡ ~s_i @d = @0"),
+        parallel(
+            "p1", "\\boldsymbol{\\Phi}^{(p1,2)} \\equiv \\tilde{\\mathbf{s}}_i \\mathbf{s}_j = \\mathbf{0}"),
+        parallel(
+            "p2", "\\boldsymbol{\\Phi}^{(p2,2)} \\equiv \\tilde{\\mathbf{s}}_i \\mathbf{d} = \\mathbf{0}"),
         group_of(
-            "r", "@Φ^{(r,1)} ≡ (d − d^0) − α (θ − θ^0) = 0", {{"", 0.0497, 5, EquationRow::Status::kept}}),
+            "r", "\\boldsymbol{\\Phi}^{(r,1)} \\equiv (d - d^0) - \\alpha\\,(\\theta - \\theta^0) = 0",
+            {{"", 0.0497, 5, EquationRow::Status::kept}}),
         group_of(
-            "θ", "@Φ^{(θ,1)} ≡ (@u_i × @u_j)^T @s_i cos θ − @u_i^T @u_j sin θ = 0",
+            "θ",
+            "\\boldsymbol{\\Phi}^{(\\theta,1)} \\equiv (\\mathbf{u}_i \\times \\mathbf{u}_j)^T \\mathbf{s}_i "
+            "\\cos \\theta - \\mathbf{u}_i^T \\mathbf{u}_j \\sin \\theta = 0",
             {{"", -1.5e-9, 6, EquationRow::Status::redundant}})};
     fill_matrix(view, 1, 1, 6);
     view.matrix.columns.push_back({"thread of the jack", "θ"});

@@ -69,25 +69,25 @@ TEST_CASE("a picture names the vectors that the joint's equations use", "[app][p
     const Picture spherical = picture("spherical");
     CHECK(has_text(spherical, "P_i"));
     CHECK(has_text(spherical, "P_j"));
-    CHECK_FALSE(has_text(spherical, "@s_i"));
+    CHECK_FALSE(has_text(spherical, "\\mathbf{s}_i"));
 
     const Picture revolute = picture("revolute");
-    CHECK(has_text(revolute, "@s_i"));
-    CHECK(has_text(revolute, "@s_j"));
-    CHECK_FALSE(has_text(revolute, "@d"));
+    CHECK(has_text(revolute, "\\mathbf{s}_i"));
+    CHECK(has_text(revolute, "\\mathbf{s}_j"));
+    CHECK_FALSE(has_text(revolute, "\\mathbf{d}"));
 
     const Picture prismatic = picture("prismatic");
-    CHECK(has_text(prismatic, "@d"));
-    CHECK(has_text(prismatic, "@h_i"));
-    CHECK(has_text(prismatic, "@h_j"));
+    CHECK(has_text(prismatic, "\\mathbf{d}"));
+    CHECK(has_text(prismatic, "\\mathbf{h}_i"));
+    CHECK(has_text(prismatic, "\\mathbf{h}_j"));
     CHECK(has_text(prismatic, "B_i"));
 
     const Picture screw = picture("screw");
-    CHECK(has_text(screw, "@u_i"));
-    CHECK(has_text(screw, "@u_j"));
-    CHECK(has_text(picture("n2"), "@d"));
-    CHECK_FALSE(has_text(picture("n2"), "@s_j"));
-    CHECK(has_text(picture("distance"), "@d"));
+    CHECK(has_text(screw, "\\mathbf{u}_i"));
+    CHECK(has_text(screw, "\\mathbf{u}_j"));
+    CHECK(has_text(picture("n2"), "\\mathbf{d}"));
+    CHECK_FALSE(has_text(picture("n2"), "\\mathbf{s}_j"));
+    CHECK(has_text(picture("distance"), "\\mathbf{d}"));
 }
 
 TEST_CASE("closed points carry one name, parallel vectors do not hide each other", "[app][picture]") {
@@ -135,7 +135,7 @@ TEST_CASE("a driven angle is an arc from u_i to u_j", "[app][picture]") {
     const PictureStyle style = picture_style(story);
     const Picture picture = picture_of(story, style, story.last_assembled());
     CHECK(has_text(picture, "θ"));
-    CHECK_FALSE(has_text(picture, "@s_i"));
+    CHECK_FALSE(has_text(picture, "\\mathbf{s}_i"));
     const auto& arc = picture.scene.polylines.front().points;
     const Vec3 centre = picture.scene.arrows[1].from;  // foot of u_i; 0 is the head of the arc
     double length = 0.0;

@@ -1,0 +1,203 @@
+#include "app/panels/parts/rich_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <imgui.h>
+
+#include "app/panels/parts/text.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that are higher than words
+constexpr float kDisplayIndent = 1.5F;
+
+/// Pieces that stay on one line, and whether a space stands before them.
+struct Chunk {
+    std::vector<RichPiece> pieces;  ///< x from the left end of the chunk
+    float width = 0.0F;
+    bool space_before = false;
+    bool own_line = false;  ///< a displayed formula
+};
+
+/// Makes chunks of words and formulas.
+class Chunks {
+public:
+    Chunks(const render::Fonts& fonts, const ImFont& font) : fonts_(&fonts), font_(&font) {}
+
+    void add_words(const std::string& words) {
+        std::size_t at = 0;
+        while (at < words.size()) {
+            const bool space = words[at] == ' ' || words[at] == '\n';
+            if (space) {
+                pending_space_ = true;
+                ++at;
+                continue;
+            }
+            std::size_t end = words.find_first_of(" \n", at);
+            end = std::min(end, words.size());
+            RichPiece piece;
+            piece.words = with_minus_signs(words.substr(at, end - at));
+            put(std::move(piece), text_width(*font_, words.substr(at, end - at)));
+            at = end;
+        }
+    }
+
+    void add_formula(const math::Row& row, float width) {
+        const FormulaFonts fonts = formulas();
+        Formula whole = layout_formula(row, fonts);
+        if (whole.width <= width) { return put_formula(std::move(whole)); }
+        // broken before relations
+        math::Row part;
+        for (const math::Node& node : row) {
+            if (is_kind(node, math::SignKind::relation) && !part.empty()) {
+                put_formula(layout_formula(std::exchange(part, {}), fonts));
+                pending_space_ = true;
+            }
+            part.push_back(node);
+        }
+        put_formula(layout_formula(part, fonts));
+    }
+
+    void add_display(const math::Row& row, float width) {
+        FormulaFonts fonts = formulas();
+        Formula whole = layout_formula(row, fonts, MathStyle::display);
+        if (whole.width > width) {
+            add_formula(row, width);
+            return;
+        }
+        pending_space_ = true;
+        put_formula(std::move(whole));
+        chunks_.back().own_line = true;
+        pending_space_ = true;
+        after_display_ = true;
+    }
+
+    std::vector<Chunk> take() { return std::move(chunks_); }
+
+private:
+    FormulaFonts formulas() const {
+        return font_ == fonts_->small ? small_text_formula_fonts(*fonts_) : formula_fonts(*fonts_);
+    }
+
+    void put_formula(Formula formula) {
+        RichPiece piece;
+        const float width = formula.width;
+        piece.formula = std::move(formula);
+        put(std::move(piece), width);
+    }
+
+    void put(RichPiece piece, float width) {
+        if (chunks_.empty() || pending_space_ || after_display_) {
+            chunks_.push_back({{}, 0.0F, pending_space_, false});
+        }
+        pending_space_ = false;
+        after_display_ = false;
+        Chunk& chunk = chunks_.back();
+        piece.x = chunk.width;
+        chunk.width += width;
+        chunk.pieces.push_back(std::move(piece));
+    }
+
+    const render::Fonts* fonts_;
+    const ImFont* font_;
+    std::vector<Chunk> chunks_;
+    bool pending_space_ = false;
+    bool after_display_ = false;
+};
+
+void grow(RichLine& line, const ImFont& font) {
+    const float up = std::round(font.Ascent);
+    line.ascent = up;
+    line.descent = font.FontSize - up;
+    for (const RichPiece& piece : line.pieces) {
+        if (!piece.words.empty()) { continue; }
+        const float air = kBetweenLines * font.FontSize / 16.0F;
+        line.ascent = std::max(line.ascent, std::ceil(piece.formula.ascent + air));
+        line.descent = std::max(line.descent, std::ceil(piece.formula.descent + air));
+    }
+}
+
+void append(RichLine& line, Chunk& chunk, float x) {
+    for (RichPiece& piece : chunk.pieces) {
+        piece.x += x;
+        line.pieces.push_back(std::move(piece));
+    }
+    line.width = x + chunk.width;
+}
+
+std::vector<RichLine> broken(std::vector<Chunk> chunks, const ImFont& font, float width) {
+    const float space = font.GetCharAdvance(' ');
+    std::vector<RichLine> lines;
+    bool fresh = true;
+    for (Chunk& chunk : chunks) {
+        const float gap = chunk.space_before && !fresh ? space : 0.0F;
+        const bool fits = !fresh && lines.back().width + gap + chunk.width <= width;
+        if (!fits || chunk.own_line) { lines.emplace_back(); }
+        float x = fits && !chunk.own_line ? lines.back().width + gap : 0.0F;
+        if (chunk.own_line) {
+            x = std::min(kDisplayIndent * font.FontSize, std::max(0.0F, width - chunk.width));
+        }
+        fresh = chunk.own_line;
+        append(lines.back(), chunk, x);
+    }
+    return lines;
+}
+
+}  // namespace
+
+RichText layout_rich(const render::Fonts& fonts, const ImFont& font, std::string_view text, float width) {
+    Chunks chunks(fonts, font);
+    for (const math::TextPart& part : math::text_parts(text).parts) {
+        switch (part.kind) {
+            case math::TextPart::Kind::words: chunks.add_words(part.words); break;
+            case math::TextPart::Kind::formula: chunks.add_formula(part.row, width); break;
+            case math::TextPart::Kind::display: chunks.add_display(part.row, width); break;
+        }
+    }
+    RichText rich;
+    rich.lines = broken(chunks.take(), font, width);
+    for (RichLine& line : rich.lines) {
+        grow(line, font);
+        rich.height += line.ascent + line.descent;
+    }
+    return rich;
+}
+
+RichText layout_rich_to(
+    const render::Fonts& fonts, const ImFont& font, std::string_view text, float width, float height) {
+    RichText rich = layout_rich(fonts, font, text, width);
+    if (rich.height <= height) { return rich; }
+    for (const std::size_t end : sentence_ends(text)) {
+        RichText fewer = layout_rich(fonts, font, std::string(text.substr(0, end)) + " …", width);
+        if (fewer.height <= height) { return fewer; }
+    }
+    while (!rich.lines.empty() && rich.height > height) {
+        rich.height -= rich.lines.back().ascent + rich.lines.back().descent;
+        rich.lines.pop_back();
+    }
+    return rich;
+}
+
+void draw_rich(
+    const Canvas& canvas, Point top_left, const ImFont* font, Colour colour, const RichText& text) {
+    float y = top_left.y;
+    for (const RichLine& line : text.lines) {
+        const float baseline = y + line.ascent;
+        for (const RichPiece& piece : line.pieces) {
+            if (piece.words.empty()) {
+                draw_formula(canvas, {top_left.x + piece.x, baseline}, piece.formula, colour, true);
+            } else {
+                canvas.text(
+                    {std::round(top_left.x + piece.x), baseline - std::round(font->Ascent)}, font, colour,
+                    piece.words);
+            }
+        }
+        y += line.ascent + line.descent;
+    }
+}
+
+}  // namespace jw::panels

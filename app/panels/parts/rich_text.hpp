@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "app/panels/parts/formula.hpp"
+#include "lessons/math/text_parts.hpp"
+
+/// Lines of words and formulas.
+namespace jw::panels {
+
+/// Words or a formula, at its place in the line.
+struct RichPiece {
+    float x = 0.0F;
+    std::string words;  ///< empty: a formula
+    Formula formula;
+};
+struct RichLine {
+    std::vector<RichPiece> pieces;
+    float ascent = 0.0F;  ///< above the baseline
+    float descent = 0.0F;
+    float width = 0.0F;
+};
+struct RichText {
+    std::vector<RichLine> lines;
+    float height = 0.0F;
+};
+
+/// Lays a text with formulas out in lines no wider than `width`; a formula that is wider alone is broken at
+/// its relations.
+RichText layout_rich(const render::Fonts& fonts, const ImFont& font, std::string_view text, float width);
+
+/// As much of the text as is no higher than `height`: whole sentences are left out from the end, marked "…".
+RichText layout_rich_to(
+    const render::Fonts& fonts, const ImFont& font, std::string_view text, float width, float height);
+
+void draw_rich(const Canvas& canvas, Point top_left, const ImFont* font, Colour colour, const RichText& text);
+
+}  // namespace jw::panels
