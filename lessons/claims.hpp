@@ -2,8 +2,10 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/quantity/quantity.hpp"
+#include "lessons/formula/subject.hpp"
 #include "lessons/source_span.hpp"
 
 /// Claims of a lesson about its mechanism, proved by `jointwise check`. An [[expect]] block becomes one
@@ -27,7 +29,11 @@ struct AtTime {
 
     bool operator==(const AtTime&) const = default;
 };
-using Moment = std::variant<AsGiven, AfterAddition, AtTime>;
+/// In any state of the bodies, assembled or not: what always holds is asked for in random ones.
+struct AnyState {
+    bool operator==(const AnyState&) const = default;
+};
+using Moment = std::variant<AsGiven, AfterAddition, AtTime, AnyState>;
 
 enum class Count { rank, rows, columns, dof, redundant, mobility_by_counting };
 
@@ -63,7 +69,12 @@ struct QuantityClaim {
     double value = 0.0;        ///< SI, radians
     double tolerance = 0.0;    ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
 };
-using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim>;
+/// Both sides of an equation are evaluated and compared.
+struct FormulaClaim {
+    formula::Formula formula;
+    bool holds = true;  ///< false: a misprint, which must not hold
+};
+using Fact = std::variant<CountClaim, DroppedClaim, BoundClaim, VerdictClaim, QuantityClaim, FormulaClaim>;
 
 struct Claim {
     Moment when;

@@ -96,10 +96,15 @@ std::optional<Located<std::string>> Fields::text(std::string_view key) {
 std::optional<Located<std::string>> Fields::words(std::string_view key) {
     auto words = text(key);
     if (!words) { return words; }
-    for (math::Problem& problem : math::text_parts(words->value).problems) {
-        problems_->add(place_in(key, problem.at), std::move(problem.message), std::move(problem.hint));
-    }
+    check_words(*words);
     return words;
+}
+
+void Fields::check_words(const Located<std::string>& words) {
+    for (math::Problem& problem : math::text_parts(words.value).problems) {
+        const SourceSpan place = place_in_text(problems_->source(), words.span, problem.at);
+        problems_->add(place, std::move(problem.message), std::move(problem.hint));
+    }
 }
 
 std::optional<Located<std::string>> Fields::formula(std::string_view key) {

@@ -49,6 +49,8 @@ public:
     /// Words for people, with formulas between dollar signs (docs/mathematics.md). Reports formulas that
     /// cannot be read.
     std::optional<Located<std::string>> words(std::string_view key);
+    /// Reports formulas of such words that cannot be read.
+    void check_words(const Located<std::string>& words);
     /// A formula without dollar signs.
     std::optional<Located<std::string>> formula(std::string_view key);
     std::optional<Located<double>> number(std::string_view key);

@@ -10,7 +10,9 @@
 #include "core/model/mechanism.hpp"
 #include "core/motion/loads.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/addition.hpp"
 #include "lessons/claims.hpp"
+#include "lessons/questions.hpp"
 
 /// A lesson as data: what the rest of the program consumes. docs/writing-a-lesson.md describes the file.
 ///
@@ -92,15 +94,6 @@ struct DynamicsPlan {
     SourceSpan point_at_end_span;  ///< in the lesson file, for messages
 };
 
-/// A joint or a driver that is added in one step.
-struct Addition {
-    enum class Kind { joint, driver };
-    Kind kind = Kind::joint;
-    int index = 0;  ///< into mechanism.joints or mechanism.drivers
-
-    bool operator==(const Addition&) const = default;
-};
-
 /// The joint or driver that a claim is about, index -1 for none.
 inline Addition subject_of(const Fact& fact) {
     const Addition none{Addition::Kind::joint, -1};
@@ -111,6 +104,10 @@ inline Addition subject_of(const Fact& fact) {
             [&](const VerdictClaim&) { return none; },
             [](const DroppedClaim& c) {
                 return Addition{Addition::Kind::joint, c.joint};
+            },
+            [&](const FormulaClaim& c) {
+                return c.formula.subject.joint < 0 ? none
+                                                   : Addition{Addition::Kind::joint, c.formula.subject.joint};
             },
             [](const QuantityClaim& c) {
                 const int joint = joint_of(c.quantity);
@@ -140,6 +137,7 @@ struct Lesson {
     std::string chapter;
     std::string source;  ///< slides or book pages
     std::string text;
+    std::string summary;  ///< what to remember, in two lines; shown at the end
 
     Mechanism mechanism;          ///< bodies[0] is the ground
     std::vector<Look> looks;      ///< one per body of the mechanism
@@ -150,6 +148,8 @@ struct Lesson {
     CameraWish camera;
     StepTexts step_texts;
     std::vector<Claim> claims;
+    std::vector<Question> questions;
+    std::vector<Trial> trials;  ///< what the author proposes to try
 };
 
 }  // namespace jw

@@ -61,6 +61,14 @@ const Named* owner_of(Fields& fields, const Located<std::string>& text, const Re
 
 }  // namespace
 
+std::vector<std::string> unit_endings(const Quantity& quantity, int derivative) {
+    const UnitRate dimension = dimension_of(quantity);
+    if (dimension.unit != Unit::radian) { return {""}; }
+    const int order = derivative + dimension.per_s;
+    const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
+    return {"_deg" + per, "_rad" + per};
+}
+
 std::optional<NamedQuantity> read_quantity(
     Fields& fields, const Located<std::string>& text, const Reading& reading) {
     const Mechanism& mechanism = reading.lesson.mechanism;

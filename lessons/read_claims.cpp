@@ -32,7 +32,7 @@ std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
 }
 
 std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
-    if (!fields.at_most_one({"after", "at_s", "as_given"})) { return std::nullopt; }
+    if (!fields.at_most_one({"after", "at_s", "as_given", "any_state"})) { return std::nullopt; }
     if (fields.has("at_s")) { return read_time(fields, reading.lesson); }
     const AfterAddition everything{static_cast<int>(reading.lesson.order.size())};
     if (fields.has("after")) {
@@ -43,6 +43,8 @@ std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
     }
     const auto given = fields.flag("as_given");
     if (given && given->value) { return AsGiven{}; }
+    const auto any = fields.flag("any_state");
+    if (any && any->value) { return AnyState{}; }
     return everything;
 }
 
@@ -73,7 +75,7 @@ std::vector<std::string> keys_of_facts() {
     std::vector<std::string> keys = words_of(kCounts);
     for (const EnumWord<Bound>& bound : kBounds) { keys.emplace_back(bound.word); }
     for (const EnumWord<Verdict>& verdict : kVerdicts) { keys.emplace_back(verdict.word); }
-    keys.insert(keys.end(), {"dropped", "quantity"});
+    keys.insert(keys.end(), {"dropped", "quantity", "formula"});
     return keys;
 }
 
@@ -108,17 +110,8 @@ void read_dropped(Fields& fields, const Reading& reading, const std::optional<Mo
     facts.emplace_back(DroppedClaim{joint->index, role, static_cast<int>(component)}, text->span);
 }
 
-/// Endings of the keys "value" and "tolerance", one for each way to write the unit.
-std::vector<std::string> endings_of(const QuantityClaim& claim) {
-    const UnitRate dimension = dimension_of(claim.quantity);
-    if (dimension.unit != Unit::radian) { return {""}; }
-    const int order = claim.derivative + dimension.per_s;
-    const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
-    return {"_deg" + per, "_rad" + per};
-}
-
 void read_value(Fields& fields, QuantityClaim& claim) {
-    const std::vector<std::string> endings = endings_of(claim);
+    const std::vector<std::string> endings = unit_endings(claim.quantity, claim.derivative);
     std::vector<std::string> keys;
     for (const std::string& ending : endings) { keys.push_back("value" + ending); }
     if (!fields.at_most_one(keys)) {
@@ -195,6 +188,15 @@ void read_claim(Fields& fields, Reading& reading) {
     read_bounds_and_verdicts(fields, facts);
     read_dropped(fields, reading, when, facts);
     read_measured(fields, reading, when, facts);
+    const bool only_formulas = facts.empty();
+    if (auto claim = read_formula_claim(fields, reading)) {
+        facts.emplace_back(std::move(*claim), fields.span("formula"));
+    }
+    if (!only_formulas && when && std::holds_alternative<AnyState>(*when)) {
+        reading.problems->add(
+            fields.span("any_state"),
+            "only a formula can hold in any state; expected another moment for the other claims");
+    }
     static const std::vector<std::string> kFacts = keys_of_facts();
     if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(

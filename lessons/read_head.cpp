@@ -21,6 +21,8 @@ void read_head(Fields& root, Lesson& lesson) {
     take("source", lesson.source);
     if (const auto words = root.words("text")) { lesson.text = words->value; }
     while (lesson.text.ends_with('\n')) { lesson.text.pop_back(); }
+    if (const auto words = root.words("summary")) { lesson.summary = words->value; }
+    while (lesson.summary.ends_with('\n')) { lesson.summary.pop_back(); }
     lesson.coordinates = root.word("coordinates", kChoices).value_or(lesson.coordinates);
 }
 

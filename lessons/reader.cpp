@@ -72,6 +72,7 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_order(root, read);
     reading::read_steps(root, read);
     reading::read_claims(root, read);
+    reading::read_questions(root, read);
     root.finish();
     if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }
     return std::move(read.lesson);

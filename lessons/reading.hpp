@@ -72,6 +72,9 @@ void read_loads(Fields& root, Reading& reading);
 void read_order(Fields& root, Reading& reading);
 void read_steps(Fields& root, Reading& reading);
 /// Claims; after the order.
+/// The key `formula` of a claim and those that belong to it; nothing if there is none, or it is wrong.
+std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& reading);
+void read_questions(Fields& root, Reading& reading);
 void read_claims(Fields& root, Reading& reading);
 
 /// Key `shape`, one or several.

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/numerics/variants.hpp"
+#include "core/quantity/names.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
@@ -18,6 +19,7 @@ int place_of(const Fact& fact) {
         int operator()(const VerdictClaim& c) const { return 20 + static_cast<int>(c.verdict); }
         int operator()(const DroppedClaim& /*c*/) const { return 30; }
         int operator()(const QuantityClaim& /*c*/) const { return 40; }
+        int operator()(const FormulaClaim& /*c*/) const { return 50; }
     };
     return std::visit(Place{}, fact);
 }
@@ -35,6 +37,7 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
     std::visit(
         Overloaded{
             [&](const AsGiven&) { lines.key("as_given", "true"); },
+            [&](const AnyState&) { lines.key("any_state", "true"); },
             [&](const AtTime& at) {
                 lines.key("at_s", at.t);
                 // where there is no [motion] nothing else can be meant
@@ -95,6 +98,24 @@ struct FactWriter {
         const auto* speed = std::get_if<PointSpeedQuantity>(&c.quantity);
         if (speed != nullptr && is_open) { lines.key("point", speed->s_local, "m"); }
         write_value(c, lines);
+    }
+    void operator()(const FormulaClaim& c) const {
+        const formula::Subject& subject = c.formula.subject;
+        if (subject.joint >= 0) {
+            lines.key("joint", string_text(written.name_of({Addition::Kind::joint, subject.joint})));
+        }
+        if (subject.body >= 0) { lines.key("body", string_text(written.body(subject.body))); }
+        if (subject.role) { lines.key("primitive", string_text(std::string(word_of(*subject.role)))); }
+        if (subject.coordinates != formula::Subject{}.coordinates) {
+            lines.key("coordinates", string_text(word_of(kChoices, subject.coordinates)));
+        }
+        lines.key("formula", string_text(c.formula.source));
+        std::string definitions;
+        for (const std::string& definition : c.formula.where) {
+            definitions += (definitions.empty() ? "" : ", ") + string_text(definition);
+        }
+        if (!definitions.empty()) { lines.key("where", "[" + definitions + "]"); }
+        if (!c.holds) { lines.key("holds", "false"); }
     }
 };
 

@@ -36,6 +36,7 @@ void write_head(const Written& written, Lines& lines) {
     if (!lesson.chapter.empty()) { lines.key("chapter", words_text(lesson.chapter)); }
     if (!lesson.source.empty()) { lines.key("source", words_text(lesson.source)); }
     if (!lesson.text.empty()) { lines.key("text", words_text(lesson.text)); }
+    if (!lesson.summary.empty()) { lines.key("summary", words_text(lesson.summary)); }
     write_order(written, lines);
     if (lesson.coordinates != Lesson().coordinates) {
         lines.key("coordinates", string_text(word_of(kChoices, lesson.coordinates)));

@@ -98,6 +98,7 @@ std::string lesson_text(const Lesson& lesson) {
     writing::write_motion(lesson, lines);
     writing::write_camera(lesson, lines);
     writing::write_steps(lesson, lines);
+    writing::write_questions(written, lines);
     writing::write_claims(written, lines);
     return lines.take();
 }

@@ -54,6 +54,7 @@ void write_bodies(const Lesson& lesson, Lines& lines);
 void write_joints(const Written& written, Lines& lines);
 void write_drivers(const Written& written, Lines& lines);
 void write_dynamics(const Written& written, Lines& lines);
+void write_questions(const Written& written, Lines& lines);
 void write_claims(const Written& written, Lines& lines);
 
 /// Keys of a function of time; of an angle with their unit.

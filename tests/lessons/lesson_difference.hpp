@@ -24,7 +24,8 @@ public:
             &Lesson::text, "text", &Lesson::mechanism, "mechanism", &Lesson::looks, "looks", &Lesson::order,
             "order", &Lesson::coordinates, "coordinates", &Lesson::motion, "motion", &Lesson::dynamics,
             "dynamics", &Lesson::camera, "camera", &Lesson::step_texts, "step_texts", &Lesson::claims,
-            "claims");
+            "claims", &Lesson::summary, "summary", &Lesson::questions, "questions", &Lesson::trials,
+            "trials");
     }
     void compare(const std::string& name, const Mechanism& a, const Mechanism& b) {
         all(name, a, b, &Mechanism::bodies, "bodies", &Mechanism::joints, "joints", &Mechanism::drivers,
@@ -161,6 +162,34 @@ public:
         all(name, a, b, &Claim::when, "when", &Claim::fact, "fact", &Claim::why, "why");
     }
     void compare(const std::string& /*name*/, const AsGiven& /*a*/, const AsGiven& /*b*/) {}
+    void compare(const std::string& /*name*/, const AnyState& /*a*/, const AnyState& /*b*/) {}
+    void compare(const std::string& name, const FormulaClaim& a, const FormulaClaim& b) {
+        all(name, a, b, &FormulaClaim::formula, "formula", &FormulaClaim::holds, "holds");
+    }
+    void compare(const std::string& name, const formula::Formula& a, const formula::Formula& b) {
+        if (!(a == b)) { differ(name, a.source, b.source); }
+    }
+    void compare(const std::string& name, const Question& a, const Question& b) {
+        all(name, a, b, &Question::place, "place", &Question::addition, "addition", &Question::ask, "ask",
+            &Question::answer, "answer", &Question::why, "why");
+    }
+    void compare(const std::string& name, const CountAnswer& a, const CountAnswer& b) {
+        all(name, a, b, &CountAnswer::count, "count");
+    }
+    void compare(const std::string& name, const DroppedAnswer& a, const DroppedAnswer& b) {
+        all(name, a, b, &DroppedAnswer::joint, "joint", &DroppedAnswer::role, "role");
+    }
+    void compare(const std::string& name, const QuantityAnswer& a, const QuantityAnswer& b) {
+        all(name, a, b, &QuantityAnswer::text, "text", &QuantityAnswer::derivative, "derivative",
+            &QuantityAnswer::when, "when", &QuantityAnswer::in_degrees, "in_degrees",
+            &QuantityAnswer::tolerance, "tolerance");
+    }
+    void compare(const std::string& name, const ChoiceAnswer& a, const ChoiceAnswer& b) {
+        all(name, a, b, &ChoiceAnswer::choices, "choices", &ChoiceAnswer::right, "right");
+    }
+    void compare(const std::string& name, const Trial& a, const Trial& b) {
+        all(name, a, b, &Trial::text, "text", &Trial::actions, "actions", &Trial::breaks, "breaks");
+    }
     void compare(const std::string& name, const AfterAddition& a, const AfterAddition& b) {
         compare(name + ".count", a.count, b.count);
     }

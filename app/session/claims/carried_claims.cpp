@@ -15,6 +15,7 @@ std::optional<Moment> carried(const Moment& when, const Lesson& written, const L
     return std::visit(
         Overloaded{
             [](const AsGiven& given) -> Carried { return given; },
+            [](const AnyState& any) -> Carried { return any; },
             [&](const AfterAddition& after) -> Carried {
                 if (after.count == 0) { return after; }
                 const Addition& addition = written.order[static_cast<std::size_t>(after.count - 1)];

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/session/claims/claim_poses.hpp"
+#include "app/session/claims/formula_claims.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/wording/explanations.hpp"
@@ -27,6 +28,7 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
     return std::visit(
         Overloaded{
             [](const AsGiven&) -> std::string { return "as given"; },
+            [](const AnyState&) -> std::string { return "in any state"; },
             [](const AtTime& at) { return "at " + number_text(at.t, 6) + " s"; },
             [&](const AfterAddition& after) -> std::string {
                 if (after.count == 0) { return "free bodies"; }
@@ -167,6 +169,10 @@ void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
     result.holds = above ? found > claim.limit : found < claim.limit;
 }
 
+void judge(const FormulaClaim& claim, const Pose& pose, ClaimResult& result) {
+    judge_formula(claim, {pose.instant}, result);
+}
+
 void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
     const RankReport report =
         rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);  // with free motions
@@ -189,6 +195,8 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
         result.subject = "this claim";
         result.expected = "a pose that closes";
         result.found = pose.failure;
+    } else if (std::holds_alternative<AnyState>(claim.when)) {
+        judge_formula(std::get<FormulaClaim>(claim.fact), arbitrary_instants(pose.instant), result);
     } else {
         std::visit([&](const auto& fact) { judge(fact, pose, result); }, claim.fact);
     }

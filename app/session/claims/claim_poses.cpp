@@ -48,6 +48,7 @@ Pose ClaimPoses::at(const Moment& moment) const {
     return std::visit(
         Overloaded{
             [&](const AsGiven&) { return as_given(); },
+            [&](const AnyState&) { return as_given(); },
             [&](const AtTime& at) { return at.by_forces ? by_forces_.at(at.t) : motion_.at(at.t); },
             [&](const AfterAddition& addition) { return after(addition.count); },
         },

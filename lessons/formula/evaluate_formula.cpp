@@ -1,0 +1,381 @@
+#include "lessons/formula/evaluate_formula.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/QR>
+
+#include "core/numerics/variants.hpp"
+
+namespace jw::formula {
+
+namespace {
+
+using math::Node;
+using math::Row;
+using math::SignKind;
+
+/// Nodes with a position; spaces are left out.
+class Cursor {
+public:
+    explicit Cursor(const Row& row) {
+        for (const Node& node : row) {
+            if (!std::holds_alternative<math::Space>(node.nucleus)) { nodes_.push_back(&node); }
+        }
+    }
+    bool at_end() const { return at_ >= nodes_.size(); }
+    const Node& peek() const { return *nodes_[at_]; }
+    const Node* ahead(std::size_t count) const {
+        return at_ + count < nodes_.size() ? nodes_[at_ + count] : nullptr;
+    }
+    const Node& next() { return *nodes_[at_++]; }
+
+private:
+    std::vector<const Node*> nodes_;
+    std::size_t at_ = 0;
+};
+
+class Evaluator {
+public:
+    explicit Evaluator(const Meanings& meanings) : meanings_(&meanings) {}
+
+    Value expression(const Row& row) const {
+        Cursor cursor(row);
+        if (cursor.at_end()) { throw NotEvaluated({0, "there is nothing here; expected an expression", ""}); }
+        Value value = expression(cursor);
+        if (!cursor.at_end()) { fail(cursor.peek(), "this cannot stand here"); }
+        return value;
+    }
+
+private:
+    [[noreturn]] static void fail(const Node& node, std::string message, std::string hint = {}) {
+        throw NotEvaluated({node.from, std::move(message), std::move(hint)});
+    }
+
+    /// Runs `f`; what does not fit is reported at `node`.
+    template <class F>
+    static Value at(const Node& node, F&& f) {
+        try {
+            return f();
+        } catch (const Mismatch& mismatch) { fail(node, mismatch.what()); }
+    }
+
+    Value expression(Cursor& cursor) const {
+        bool minus = sign_before(cursor);
+        const Node& first = cursor.peek();
+        Value value = term(cursor);
+        if (minus) { value = negative(value); }
+        while (!cursor.at_end() && (is_sign(cursor.peek(), "+") || is_sign(cursor.peek(), "−"))) {
+            const Node& sign = cursor.next();
+            minus = is_sign(sign, "−");
+            if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
+            const Value next = term(cursor);
+            value = at(first, [&] { return minus ? difference(value, next) : sum(value, next); });
+        }
+        return value;
+    }
+
+    static bool sign_before(Cursor& cursor) {
+        if (!is_sign(cursor.peek(), "−") && !is_sign(cursor.peek(), "+")) { return false; }
+        const Node& sign = cursor.next();
+        if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
+        return is_sign(sign, "−");
+    }
+
+    static bool ends_term(const Node& node) {
+        return is_sign(node, "+") || is_sign(node, "−") || is_kind(node, SignKind::relation) ||
+               is_kind(node, SignKind::closing) || is_kind(node, SignKind::punctuation);
+    }
+
+    Value term(Cursor& cursor) const {
+        Value value = factor(cursor);
+        while (!cursor.at_end() && !ends_term(cursor.peek()) && !ends_fence(cursor.peek())) {
+            const Node& node = cursor.peek();
+            const bool is_dot = is_sign(node, "·");
+            const bool is_cross = is_sign(node, "×");
+            const bool is_ratio = is_sign(node, "/");
+            if (is_dot || is_cross || is_ratio) { cursor.next(); }
+            if (cursor.at_end()) { fail(node, "nothing stands after this sign"); }
+            const Value next = factor(cursor);
+            value = at(node, [&] {
+                if (is_cross) { return cross(value, next); }
+                if (is_ratio) { return quotient(value, next); }
+                return is_dot ? dot(value, next) : product(value, next);
+            });
+        }
+        return value;
+    }
+
+    bool ends_fence(const Node& node) const { return fences_ > 0 && is_kind(node, SignKind::fence); }
+
+    Value factor(Cursor& cursor) const {
+        const Node& node = cursor.next();
+        if (is_kind(node, SignKind::opening)) { return in_parentheses(cursor, node); }
+        if (is_kind(node, SignKind::fence)) { return between_fences(cursor, node); }
+        if (is_kind(node, SignKind::function)) { return function(cursor, node); }
+        if (const auto* const fraction = std::get_if<math::Fraction>(&node.nucleus)) {
+            if (const int order = order_of_operator(*fraction); order > 0) {
+                return differentiated(cursor, node, order);
+            }
+        }
+        return nucleus(node);
+    }
+
+    Value in_parentheses(Cursor& cursor, const Node& open) const {
+        const Evaluator inside(*meanings_);
+        if (cursor.at_end()) { fail(open, "this is not closed"); }
+        const Value value = inside.expression(cursor);
+        if (cursor.at_end() || !is_kind(cursor.peek(), SignKind::closing)) {
+            fail(open, "this is not closed");
+        }
+        return with_superscript(value, cursor.next());
+    }
+
+    Value between_fences(Cursor& cursor, const Node& open) const {
+        Evaluator inside(*meanings_);
+        inside.fences_ = 1;
+        if (cursor.at_end()) { fail(open, "this is not closed"); }
+        const Value value = inside.expression(cursor);
+        if (cursor.at_end()) { fail(open, "this is not closed"); }
+        const Node& close = cursor.next();
+        return with_superscript(at(open, [&] { return length(value); }), close);
+    }
+
+    /// d/dt: 1, d²/dt²: 2, no such operator: 0
+    static int order_of_operator(const math::Fraction& f) {
+        const bool over = f.above.size() == 1 && is_sign(f.above[0], "d");
+        const bool under = f.below.size() == 2 && is_sign(f.below[0], "d") && is_sign(f.below[1], "t");
+        if (!over || !under) { return 0; }
+        Superscript script;
+        return read_superscript(f.above[0].above, script) && script.power == 2 ? 2 : 1;
+    }
+
+    Value differentiated(Cursor& cursor, const Node& node, int order) const {
+        if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
+        Value value = factor(cursor);
+        return at(node, [&] {
+            for (int k = 0; k < order; ++k) { value = derivative(value); }
+            return value;
+        });
+    }
+
+    Value function(Cursor& cursor, const Node& node) const {
+        const std::string& name = std::get<math::Sign>(node.nucleus).utf8;
+        if (cursor.at_end()) { fail(node, "nothing stands after this function"); }
+        if (name == "atan2") { return arc_tangent_of_two(cursor, node); }
+        const Value x = factor(cursor);
+        return at(node, [&] { return with_superscript(value_of(name, x, node), node); });
+    }
+
+    static Value value_of(const std::string& name, const Value& x, const Node& node) {
+        if (name == "det") { return determinant(x); }
+        if (name == "rank") { return rank(x); }
+        if (!x.is_number()) {
+            throw Mismatch(name + " is taken of " + shape_text(x) + "; expected a number");
+        }
+        const double v = x.d[0](0, 0);
+        if (name == "sin") { return function_of(x, std::sin(v), std::cos(v), -std::sin(v)); }
+        if (name == "cos") { return function_of(x, std::cos(v), -std::sin(v), -std::cos(v)); }
+        if (name == "tan") {
+            const double t = std::tan(v);
+            return function_of(x, t, 1.0 + t * t, 2.0 * t * (1.0 + t * t));
+        }
+        if (name == "arctan") {
+            const double q = 1.0 / (1.0 + v * v);
+            return function_of(x, std::atan(v), q, -2.0 * v * q * q);
+        }
+        if (name == "arccos") {
+            const double s = std::sqrt(1.0 - v * v);
+            return function_of(x, std::acos(v), -1.0 / s, -v / (s * s * s));
+        }
+        fail(node, "the function " + name + " cannot be evaluated");
+    }
+
+    static Value rank(const Value& x) {
+        Eigen::ColPivHouseholderQR<MatrixX> qr(x.d[0]);
+        // entries are of the size of 1 and known to 15 digits
+        qr.setThreshold(1e-9);
+        return number(static_cast<double>(qr.rank()));
+    }
+
+    Value arc_tangent_of_two(Cursor& cursor, const Node& node) const {
+        if (!is_kind(cursor.next(), SignKind::opening)) { fail(node, "expected atan2(y, x)"); }
+        const Evaluator inside(*meanings_);
+        const Value y = inside.expression(cursor);
+        if (cursor.at_end() || !is_sign(cursor.next(), ",") || cursor.at_end()) {
+            fail(node, "expected atan2(y, x)");
+        }
+        const Value x = inside.expression(cursor);
+        if (cursor.at_end() || !is_kind(cursor.next(), SignKind::closing)) {
+            fail(node, "expected atan2(y, x)");
+        }
+        if (!x.is_number() || !y.is_number()) { fail(node, "atan2 takes two numbers"); }
+        Value angle = number(std::atan2(y.d[0](0, 0), x.d[0](0, 0)));
+        angle.order = 0;
+        return angle;
+    }
+
+    Value nucleus(const Node& node) const {
+        return std::visit(
+            Overloaded{
+                [&](const math::Sign& sign) { return sign_value(node, sign); },
+                [&](const math::Words& words) { return quantity(node, words.utf8); },
+                [&](const math::Space&) -> Value { fail(node, "a space has no value"); },
+                [&](const math::Fraction& f) {
+                    return with_superscript(
+                        at(node, [&] { return quotient(expression(f.above), expression(f.below)); }), node);
+                },
+                [&](const math::Root& root) { return with_superscript(square_root(node, root), node); },
+                [&](const math::Accent&) { return accented(node); },
+                [&](const math::Group& group) { return group_value(node, group); },
+                [&](const math::Matrix& matrix) {
+                    return with_superscript(matrix_value(node, matrix), node);
+                },
+            },
+            node.nucleus);
+    }
+
+    Value square_root(const Node& node, const math::Root& root) const {
+        const Value x = expression(root.inner);
+        return at(node, [&] {
+            if (!x.is_number()) {
+                throw Mismatch("a root is taken of " + shape_text(x) + "; expected a number");
+            }
+            const double r = std::sqrt(x.d[0](0, 0));
+            return function_of(x, r, 0.5 / r, -0.25 / (r * r * r));
+        });
+    }
+
+    Value group_value(const Node& node, const math::Group& group) const {
+        const Value value = expression(group.inner);
+        const bool bars = group.open == "|" || group.open == "‖";
+        return with_superscript(bars ? at(node, [&] { return length(value); }) : value, node);
+    }
+
+    Value matrix_value(const Node& node, const math::Matrix& matrix) const {
+        std::vector<std::vector<Value>> blocks;
+        for (const auto& row : matrix.rows) {
+            blocks.emplace_back();
+            for (const Row& cell : row) { blocks.back().push_back(expression(cell)); }
+        }
+        return at(node, [&] { return stacked(blocks); });
+    }
+
+    Value quantity(const Node& node, const std::string& name) const {
+        const std::optional<Value> value = meanings_->words ? meanings_->words(name) : std::nullopt;
+        if (!value) { fail(node, "'" + name + "' is no quantity here", "docs/quantities.md lists them"); }
+        return *value;
+    }
+
+    Value sign_value(const Node& node, const math::Sign& sign) const {
+        if (sign.kind == SignKind::number) {
+            const double x = std::strtod(sign.utf8.c_str(), nullptr);
+            return with_superscript(x == 0.0 ? zero() : number(x), node);
+        }
+        if (sign.kind != SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot stand here"); }
+        return symbol_value(node, sign.utf8, {});
+    }
+
+    /// A symbol with accents, the innermost last.
+    Value symbol_value(
+        const Node& node, const std::string& letter, const std::vector<math::AccentKind>& accents) const {
+        Superscript script;
+        const Symbol symbol = symbol_of(letter, node.below, node.above, script);
+        Value value = meaning_of(node, symbol);
+        return at(node, [&] {
+            for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
+                value = marked(value, *accent);
+            }
+            return with(value, script);
+        });
+    }
+
+    Value meaning_of(const Node& node, const Symbol& symbol) const {
+        if (symbol == Symbol{"I", 0, {}, {}}) { return identity(); }
+        if (symbol == Symbol{"π", 0, {}, {}}) { return number(std::numbers::pi); }
+        try {
+            if (const std::optional<Value> value = meanings_->symbol(symbol)) { return *value; }
+            if (const std::optional<Value> value = component_of(symbol)) { return *value; }
+        } catch (const Mismatch& mismatch) { fail(node, mismatch.what()); }
+        fail(
+            node, "'" + name_of(symbol) + "' has no meaning here",
+            "docs/writing-a-lesson.md lists the symbols");
+    }
+
+    /// s_{xi} and s_{(x)i} are the first component of s_i.
+    std::optional<Value> component_of(const Symbol& symbol) const {
+        constexpr std::string_view axes = "xyz";
+        const bool spelt = symbol.index.size() >= 3 && symbol.index[0] == '(' && symbol.index[2] == ')';
+        const std::size_t at = spelt ? 1 : 0;
+        if (symbol.index.size() <= at) { return std::nullopt; }
+        const std::size_t axis = axes.find(symbol.index[at]);
+        if (axis == std::string_view::npos) { return std::nullopt; }
+        Symbol vector = symbol;
+        vector.index = symbol.index.substr(spelt ? 3 : 1);
+        const std::optional<Value> value = meanings_->symbol(vector);
+        if (!value || !value->is_vector()) { return std::nullopt; }
+        return component(*value, static_cast<Eigen::Index>(axis));
+    }
+
+    Value accented(const Node& node) const {
+        std::vector<math::AccentKind> accents;
+        const Row* inner = nullptr;
+        for (const auto* accent = std::get_if<math::Accent>(&node.nucleus); accent != nullptr;) {
+            accents.push_back(accent->kind);
+            inner = &accent->inner;
+            const bool nested = inner->size() == 1 && (*inner)[0].below.empty() && (*inner)[0].above.empty();
+            accent = nested ? std::get_if<math::Accent>(&(*inner)[0].nucleus) : nullptr;
+        }
+        const bool letter = inner->size() == 1 && is_kind((*inner)[0], SignKind::letter) &&
+                            (*inner)[0].below.empty() && (*inner)[0].above.empty();
+        if (letter) { return symbol_value(node, std::get<math::Sign>((*inner)[0].nucleus).utf8, accents); }
+        Value value = expression(*inner);
+        value = at(node, [&] {
+            for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
+                value = marked(value, *accent);
+            }
+            return value;
+        });
+        return with_superscript(value, node);
+    }
+
+    static Value marked(const Value& value, math::AccentKind accent) {
+        switch (accent) {
+            case math::AccentKind::tilde: return skew(value);
+            case math::AccentKind::bar: return minus_operator(value);
+            case math::AccentKind::dot: return derivative(value);
+            case math::AccentKind::two_dots: return derivative(derivative(value));
+            case math::AccentKind::hat:
+            case math::AccentKind::arrow: break;
+        }
+        throw Mismatch("this accent means nothing in a formula that is evaluated");
+    }
+
+    static Value with(const Value& value, const Superscript& script) {
+        const Value raised = script.power == 1 ? value : power(value, script.power);
+        return script.transposed ? transposed(raised) : raised;
+    }
+
+    /// For what is no symbol: only transposes and powers may stand there.
+    Value with_superscript(const Value& value, const Node& node) const {
+        Superscript script;
+        if (!node.below.empty() || !read_superscript(node.above, script)) {
+            fail(node, "only T or a power can stand here");
+        }
+        return at(node, [&] { return with(value, script); });
+    }
+
+    const Meanings* meanings_;
+    int fences_ = 0;
+};
+
+}  // namespace
+
+Value evaluate_expression(const Row& expression, const Meanings& meanings) {
+    return Evaluator(meanings).expression(expression);
+}
+
+}  // namespace jw::formula

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lessons/formula/symbol.hpp"
+#include "lessons/formula/value.hpp"
+#include "lessons/math/read_math.hpp"
+
+/// Evaluates formulas as they stand on a slide. docs/writing-a-lesson.md says what can be written.
+namespace jw::formula {
+
+/// What a symbol stands for; nothing if it is unknown.
+using Lookup = std::function<std::optional<Value>(const Symbol&)>;
+/// What the words of \text stand for: a quantity by its name.
+using WordLookup = std::function<std::optional<Value>(const std::string&)>;
+
+struct Meanings {
+    Lookup symbol;
+    WordLookup words;
+};
+
+/// Difference of the sides of an equation; of a chain the largest.
+struct Outcome {
+    std::optional<math::Problem> problem;  ///< why it cannot be evaluated, at a byte of its source
+    int definition = -1;                   ///< which definition is wrong, -1: the equation itself
+    Comparison apart;
+    std::string left;   ///< value of the side before the relation with the largest difference, for messages
+    std::string right;  ///< of the side after it
+};
+
+/// Evaluates an equation "a = b = c".
+/// @param where  definitions "symbol = expression", each may use those before it
+Outcome evaluate_equation(
+    const math::Row& equation, const std::vector<math::Row>& where, const Meanings& meanings);
+
+/// Why a formula has no value, at a byte of its source.
+class NotEvaluated : public std::runtime_error {
+public:
+    explicit NotEvaluated(math::Problem problem)
+        : std::runtime_error(problem.message), problem_(std::move(problem)) {}
+    const math::Problem& problem() const { return problem_; }
+
+private:
+    math::Problem problem_;
+};
+
+/// Evaluates an expression without a relation.
+/// @throws NotEvaluated
+Value evaluate_expression(const math::Row& expression, const Meanings& meanings);
+
+}  // namespace jw::formula

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/jets/coordinates.hpp"
+#include "core/model/joint_types.hpp"
+
+namespace jw::formula {
+
+/// What a formula speaks of.
+struct Subject {
+    int joint = -1;            ///< its bodies are i and j; -1: none
+    int body = -1;             ///< symbols without index are its own; -1: none
+    std::optional<Role> role;  ///< Φ is that of this primitive of the joint; nothing: of all of them
+    CoordinateChoice coordinates =
+        CoordinateChoice::omega_local;  ///< of the whole system, where neither is given
+
+    bool operator==(const Subject&) const = default;
+};
+
+/// An equation as a slide writes it.
+struct Formula {
+    std::string source;              ///< as docs/mathematics.md says
+    std::vector<std::string> where;  ///< definitions "symbol = expression", each may use those before it
+    Subject subject;
+
+    bool operator==(const Formula&) const = default;
+};
+
+}  // namespace jw::formula

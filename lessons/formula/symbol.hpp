@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "lessons/math/math.hpp"
+
+/// Names of the symbols in a formula.
+namespace jw::formula {
+
+/// A letter with its primes, marks and index, without accents, transpose or power: of `\dot{\mathbf{s}}_i'^{P
+/// T}` the letter s, one prime, the mark P and the index i.
+struct Symbol {
+    std::string letter;
+    int primes = 0;
+    std::string marks;  ///< "P", "(m)", "#(n1,1)"
+    std::string index;  ///< "i", "p_i", "ω′_i", "0"
+
+    bool operator==(const Symbol&) const = default;
+};
+
+/// As it is said in messages: "s′_i^P".
+std::string name_of(const Symbol& symbol);
+
+/// What stands above a symbol besides its primes and marks.
+struct Superscript {
+    bool transposed = false;
+    int power = 1;
+};
+
+/// Splits what stands at a letter; `index` is written without spaces.
+Symbol symbol_of(
+    const std::string& letter, const math::Row& below, const math::Row& above, Superscript& script);
+
+/// Transposes and powers of something that is no symbol. @return false if anything else stands there
+bool read_superscript(const math::Row& above, Superscript& script);
+
+}  // namespace jw::formula

@@ -1,0 +1,372 @@
+#include "lessons/formula/value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace jw::formula {
+
+namespace {
+
+using Kind = Value::Kind;
+
+double largest(const MatrixX& m) { return m.size() == 0 ? 0.0 : m.cwiseAbs().maxCoeff(); }
+
+/// Applies a linear map to value and derivatives.
+template <class F>
+Value mapped(const Value& a, F&& f) {
+    Value out;
+    out.order = a.order;
+    out.scale = a.scale;
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(a.order); ++k) { out.d[k] = f(a.d[k]); }
+    return out;
+}
+
+void require_matrix(const Value& a, const std::string& what) {
+    if (a.kind != Kind::matrix) { throw Mismatch(what + " of 0 or I has no shape"); }
+}
+
+void require_vector(const Value& a, const std::string& what) {
+    if (!a.is_vector()) {
+        throw Mismatch(what + " is taken of " + shape_text(a) + "; expected a vector of three");
+    }
+}
+
+/// An identity or a zero in the shape of another value.
+Value shaped(const Value& a, Eigen::Index rows, Eigen::Index cols) {
+    if (a.kind == Kind::matrix) { return a; }
+    if (a.kind == Kind::zero) { return constant(MatrixX::Zero(rows, cols)); }
+    if (rows != cols) {
+        throw Mismatch(
+            "I stands where " + std::to_string(rows) + " x " + std::to_string(cols) + " is needed");
+    }
+    return mapped(
+        a, [&](const MatrixX& factor) -> MatrixX { return factor(0, 0) * MatrixX::Identity(rows, rows); });
+}
+
+/// Products of derivatives that make up the k-th derivative of a product.
+template <class F>
+Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply) {
+    Value out;
+    out.order = std::min(a.order, b.order);
+    out.d[0] = multiply(a.d[0], b.d[0]);
+    out.scale = {terms * a.scale[0] * b.scale[0], 0.0, 0.0};
+    if (out.order >= 1) {
+        out.d[1] = multiply(a.d[1], b.d[0]) + multiply(a.d[0], b.d[1]);
+        out.scale[1] = terms * (a.scale[1] * b.scale[0] + a.scale[0] * b.scale[1]);
+    }
+    if (out.order >= 2) {
+        out.d[2] = multiply(a.d[2], b.d[0]) + 2.0 * multiply(a.d[1], b.d[1]) + multiply(a.d[0], b.d[2]);
+        out.scale[2] =
+            terms * (a.scale[2] * b.scale[0] + 2.0 * a.scale[1] * b.scale[1] + a.scale[0] * b.scale[2]);
+    }
+    return out;
+}
+
+}  // namespace
+
+Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& acceleration, int order) {
+    Value v;
+    v.order = order;
+    v.d = {value, rate, acceleration};
+    v.scale = {largest(value), largest(rate), largest(acceleration)};
+    return v;
+}
+
+Value constant(const MatrixX& value) {
+    const MatrixX still = MatrixX::Zero(value.rows(), value.cols());
+    return moving(value, still, still, 2);
+}
+
+Value number(double value) { return constant(MatrixX::Constant(1, 1, value)); }
+
+Value zero() {
+    Value v = number(0.0);
+    v.kind = Kind::zero;
+    return v;
+}
+
+Value identity() {
+    Value v = number(1.0);
+    v.kind = Kind::identity;
+    return v;
+}
+
+std::string shape_text(const Value& value) {
+    switch (value.kind) {
+        case Kind::zero: return "0";
+        case Kind::identity: return "I";
+        case Kind::matrix: break;
+    }
+    if (value.is_number()) { return "a number"; }
+    return std::to_string(value.rows()) + " x " + std::to_string(value.cols());
+}
+
+Value sum(const Value& a, const Value& b) {
+    if (a.kind == Kind::zero) { return b; }
+    if (b.kind == Kind::zero) { return a; }
+    const bool both = a.kind == Kind::identity && b.kind == Kind::identity;
+    const Value left = both ? a : shaped(a, b.rows(), b.cols());
+    const Value right = both ? b : shaped(b, a.rows(), a.cols());
+    if (left.rows() != right.rows() || left.cols() != right.cols()) {
+        throw Mismatch(shape_text(a) + " and " + shape_text(b) + " are added");
+    }
+    Value out = left;
+    out.order = std::min(left.order, right.order);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(out.order); ++k) {
+        out.d[k] = left.d[k] + right.d[k];
+        out.scale[k] = std::max(left.scale[k], right.scale[k]);
+    }
+    return out;
+}
+
+Value negative(const Value& a) {
+    Value out = mapped(a, [](const MatrixX& m) -> MatrixX { return -m; });
+    out.kind = a.kind;
+    return out;
+}
+
+Value difference(const Value& a, const Value& b) { return sum(a, negative(b)); }
+
+Value product(const Value& a, const Value& b) {
+    if (a.kind == Kind::zero || b.kind == Kind::zero) { return zero(); }
+    const bool scales =
+        a.is_number() || b.is_number() || a.kind == Kind::identity || b.kind == Kind::identity;
+    if (scales) {
+        const bool left = a.rows() == 1 && a.cols() == 1;
+        Value out = by_product_rule(a, b, 1.0, [left](const MatrixX& x, const MatrixX& y) -> MatrixX {
+            return left ? x(0, 0) * y : y(0, 0) * x;
+        });
+        const bool stays =
+            (a.kind == Kind::identity || a.is_number()) && (b.kind == Kind::identity || b.is_number());
+        if (stays && (a.kind == Kind::identity || b.kind == Kind::identity)) { out.kind = Kind::identity; }
+        return out;
+    }
+    if (a.cols() != b.rows()) { throw Mismatch(shape_text(a) + " is multiplied by " + shape_text(b)); }
+    return by_product_rule(
+        a, b, static_cast<double>(a.cols()),
+        [](const MatrixX& x, const MatrixX& y) -> MatrixX { return x * y; });
+}
+
+Value quotient(const Value& a, const Value& b) {
+    if (!b.is_number()) { throw Mismatch("it is divided by " + shape_text(b) + "; expected a number"); }
+    return product(a, power(b, -1));
+}
+
+Value cross(const Value& a, const Value& b) {
+    require_vector(a, "a cross product");
+    require_vector(b, "a cross product");
+    return product(skew(a), b);
+}
+
+Value dot(const Value& a, const Value& b) {
+    const bool columns = a.kind == Kind::matrix && b.kind == Kind::matrix && a.cols() == 1 && b.cols() == 1 &&
+                         a.rows() > 1 && a.rows() == b.rows();
+    return product(columns ? transposed(a) : a, b);
+}
+
+Value transposed(const Value& a) {
+    if (a.kind != Kind::matrix) { return a; }
+    return mapped(a, [](const MatrixX& m) -> MatrixX { return m.transpose(); });
+}
+
+Value inverse(const Value& a) {
+    if (a.kind == Kind::identity) { return power(a, -1); }
+    require_matrix(a, "the inverse");
+    if (a.is_number()) { return power(a, -1); }
+    if (a.rows() != a.cols()) { throw Mismatch("the inverse of " + shape_text(a) + " is taken"); }
+    Value out;
+    out.order = a.order;
+    const MatrixX inverted = a.d[0].inverse();
+    out.d[0] = inverted;
+    if (a.order >= 1) { out.d[1] = -inverted * a.d[1] * inverted; }
+    if (a.order >= 2) { out.d[2] = -inverted * (a.d[2] * inverted + 2.0 * a.d[1] * out.d[1]); }
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.scale[k] = largest(out.d[k]) * (1.0 + largest(inverted) * a.scale[0]);
+    }
+    return out;
+}
+
+Value power(const Value& a, int exponent) {
+    if (a.kind == Kind::identity || a.is_number()) {
+        const double x = a.d[0](0, 0);
+        const double n = exponent;
+        Value out =
+            function_of(a, std::pow(x, n), n * std::pow(x, n - 1.0), n * (n - 1.0) * std::pow(x, n - 2.0));
+        out.kind = a.kind;
+        return out;
+    }
+    if (exponent == -1) { return inverse(a); }
+    if (exponent < 1) { throw Mismatch("the power " + std::to_string(exponent) + " of " + shape_text(a)); }
+    Value out = a;
+    for (int k = 1; k < exponent; ++k) { out = product(out, a); }
+    return out;
+}
+
+Value skew(const Value& a) {
+    if (a.kind == Kind::zero) { return a; }
+    require_vector(a, "a tilde");
+    return mapped(a, [](const MatrixX& m) -> MatrixX { return jw::tilde(Vec3(m)); });
+}
+
+Value minus_operator(const Value& a) {
+    require_vector(a, "a bar");
+    return mapped(a, [](const MatrixX& m) -> MatrixX { return jw::bar(Vec3(m)); });
+}
+
+Value function_of(const Value& a, double value, double first, double second) {
+    if (a.rows() != 1 || a.cols() != 1) {
+        throw Mismatch("a function is taken of " + shape_text(a) + "; expected a number");
+    }
+    const auto as_matrix = [](double x) -> MatrixX { return MatrixX::Constant(1, 1, x); };
+    const double rate = a.order >= 1 ? a.d[1](0, 0) : 0.0;
+    const double acceleration = a.order >= 2 ? a.d[2](0, 0) : 0.0;
+    Value out = moving(
+        as_matrix(value), as_matrix(first * rate), as_matrix(second * rate * rate + first * acceleration),
+        a.order);
+    // an argument that is a small difference of large terms passes its rounding on
+    out.scale[0] = std::max(out.scale[0], std::abs(first) * a.scale[0]);
+    out.scale[1] =
+        std::max({out.scale[1], std::abs(first) * a.scale[1], std::abs(second * rate) * a.scale[0]});
+    out.scale[2] =
+        std::max({out.scale[2], std::abs(first) * a.scale[2], std::abs(second * rate) * a.scale[1]});
+    return out;
+}
+
+Value length(const Value& a) {
+    require_matrix(a, "the length");
+    if (a.is_number()) {
+        const double x = a.d[0](0, 0);
+        return function_of(a, std::abs(x), x < 0.0 ? -1.0 : 1.0, 0.0);
+    }
+    if (a.cols() != 1) { throw Mismatch("the length of " + shape_text(a) + " is taken; expected a vector"); }
+    const Value square = product(transposed(a), a);
+    const double x = std::sqrt(square.d[0](0, 0));
+    return function_of(square, x, 0.5 / x, -0.25 / (x * x * x));
+}
+
+Value determinant(const Value& a) {
+    require_matrix(a, "the determinant");
+    if (a.rows() != a.cols()) { throw Mismatch("the determinant of " + shape_text(a) + " is taken"); }
+    Value out = number(a.d[0].determinant());
+    out.order = 0;
+    out.scale[0] = std::max(1.0, std::pow(a.scale[0], static_cast<double>(a.rows())));
+    return out;
+}
+
+Value known(Value a) {
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(a.order); ++k) { a.scale[k] = largest(a.d[k]); }
+    return a;
+}
+
+Value derivative(const Value& a) {
+    if (a.kind == Kind::zero) { return a; }
+    if (a.order < 1) { throw Mismatch("a derivative is not known here"); }
+    Value out = a;
+    out.order = a.order - 1;
+    std::rotate(out.d.begin(), out.d.begin() + 1, out.d.end());
+    std::rotate(out.scale.begin(), out.scale.begin() + 1, out.scale.end());
+    if (out.kind == Kind::identity) { out.kind = Kind::zero; }
+    return out;
+}
+
+Value component(const Value& a, Eigen::Index row) {
+    if (a.kind != Kind::matrix || a.cols() != 1 || row >= a.rows()) {
+        throw Mismatch(shape_text(a) + " has no component " + std::to_string(row));
+    }
+    return mapped(a, [row](const MatrixX& m) -> MatrixX { return m.row(row); });
+}
+
+namespace {
+
+using Blocks = std::vector<std::vector<Value>>;
+
+/// Size that the given blocks of a row or column agree on; 0 if all of them are 0 or I.
+template <class Size>
+Eigen::Index common_size(const std::vector<const Value*>& list, Size&& size, const char* what) {
+    Eigen::Index found = 0;
+    for (const Value* v : list) {
+        if (v->kind != Kind::matrix) { continue; }
+        if (found != 0 && found != size(*v)) {
+            throw Mismatch(std::string("blocks of one ") + what + " differ in size");
+        }
+        found = size(*v);
+    }
+    return found;
+}
+
+struct Sizes {
+    std::vector<Eigen::Index> heights;
+    std::vector<Eigen::Index> widths;
+};
+
+Sizes sizes_of(const Blocks& blocks) {
+    const std::size_t columns = blocks.front().size();
+    Sizes sizes;
+    bool numbers_only = true;
+    for (const auto& row : blocks) {
+        std::vector<const Value*> list;
+        for (const Value& v : row) {
+            list.push_back(&v);
+            numbers_only = numbers_only && (v.is_number() || v.kind != Kind::matrix);
+        }
+        sizes.heights.push_back(common_size(
+            list, [](const Value& v) { return v.rows(); }, "row"));
+    }
+    for (std::size_t c = 0; c < columns; ++c) {
+        std::vector<const Value*> list;
+        for (const auto& row : blocks) { list.push_back(&row[c]); }
+        sizes.widths.push_back(common_size(
+            list, [](const Value& v) { return v.cols(); }, "column"));
+    }
+    // I is square
+    for (std::size_t r = 0; r < blocks.size(); ++r) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            if (blocks[r][c].kind != Kind::identity) { continue; }
+            if (sizes.widths[c] == 0) { sizes.widths[c] = sizes.heights[r]; }
+            if (sizes.heights[r] == 0) { sizes.heights[r] = sizes.widths[c]; }
+        }
+    }
+    // where nothing says how large they are, blocks are those of a position or an angular velocity
+    const Eigen::Index otherwise = numbers_only ? 1 : 3;
+    for (Eigen::Index& size : sizes.heights) { size = size == 0 ? otherwise : size; }
+    for (Eigen::Index& size : sizes.widths) { size = size == 0 ? otherwise : size; }
+    return sizes;
+}
+
+}  // namespace
+
+Value stacked(const Blocks& blocks) {
+    if (blocks.empty() || blocks.front().empty()) { throw Mismatch("a matrix without entries"); }
+    const Sizes sizes = sizes_of(blocks);
+    const auto total = [](const std::vector<Eigen::Index>& list) {
+        Eigen::Index sum = 0;
+        for (const Eigen::Index size : list) { sum += size; }
+        return sum;
+    };
+    Value out = constant(MatrixX::Zero(total(sizes.heights), total(sizes.widths)));
+    Eigen::Index top = 0;
+    for (std::size_t r = 0; r < blocks.size(); ++r) {
+        Eigen::Index left = 0;
+        for (std::size_t c = 0; c < blocks[r].size(); ++c) {
+            const Value block = shaped(blocks[r][c], sizes.heights[r], sizes.widths[c]);
+            out.order = std::min(out.order, block.order);
+            for (std::size_t k = 0; k <= static_cast<std::size_t>(block.order); ++k) {
+                out.d[k].block(top, left, sizes.heights[r], sizes.widths[c]) = block.d[k];
+                out.scale[k] = std::max(out.scale[k], block.scale[k]);
+            }
+            left += sizes.widths[c];
+        }
+        top += sizes.heights[r];
+    }
+    return out;
+}
+
+Comparison compared(const Value& a, const Value& b) {
+    const Value apart = difference(a, b);
+    return {largest(apart.d[0]), std::max(a.scale[0], b.scale[0])};
+}
+
+}  // namespace jw::formula

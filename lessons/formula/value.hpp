@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/numerics/linear.hpp"
+
+/// Numbers, vectors and matrices that a formula works with, each with its first and second time derivative:
+/// the product rule is applied here, so that a dot in a formula is a true derivative.
+namespace jw::formula {
+
+/// Shapes do not fit, or a derivative is not known.
+class Mismatch : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Value {
+    enum class Kind {
+        matrix,
+        zero,      ///< of any shape
+        identity,  ///< of any size, times the 1x1 matrix in `d`
+    };
+    Kind kind = Kind::matrix;
+    int order = 2;                ///< derivatives that are known: 0, 1 or 2
+    std::array<MatrixX, 3> d;     ///< value, rate, acceleration
+    std::array<double, 3> scale;  ///< largest term that each is a sum of: rounding is a part of this
+
+    Eigen::Index rows() const { return d[0].rows(); }
+    Eigen::Index cols() const { return d[0].cols(); }
+    bool is_number() const { return kind == Kind::matrix && rows() == 1 && cols() == 1; }
+    bool is_vector() const { return kind == Kind::matrix && rows() == 3 && cols() == 1; }
+};
+
+Value constant(const MatrixX& value);
+Value number(double value);
+/// @param order of the last derivative that is known
+Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& acceleration, int order);
+Value zero();
+Value identity();
+
+/// "3 x 4", "a number"
+std::string shape_text(const Value& value);
+
+Value sum(const Value& a, const Value& b);
+Value negative(const Value& a);
+Value difference(const Value& a, const Value& b);
+Value product(const Value& a, const Value& b);
+Value quotient(const Value& a, const Value& b);
+Value cross(const Value& a, const Value& b);
+/// Of two vectors; otherwise the product.
+Value dot(const Value& a, const Value& b);
+Value transposed(const Value& a);
+Value inverse(const Value& a);
+Value power(const Value& a, int exponent);
+/// 3x3 skew matrix of a vector.
+Value skew(const Value& a);
+/// 4x4 minus operator of slide 21 of a vector.
+Value minus_operator(const Value& a);
+/// Length of a vector, size of a number.
+Value length(const Value& a);
+/// A function of a number: its value and first two derivatives there.
+Value function_of(const Value& a, double value, double first, double second);
+Value determinant(const Value& a);
+/// The same with rounding of its own size, not of the terms that it was computed from.
+Value known(Value a);
+Value derivative(const Value& a);
+Value component(const Value& a, Eigen::Index row);
+/// Blocks in rows and columns; zeros and identities take the shape that is needed.
+Value stacked(const std::vector<std::vector<Value>>& blocks);
+
+/// Difference of two values.
+struct Comparison {
+    double difference = 0.0;  ///< largest entry
+    double scale = 0.0;       ///< largest term of either side
+};
+/// @throws Mismatch if the shapes differ
+Comparison compared(const Value& a, const Value& b);
+
+}  // namespace jw::formula

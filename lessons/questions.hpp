@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lessons/addition.hpp"
+#include "lessons/claims.hpp"
+
+/// What a lesson asks before it shows, and what it proposes to try.
+namespace jw {
+
+/// How many there are once the step is done: the rank, the freedoms, ...
+struct CountAnswer {
+    Count count = Count::dof;
+};
+/// Which of x, y, z is left out of a joint's p1 or p2.
+struct DroppedAnswer {
+    int joint = 0;
+    Role role = Role::axes_parallel;
+};
+/// A quantity at a time of the motion.
+struct QuantityAnswer {
+    Quantity quantity;
+    std::string text;    ///< as the author wrote it, "hinge.angle"
+    int derivative = 0;  ///< as the name says
+    AtTime when;
+    bool in_degrees = false;  ///< answers are typed in degrees
+    double tolerance = 0.0;   ///< SI, radians; > 0
+};
+/// One of several sentences.
+struct ChoiceAnswer {
+    std::vector<std::string> choices;
+    int right = 0;  ///< index of the right one
+};
+/// Only a choice has its answer in the file: all others are computed.
+using Answer = std::variant<CountAnswer, DroppedAnswer, QuantityAnswer, ChoiceAnswer>;
+
+/// Asked before a step is shown.
+struct Question {
+    enum class Place { bodies, addition, motion };
+    Place place = Place::addition;
+    Addition addition{};  ///< what is added after the question, for Place::addition
+    std::string ask;
+    Answer answer;
+    std::string why;  ///< shown with the answer
+    SourceSpan span;  ///< of its table in the lesson file
+};
+
+/// A proposal to try something.
+struct Trial {
+    std::string text;
+    std::vector<std::string> actions;  ///< experiments as `jointwise try --try` takes them
+    bool breaks = false;               ///< the scene does not survive it, on purpose
+    SourceSpan span;
+};
+
+}  // namespace jw

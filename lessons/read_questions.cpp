@@ -1,0 +1,158 @@
+#include <algorithm>
+
+#include "core/quantity/names.hpp"
+#include "lessons/quantities.hpp"
+#include "lessons/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+constexpr std::size_t kMostQuestions = 200;
+constexpr std::size_t kMostChoices = 8;
+constexpr std::size_t kMostActions = 20;
+
+bool read_place(Fields& fields, const Reading& reading, Question& question) {
+    fields.require("at", "\"bodies\", \"motion\", or the joint or driver before which it is asked");
+    const auto at = fields.text("at");
+    if (!at) { return false; }
+    if (at->value == "bodies" || at->value == "motion") {
+        question.place = at->value == "bodies" ? Question::Place::bodies : Question::Place::motion;
+        if (question.place == Question::Place::motion && !reading.lesson.motion && !reading.lesson.dynamics) {
+            reading.problems->add(
+                at->span, "the lesson has no motion; expected a table [motion] or [dynamics]");
+        }
+        return true;
+    }
+    const Named* const named = reading.addition(*at);
+    if (named == nullptr) { return false; }
+    question.addition = {
+        named->kind == Named::Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, named->index};
+    return true;
+}
+
+std::optional<Answer> read_count(Fields& fields) {
+    const auto count = fields.word("count", kCounts);
+    return count ? std::optional<Answer>(CountAnswer{*count}) : std::nullopt;
+}
+
+/// "hinge p1"
+std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
+    const auto text = fields.text("dropped");
+    if (!text) { return std::nullopt; }
+    const std::size_t blank = text->value.rfind(' ');
+    const std::string primitive = blank == std::string::npos ? "" : text->value.substr(blank + 1);
+    if (primitive != "p1" && primitive != "p2") {
+        reading.problems->add(
+            text->span,
+            in_quotes(text->value) + " names no pair of equations; expected \"JOINT p1\" or \"JOINT p2\"");
+        return std::nullopt;
+    }
+    const Named* const joint = reading.joint({text->value.substr(0, blank), text->span});
+    if (joint == nullptr || !joint->sound) { return std::nullopt; }
+    const Role role = primitive == "p1" ? Role::axes_parallel : Role::distance_parallel;
+    if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type->uses(role)) {
+        reading.problems->add(
+            text->span, "this joint has no " + primitive + "; expected a primitive that it is made of");
+        return std::nullopt;
+    }
+    return DroppedAnswer{joint->index, role};
+}
+
+std::optional<Answer> read_quantity_answer(Fields& fields, const Reading& reading) {
+    const auto text = fields.text("quantity");
+    if (!text) { return std::nullopt; }
+    fields.require("at_s", "the time of the motion at which it is asked for");
+    const auto t = fields.number("at_s");
+    const auto named = read_quantity(fields, *text, reading);
+    if (!named || !t) { return std::nullopt; }
+    QuantityAnswer answer{named->quantity, text->value, named->derivative, {}, false, 0.0};
+    const Lesson& lesson = reading.lesson;
+    answer.when = {t->value, !lesson.motion && lesson.dynamics.has_value()};
+    const std::vector<std::string> endings = unit_endings(named->quantity, named->derivative);
+    const bool is_angle = endings.size() > 1;
+    const bool in_rad = is_angle && fields.has("tolerance" + endings[1]);
+    const std::string key = "tolerance" + endings[in_rad ? 1 : 0];
+    fields.require(key, "the largest deviation that counts as right");
+    const auto tolerance = fields.positive(key);
+    if (!tolerance) { return std::nullopt; }
+    answer.in_degrees = is_angle && !in_rad;
+    answer.tolerance = answer.in_degrees ? radians(tolerance->value) : tolerance->value;
+    return answer;
+}
+
+std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
+    const auto choices = fields.texts("choices");
+    if (!choices) { return std::nullopt; }
+    if (choices->value.size() < 2 || choices->value.size() > kMostChoices) {
+        reading.problems->add(
+            choices->span, "there are " + std::to_string(choices->value.size()) + " choices; expected 2 to " +
+                               std::to_string(kMostChoices));
+        return std::nullopt;
+    }
+    ChoiceAnswer answer;
+    for (const Located<std::string>& choice : choices->value) {
+        fields.check_words(choice);
+        answer.choices.push_back(choice.value);
+    }
+    fields.require("answer", "the number of the right choice, from 1");
+    const auto right = fields.integer("answer", 1, static_cast<int>(answer.choices.size()));
+    if (!right) { return std::nullopt; }
+    answer.right = right->value - 1;
+    return answer;
+}
+
+void read_question(Fields& fields, Reading& reading) {
+    fields.call("the question");
+    Question question;
+    question.span = fields.span();
+    const bool placed = read_place(fields, reading, question);
+    fields.require("ask", "the question");
+    if (const auto ask = fields.words("ask")) { question.ask = ask->value; }
+    if (const auto why = fields.words("why")) { question.why = why->value; }
+    while (question.ask.ends_with('\n')) { question.ask.pop_back(); }
+    while (question.why.ends_with('\n')) { question.why.pop_back(); }
+    const std::vector<std::string> kinds{"count", "dropped", "quantity", "choices"};
+    fields.at_most_one(kinds);
+    if (std::ranges::none_of(kinds, [&](const std::string& key) { return fields.has(key); })) {
+        reading.problems->add(
+            fields.span(), "the question has no answer; expected one of " + comma_list(kinds));
+    }
+    std::optional<Answer> answer = read_count(fields);
+    if (!answer) { answer = read_dropped(fields, reading); }
+    if (!answer) { answer = read_quantity_answer(fields, reading); }
+    if (!answer) { answer = read_choice(fields, reading); }
+    fields.finish();
+    if (!placed || !answer) { return; }
+    question.answer = std::move(*answer);
+    reading.lesson.questions.push_back(std::move(question));
+}
+
+void read_trial(Fields& fields, Lesson& lesson) {
+    fields.call("the trial");
+    Trial trial;
+    trial.span = fields.span();
+    fields.require("text", "what to try, and what to look at");
+    if (const auto text = fields.words("text")) { trial.text = text->value; }
+    while (trial.text.ends_with('\n')) { trial.text.pop_back(); }
+    fields.require("do", "a list of experiments, as after --try");
+    if (const auto actions = fields.texts("do")) {
+        if (actions->value.empty() || actions->value.size() > kMostActions) {
+            fields.problems().add(
+                actions->span, "expected 1 to " + std::to_string(kMostActions) + " experiments");
+        }
+        for (const Located<std::string>& action : actions->value) { trial.actions.push_back(action.value); }
+    }
+    if (const auto breaks = fields.flag("breaks")) { trial.breaks = breaks->value; }
+    fields.finish();
+    lesson.trials.push_back(std::move(trial));
+}
+
+}  // namespace
+
+void read_questions(Fields& root, Reading& reading) {
+    for (Fields& fields : root.tables("question", kMostQuestions)) { read_question(fields, reading); }
+    for (Fields& fields : root.tables("try", kMostQuestions)) { read_trial(fields, reading.lesson); }
+}
+
+}  // namespace jw::reading

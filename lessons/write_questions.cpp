@@ -1,0 +1,103 @@
+#include "core/numerics/variants.hpp"
+#include "core/quantity/names.hpp"
+#include "lessons/enum_words.hpp"
+#include "lessons/quantities.hpp"
+#include "lessons/typed.hpp"
+#include "lessons/writing.hpp"
+
+namespace jw::writing {
+
+namespace {
+
+std::string list_of_texts(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) { list += (list.empty() ? "" : ", ") + string_text(text); }
+    return "[" + list + "]";
+}
+
+struct AnswerWriter {
+    const Written& written;
+    Lines& lines;
+
+    void operator()(const CountAnswer& a) const {
+        lines.key("count", string_text(word_of(kCounts, a.count)));
+    }
+    void operator()(const DroppedAnswer& a) const {
+        const std::string name = written.name_of({Addition::Kind::joint, a.joint});
+        lines.key("dropped", string_text(name + " " + std::string(word_of(a.role))));
+    }
+    void operator()(const QuantityAnswer& a) const {
+        lines.key("quantity", string_text(a.text));
+        const bool is_open = a.text.find('[') == std::string::npos;
+        const auto* const point = std::get_if<PointQuantity>(&a.quantity);
+        if (point != nullptr && is_open) { lines.key("point", point->s_local, "m"); }
+        const auto* const speed = std::get_if<PointSpeedQuantity>(&a.quantity);
+        if (speed != nullptr && is_open) { lines.key("point", speed->s_local, "m"); }
+        lines.key("at_s", a.when.t);
+        const std::vector<std::string> endings = reading::unit_endings(a.quantity, a.derivative);
+        if (!a.in_degrees) { return lines.key("tolerance" + endings.back(), a.tolerance); }
+        const AngleTexts typed = typed_angles({&a.tolerance, 1});
+        lines.key("tolerance" + endings[typed.unit == "deg" ? 0 : 1], typed.values[0]);
+    }
+    void operator()(const ChoiceAnswer& a) const {
+        lines.key("choices", list_of_texts(a.choices));
+        lines.key("answer", std::to_string(a.right + 1));
+    }
+};
+
+/// The joint or driver that the answer is about, index -1 for none.
+Addition subject_of_answer(const Answer& answer) {
+    const Addition none{Addition::Kind::joint, -1};
+    return std::visit(
+        Overloaded{
+            [&](const CountAnswer&) { return none; },
+            [](const DroppedAnswer& a) {
+                return Addition{Addition::Kind::joint, a.joint};
+            },
+            [](const QuantityAnswer& a) {
+                const int joint = joint_of(a.quantity);
+                return joint >= 0 ? Addition{Addition::Kind::joint, joint}
+                                  : Addition{Addition::Kind::driver, driver_of(a.quantity)};
+            },
+            [&](const ChoiceAnswer&) { return none; },
+        },
+        answer);
+}
+
+bool has_meaning(const Question& question, const Written& written) {
+    if (question.place == Question::Place::addition && !written.has(question.addition)) { return false; }
+    const Addition subject = subject_of_answer(question.answer);
+    return subject.index < 0 || written.has(subject);
+}
+
+std::string place_text(const Question& question, const Written& written) {
+    switch (question.place) {
+        case Question::Place::bodies: return "bodies";
+        case Question::Place::motion: return "motion";
+        case Question::Place::addition: break;
+    }
+    return written.name_of(question.addition);
+}
+
+}  // namespace
+
+void write_questions(const Written& written, Lines& lines) {
+    const Lesson& lesson = *written.lesson;
+    if (!lesson.questions.empty() || !lesson.trials.empty()) { lines.section("questions, and what to try"); }
+    for (const Question& question : lesson.questions) {
+        if (!has_meaning(question, written)) { continue; }
+        lines.table("[[question]]");
+        lines.key("at", string_text(place_text(question, written)));
+        lines.key("ask", string_text(question.ask));
+        std::visit(AnswerWriter{written, lines}, question.answer);
+        if (!question.why.empty()) { lines.key("why", string_text(question.why)); }
+    }
+    for (const Trial& trial : lesson.trials) {
+        lines.table("[[try]]");
+        lines.key("text", string_text(trial.text));
+        lines.key("do", list_of_texts(trial.actions));
+        if (trial.breaks) { lines.key("breaks", "true"); }
+    }
+}
+
+}  // namespace jw::writing
