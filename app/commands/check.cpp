@@ -2,99 +2,140 @@
 
 #include <algorithm>
 
+#include "app/commands/check_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
+#include "app/commands/format_option.hpp"
 #include "app/session/claims/carried_claims.hpp"
-#include "app/session/claims/checks.hpp"
-#include "app/session/wording/text_width.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/diagnostics.hpp"
 
 namespace jw {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CheckOptions {
-    std::vector<std::string> files;
+    std::vector<std::string> paths;  ///< lesson files and folders
     std::vector<std::string> experiments;
-    bool quiet = false;
+    std::string format;
+    CheckStyle style;
 };
 
-struct Tally {
-    int held = 0;
-    int failed = 0;
-};
-
-void print(const ClaimResult& result, const Lesson& lesson, const Streams& streams) {
-    const SourceSpan& span = result.span;
-    streams.out << "  " << (result.holds ? "holds " : "FAILS ") << padded(result.moment, 18) << ' '
-                << padded(result.subject, 22) << ' ';
-    if (result.holds) {
-        streams.out << result.expected << '\n';
-        return;
-    }
-    streams.out << "expected " << result.expected << ", found " << result.found << '\n';
-    streams.out << "        " << lesson.file_name << ':' << span.line << ':' << span.column << '\n';
-    if (!result.why.empty()) { streams.out << "        " << result.why << '\n'; }
-}
-
-/// The lesson after `experiments`, with the claims that can still be judged; says what was done.
-Lesson changed_lesson(const Lesson& written, const CheckOptions& options, const Streams& streams) {
+/// Carries out the experiments; the lesson keeps the claims that can still be judged.
+Lesson changed_lesson(const Lesson& written, const CheckOptions& options, CheckedLesson& checked) {
     Session session(written);
-    streams.out << done_text(carry_out_all(session, options.experiments));
+    checked.tried = carry_out_all(session, options.experiments);
     Lesson changed = session.lesson();
     changed.claims = carried_claims(written, changed);
-    if (const std::size_t gone = written.claims.size() - changed.claims.size(); gone > 0) {
-        streams.out << "not judged: " << gone << (gone == 1 ? " claim" : " claims")
-                    << " about what was taken out\n";
-    }
+    checked.not_judged = static_cast<int>(written.claims.size() - changed.claims.size());
     return changed;
 }
 
-Tally check_one(const std::string& file, const CheckOptions& options, const Streams& streams) {
+CheckedLesson checked_lesson(const std::string& file, const CheckOptions& options, const Streams& streams) {
+    CheckedLesson checked;
+    checked.file = file;
     Lesson lesson = lesson_of(file, streams);
-    const bool proves_end = lesson.dynamics && lesson.dynamics->point_at_end;
-    const bool claims_nothing = lesson.claims.empty() && !proves_end;
-    if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, streams); }
-    Tally tally;
-    const std::vector<ClaimResult> results = check_claims(lesson);
-    for (const ClaimResult& result : results) { ++(result.holds ? tally.held : tally.failed); }
-    streams.out << lesson.file_name << ": " << tally.held << " of " << results.size()
-                << (results.size() == 1 ? " claim holds" : " claims hold") << '\n';
-    for (const ClaimResult& result : results) {
-        if (!options.quiet || !result.holds) { print(result, lesson, streams); }
-    }
-    if (claims_nothing) {
-        streams.err << file << ": warning: the lesson claims nothing; add [[expect]] blocks\n";
-    }
-    return tally;
+    checked.title = lesson.title;
+    if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
+    checked.claims = check_claims(lesson);
+    return checked;
 }
 
-Exit check(const CheckOptions& options, const Streams& streams) {
-    Exit exit = Exit::done;
-    for (const std::string& file : options.files) {
-        // the other files are checked all the same
+/// The lesson files that are meant: those named and those below folders.
+/// @throws CommandError (bad_input) for a folder without lessons
+std::vector<std::string> files_of(const std::string& path) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) { return {path}; }
+    std::vector<std::string> files;
+    for (const fs::path& file : lessons_below(path)) { files.push_back(file.string()); }
+    if (files.empty()) {
+        throw CommandError(
+            Exit::bad_input, path + ": error: there is no lesson below this folder; expected files *.toml");
+    }
+    return files;
+}
+
+Exit exit_of(const CheckedLesson& checked, const CheckStyle& style) {
+    if (!checked.error.empty()) { return Exit::bad_input; }
+    const bool lacks_claims = style.require_claims && checked.claims_nothing();
+    return checked.failed() > 0 || lacks_claims ? Exit::check_failed : Exit::done;
+}
+
+/// Checks what options name, lesson by lesson; text is written as soon as it is known.
+class Checker {
+public:
+    Checker(const CheckOptions& options, const Streams& streams) : options_(options), streams_(streams) {}
+
+    Exit check_all() {
+        for (const std::string& path : options_.paths) {
+            guarded(path, [&] {
+                for (const std::string& file : files_of(path)) {
+                    guarded(file, [&] { add(checked_lesson(file, options_, streams_)); });
+                }
+            });
+        }
+        if (options_.format == "json") {
+            write_json(lessons_, options_.style, static_cast<int>(exit_), streams_.out);
+        } else if (options_.format == "junit") {
+            write_junit(lessons_, options_.style, streams_.out);
+        }
+        return exit_;
+    }
+
+private:
+    /// The other files are checked all the same.
+    template <class Work>
+    void guarded(const std::string& path, Work work) {
         try {
-            if (check_one(file, options, streams).failed > 0) { exit = std::max(exit, Exit::check_failed); }
+            work();
         } catch (const CommandError& error) {
-            const std::string text = error.what();
-            streams.err << text << (text.ends_with('\n') ? "" : "\n");
-            exit = std::max(exit, error.exit());
+            CheckedLesson checked;
+            checked.file = path;
+            checked.error = error.what();
+            while (checked.error.ends_with('\n')) { checked.error.pop_back(); }
+            streams_.err << checked.error << '\n';
+            exit_ = std::max(exit_, error.exit());
+            add(std::move(checked));
         }
     }
-    return exit;
-}
+
+    void add(CheckedLesson checked) {
+        exit_ = std::max(exit_, exit_of(checked, options_.style));
+        if (options_.format == "text") {
+            write_text(checked, options_.style, streams_.out);
+            streams_.out.flush();
+        }
+        if (options_.style.require_claims && checked.claims_nothing()) {
+            streams_.err << checked.file
+                         << ": error: the lesson claims nothing; expected an [[expect]] block\n";
+        }
+        lessons_.push_back(std::move(checked));
+    }
+
+    const CheckOptions& options_;
+    const Streams& streams_;
+    std::vector<CheckedLesson> lessons_;
+    Exit exit_ = Exit::done;
+};
 
 }  // namespace
 
 void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
     auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILE", options->files, "lesson files")->required()->type_name("");
+    command->add_option("FILE", options->paths, "lesson files; of a folder, all lessons below it")
+        ->required()
+        ->type_name("");
     add_try_option(*command, options->experiments);
-    command->add_flag("--quiet", options->quiet, "show only claims that fail");
-    command->footer("Example: jointwise check lessons/catalogue/loops/*.toml");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return check(*options, streams); }; });
+    command->add_flag("--quiet", options->style.quiet, "show only claims that fail");
+    command->add_flag("--require-claims", options->style.require_claims, "a lesson without claims fails");
+    add_format_option(*command, options->format, {"text", "json", "junit"});
+    command->footer("Example: jointwise check lessons/catalogue/loops");
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return Checker(*options, streams).check_all(); };
+    });
 }
 
 }  // namespace jw
