@@ -1,20 +1,13 @@
 #include "lessons/catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
+
+#include "lessons/course.hpp"
 
 namespace jw {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// in which a course meets them
-constexpr std::array<std::string_view, 8> kChapters{"vectors", "parallel", "joints", "links",
-                                                    "loops",   "screws",   "hard",   "dynamics"};
-
-}  // namespace
 
 fs::path catalogue_folder() {
     const char* chosen = std::getenv("JOINTWISE_LESSONS");
@@ -27,17 +20,12 @@ std::vector<fs::path> lessons_below(const fs::path& folder) {
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         std::error_code unreadable;
-        if (entry->is_regular_file(unreadable) && entry->path().extension() == ".toml") {
-            files.push_back(entry->path());
-        }
+        const fs::path& path = entry->path();
+        const bool is_lesson = path.extension() == ".toml" && path.filename() != kCourseFile;
+        if (is_lesson && entry->is_regular_file(unreadable)) { files.push_back(path); }
     }
     std::ranges::sort(files);
     return files;
-}
-
-std::size_t chapter_place(const fs::path& file) {
-    const std::string folder = file.parent_path().filename().string();
-    return static_cast<std::size_t>(std::ranges::find(kChapters, folder) - kChapters.begin());
 }
 
 std::vector<fs::path> named_lessons(

@@ -11,12 +11,9 @@ namespace jw {
 /// tree that the program was built from.
 std::filesystem::path catalogue_folder();
 
-/// Lesson files (*.toml) below a folder, sorted by path; empty if the folder is not there or cannot be read.
+/// Lesson files (*.toml but no course.toml) below a folder, sorted by path; empty if the folder is not there
+/// or cannot be read.
 std::vector<std::filesystem::path> lessons_below(const std::filesystem::path& folder);
-
-/// Place of a shipped lesson's chapter, the folder it is in, in the order of a course; behind all of them for
-/// others.
-std::size_t chapter_place(const std::filesystem::path& file);
 
 /// Paths of named lessons: by their file's name without .toml where `shipped` has them, else paths as they
 /// are.

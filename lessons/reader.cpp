@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lessons/course.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/reading.hpp"
 #include "lessons/toml_text.hpp"
@@ -56,6 +57,16 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
             named->second.span, "no joint and no driver holds body " + in_quotes(body.name),
             "it keeps six freedoms");
     }
+}
+
+/// What is wrong with the order of a course, or that it is one.
+ReadResult no_lesson_but_course(std::string source, const std::string& file_name) {
+    CourseRead course = read_course(std::move(source), file_name);
+    if (course.diagnostics.empty()) {
+        const std::string message = "this is the order of a course; expected a lesson (.toml)";
+        course.diagnostics.push_back({file_name, {}, message, {}, Severity::error});
+    }
+    return {std::nullopt, std::move(course.diagnostics), std::move(course.source)};
 }
 
 Lesson read_root(Fields& root, Problems& problems) {
@@ -118,6 +129,7 @@ ReadResult read_lesson_file(const std::filesystem::path& path) {
         result.diagnostics.push_back({name, {}, message, {}, Severity::error});
         return result;
     }
+    if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path.string()); }
     return read_lesson(std::move(file.text), path.string());
 }
 

@@ -1,92 +1,158 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <map>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/session/output/json.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "lessons/catalogue.hpp"
+#include "lessons/course.hpp"
 #include "lessons/reader.hpp"
+#include "lessons/search.hpp"
 
 namespace jw {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ListOptions {
-    std::string folder = catalogue_folder().string();
+    std::vector<std::string> arguments;  ///< a folder, words
     std::string format;
 };
 
-struct Entry {
-    std::filesystem::path file;
-    std::string chapter;
-    std::string title;
-    std::string source;
+/// What is listed: lessons of a folder that have all words.
+struct ListRequest {
+    std::string folder;
+    std::string words;
 };
 
-void write_text(const std::vector<Entry>& entries, std::ostream& out) {
-    const auto path_of = [](const Entry& e) { return std::filesystem::relative(e.file).string(); };
-    std::map<std::string, std::vector<const Entry*>> chapters;
+struct ListedLesson {
+    CourseLessons::Entry place;
+    Lesson lesson;
+    std::string path;  ///< from the folder one is in
+
+    const std::string& chapter() const { return lesson.chapter.empty() ? place.folder : lesson.chapter; }
+};
+
+bool looks_like_path(const std::string& text) {
+    std::error_code error;
+    return text.find('/') != std::string::npos || text == "." || text == ".." || fs::exists(text, error);
+}
+
+ListRequest request_of(const std::vector<std::string>& arguments) {
+    ListRequest request{catalogue_folder().string(), {}};
+    auto word = arguments.begin();
+    if (word != arguments.end() && looks_like_path(*word)) { request.folder = *word++; }
+    for (; word != arguments.end(); ++word) { request.words += (request.words.empty() ? "" : " ") + *word; }
+    return request;
+}
+
+void write_text(const std::vector<ListedLesson>& lessons, std::ostream& out) {
     std::size_t widest = 0;
-    for (const Entry& e : entries) {
-        chapters[e.chapter].push_back(&e);
-        widest = std::max(widest, path_of(e).size());
-    }
-    for (const auto& [chapter, of_chapter] : chapters) {
-        out << (chapter.empty() ? "other" : chapter) << '\n';
-        for (const Entry* e : of_chapter) {
-            const std::string path = path_of(*e);
-            out << "  " << path << std::string(widest - path.size() + 2, ' ') << e->title;
-            if (!e->source.empty()) { out << " (" << e->source << ')'; }
+    for (const ListedLesson& l : lessons) { widest = std::max(widest, l.path.size()); }
+    const ListedLesson* before = nullptr;
+    for (const ListedLesson& l : lessons) {
+        if (before == nullptr || before->chapter() != l.chapter()) {
+            out << (l.chapter().empty() ? "other" : l.chapter());
+            if (!l.place.chapter_title.empty()) { out << ": " << l.place.chapter_title; }
             out << '\n';
         }
+        before = &l;
+        out << "  " << l.path << std::string(widest - l.path.size() + 2, ' ') << l.lesson.title;
+        if (!l.lesson.source.empty()) { out << " (" << l.lesson.source << ')'; }
+        out << '\n';
     }
 }
 
-/// The table of README.md, in the order of a course; a lesson is named by its path below `folder`.
-void write_markdown(std::vector<Entry> entries, const std::filesystem::path& folder, std::ostream& out) {
-    std::ranges::stable_sort(entries, {}, [](const Entry& e) { return chapter_place(e.file); });
+/// The table of README.md; a lesson is named by its path below `folder`.
+void write_markdown(const std::vector<ListedLesson>& lessons, const fs::path& folder, std::ostream& out) {
     out << "| lesson | | source |\n| --- | --- | --- |\n";
-    for (const Entry& e : entries) {
-        const auto path = std::filesystem::relative(e.file, folder).replace_extension();
-        out << "| `" << path.generic_string() << "` | " << markdown_cell(e.title) << " | "
-            << markdown_cell(e.source) << " |\n";
+    for (const ListedLesson& l : lessons) {
+        const auto path = fs::relative(l.place.file, folder).replace_extension();
+        out << "| `" << path.generic_string() << "` | " << markdown_cell(l.lesson.title) << " | "
+            << markdown_cell(l.lesson.source) << " |\n";
     }
+}
+
+Json json_of(const ListedLesson& l) {
+    Json slides = Json::array();
+    for (const SlideRange& range : slides_in(l.lesson.source)) {
+        slides.push_back({{"first", range.first}, {"last", range.last}});
+    }
+    Json joints = Json::array();
+    for (const Joint& joint : l.lesson.mechanism.joints) {
+        if (std::ranges::find(joints, Json(joint.type->name)) == joints.end()) {
+            joints.push_back(joint.type->name);
+        }
+    }
+    return {
+        {"file", l.path},   {"chapter", l.chapter()}, {"title", l.lesson.title}, {"source", l.lesson.source},
+        {"slides", slides}, {"joints", joints},       {"text", l.lesson.text}};
+}
+
+void write_json(
+    const std::vector<ListedLesson>& lessons, const std::vector<Chapter>& chapters,
+    const ListRequest& request, std::ostream& out) {
+    Json json{{"format", "jointwise list"}, {"version", kJsonVersion},   {"folder", request.folder},
+              {"words", request.words},     {"chapters", Json::array()}, {"lessons", Json::array()}};
+    for (const Chapter& c : chapters) {
+        json["chapters"].push_back(
+            {{"name", c.name}, {"title", c.title}, {"about", c.about}, {"needs", c.needs}});
+    }
+    for (const ListedLesson& l : lessons) { json["lessons"].push_back(json_of(l)); }
+    // names of files need not be UTF-8
+    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 Exit list(const ListOptions& options, const Streams& streams) {
-    const std::vector<std::filesystem::path> files = lessons_below(options.folder);
-    if (files.empty()) {
+    const ListRequest request = request_of(options.arguments);
+    const CourseLessons course = course_lessons(request.folder);
+    if (course.lessons.empty()) {
         throw CommandError(
-            Exit::bad_input, "jointwise: error: no lesson (*.toml) below '" + options.folder +
+            Exit::bad_input, "jointwise: error: no lesson (*.toml) below '" + request.folder +
                                  "'; give another folder, or set JOINTWISE_LESSONS");
     }
-    std::vector<Entry> entries;
-    for (const auto& file : files) {
-        const ReadResult read = read_lesson_file(file);
-        if (read.lesson) {
-            entries.push_back({file, read.lesson->chapter, read.lesson->title, read.lesson->source});
-        } else {
+    Exit exit = course.report.empty() ? Exit::done : Exit::bad_input;
+    streams.err << course.report;
+    std::vector<ListedLesson> lessons;
+    for (const CourseLessons::Entry& entry : course.lessons) {
+        ReadResult read = read_lesson_file(entry.file);
+        if (!read.lesson) {
             streams.err << read.report();
+            exit = Exit::bad_input;
+        } else if (fits(searchable_of(*read.lesson, entry.file), request.words)) {
+            lessons.push_back({entry, std::move(*read.lesson), fs::relative(entry.file).string()});
         }
     }
-    if (options.format == "markdown") {
-        write_markdown(entries, options.folder, streams.out);
-    } else {
-        write_text(entries, streams.out);
+    if (lessons.empty() && exit == Exit::done) {
+        streams.err << "jointwise: no lesson has all of these words: " << request.words << '\n';
+        exit = Exit::check_failed;
     }
-    return entries.size() == files.size() ? Exit::done : Exit::bad_input;
+    if (options.format == "markdown") {
+        write_markdown(lessons, request.folder, streams.out);
+    } else if (options.format == "json") {
+        write_json(lessons, course.chapters, request, streams.out);
+    } else {
+        write_text(lessons, streams.out);
+    }
+    return exit;
 }
 
 }  // namespace
 
 void add_list(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("list", "show the lessons, by chapter");
+    CLI::App* command = app.add_subcommand("list", "show the lessons, by chapter, or search them");
     auto options = std::make_shared<ListOptions>();
-    command->add_option("FOLDER", options->folder, "folder that lessons are looked for in")->type_name("");
-    add_format_option(*command, options->format, {"text", "markdown"});
-    command->footer("Example: jointwise list");
+    command
+        ->add_option(
+            "FOLDER", options->arguments,
+            "folder that lessons are looked for in, and words that they must have; 'slide 5' is one in the "
+            "source")
+        ->type_name("[WORDS...]");
+    add_format_option(*command, options->format, {"text", "markdown", "json"});
+    command->footer("Example: jointwise list slide 5");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return list(*options, streams); }; });
 }

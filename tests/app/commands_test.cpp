@@ -26,6 +26,7 @@ std::vector<std::vector<std::string>> commands_with_json(const std::string& driv
         {"simulate", pendulum, "--duration", "0.1", "--samples", "2"},
         {"bench", "--hard", "kept-pair-at-90"},
         {"check", driven},
+        {"list"},
         {"doctor"}};
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
+#include "lessons/catalogue.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
@@ -17,10 +18,8 @@ namespace {
 
 std::vector<Lesson> shipped_lessons() {
     std::vector<Lesson> lessons;
-    const std::filesystem::path catalogue = std::filesystem::path(JW_SOURCE_ROOT) / "lessons" / "catalogue";
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(catalogue)) {
-        if (entry.path().extension() != ".toml") { continue; }
-        ReadResult read = read_lesson_file(entry.path());
+    for (const auto& file : lessons_below(std::filesystem::path(JW_SOURCE_ROOT) / "lessons" / "catalogue")) {
+        ReadResult read = read_lesson_file(file);
         INFO(read.report());
         REQUIRE(read.lesson.has_value());
         lessons.push_back(std::move(*read.lesson));

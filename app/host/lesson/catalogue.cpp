@@ -1,13 +1,9 @@
 #include "app/host/lesson/catalogue.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/course.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
 
@@ -25,6 +21,7 @@ CatalogueEntry entry_of(const fs::path& path) {
     entry.path = path;
     const ReadResult read = read_lesson_file(path);
     if (!read.lesson) {
+        entry.searchable = searchable_of(path);
         entry.title = path.filename().string();
         entry.error = read.diagnostics.empty() ? "cannot be read" : read.diagnostics.front().message;
         return entry;
@@ -33,12 +30,8 @@ CatalogueEntry entry_of(const fs::path& path) {
     entry.title = read.lesson->title;
     entry.source = read.lesson->source;
     entry.text = read.lesson->text;
+    entry.searchable = searchable_of(*read.lesson, path);
     return entry;
-}
-
-std::string lower(std::string text) {
-    for (char& c : text) { c = static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-    return text;
 }
 
 }  // namespace
@@ -59,23 +52,16 @@ std::vector<CatalogueEntry> catalogue_of(
     };
     add(unsaved, "Not saved");
     add(recent, "Opened last");
-    std::vector<CatalogueEntry> shipped;
-    for (const fs::path& path : lessons_below(folder)) { shipped.push_back(entry_of(path)); }
-    std::ranges::stable_sort(shipped, {}, [](const CatalogueEntry& e) { return chapter_place(e.path); });
-    std::ranges::move(shipped, std::back_inserter(entries));
+    const CourseLessons course = course_lessons(folder);
+    for (const fs::path& faulty : course.faulty) { entries.push_back(entry_of(faulty)); }
+    for (const CourseLessons::Entry& lesson : course.lessons) { entries.push_back(entry_of(lesson.file)); }
     return entries;
 }
 
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search) {
     std::vector<int> found;
     for (std::size_t k = 0; k < entries.size(); ++k) {
-        const CatalogueEntry& e = entries[k];
-        const std::string all =
-            lower(e.title + ' ' + e.chapter + ' ' + e.source + ' ' + e.text + ' ' + e.path.stem().string());
-        std::istringstream words(lower(search));
-        bool fits = true;
-        for (std::string word; words >> word;) { fits = fits && all.find(word) != std::string::npos; }
-        if (fits) { found.push_back(static_cast<int>(k)); }
+        if (fits(entries[k].searchable, search)) { found.push_back(static_cast<int>(k)); }
     }
     return found;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lessons/search.hpp"
+
 /// The lessons that can be opened: those of the catalogue by chapter, and the ones opened last.
 namespace jw::host {
 
@@ -12,18 +14,20 @@ struct CatalogueEntry {
     std::string chapter;
     std::string title;  ///< the file's name where the file has mistakes
     std::string source;
-    std::string text;           ///< the lesson's introduction
+    std::string text;  ///< the lesson's introduction
+    Searchable searchable;
     std::string error;          ///< first of its mistakes, empty if there is none
     void* thumbnail = nullptr;  ///< small picture for ImGui (ImTextureID), nullptr until there is one
 };
 
 /// The lessons in `unsaved` and the `recent` ones that are still there, the last few of them, each under a
-/// chapter of their own; then the lessons below `folder` in the order of chapters.
+/// chapter of their own; then the lessons below `folder` in the order of their course, behind a course with
+/// mistakes.
 std::vector<CatalogueEntry> catalogue_of(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
     const std::vector<std::filesystem::path>& unsaved = {});
 
-/// Which entries a search shows: all words, in title, chapter, source or text, whatever the case.
+/// Which entries a search shows (lessons/search.hpp).
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search);
 
 /// The lessons opened last, newest first, kept in a small text file.

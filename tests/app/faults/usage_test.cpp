@@ -156,6 +156,10 @@ TEST_CASE("No command line, however wrong, is answered with a name of a library,
         }
         // what is right takes its time, and is tested elsewhere
         if (arguments[0] == "bench" || arguments[0] == "render") { arguments.emplace_back("--samples=x"); }
+        // all lessons of the machine
+        if (arguments[0] == "check" || arguments[0] == "list") {
+            std::erase_if(arguments, [](const std::string& a) { return a == "/" || a == ".."; });
+        }
         std::string line;
         for (const std::string& argument : arguments) { line += " '" + argument + "'"; }
         CAPTURE(line);

@@ -4,6 +4,8 @@
 
 #include "app/host/parts/browser.hpp"
 #include "lessons/catalogue.hpp"
+#include "lessons/course.hpp"
+#include "lessons/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 
@@ -20,9 +22,38 @@ TEST_CASE("All words of a search must be found, in any case") {
     const std::vector<int> found = host::found_in(entries, "FOUR revolutes");
     REQUIRE_FALSE(found.empty());
     CHECK(found.size() < entries.size());
-    for (const int k : host::found_in(entries, "bennett")) {
-        CHECK(entries[static_cast<std::size_t>(k)].path.stem() == "bennett");
+    const std::vector<int> bennett = host::found_in(entries, "bennett's linkage");
+    REQUIRE_FALSE(bennett.empty());
+    CHECK(entries[static_cast<std::size_t>(bennett.front())].path.stem() == "bennett");
+}
+
+TEST_CASE("The window searches and orders lessons as the command line does") {
+    const auto entries = host::catalogue_of(catalogue_folder(), {});
+    const CourseLessons course = course_lessons(catalogue_folder());
+    REQUIRE(entries.size() == course.lessons.size());
+    for (const char* const search : {"", "slide 5", "slides 8-9 spherical"}) {
+        CAPTURE(search);
+        std::vector<int> expected;
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            CHECK(entries[k].path == course.lessons[k].file);
+            const ReadResult read = read_lesson_file(course.lessons[k].file);
+            if (fits(searchable_of(*read.lesson, read.lesson->file_name), search)) {
+                expected.push_back(static_cast<int>(k));
+            }
+        }
+        CHECK_FALSE(expected.empty());
+        CHECK(host::found_in(entries, search) == expected);
     }
+}
+
+TEST_CASE("A course with mistakes is shown as a card that says where") {
+    const TemporaryFolder folder;
+    folder.write("a.toml", "format = 1\n");
+    folder.write("course.toml", "format = 1\n");
+    const auto entries = host::catalogue_of(folder.path(), {});
+    REQUIRE(entries.size() == 2);
+    CHECK(entries[0].title == "course.toml");
+    CHECK_THAT(entries[0].error, Catch::Contains("the course has no 'chapter'"));
 }
 
 TEST_CASE("A lesson that is gone when the lessons are looked at again is not chosen any more") {
