@@ -95,7 +95,7 @@ expect 2 "could not be written" "a table into a closed stream" bash -c 'exec "$0
 # ---- a limit of the size of files (4 blocks of 1024 bytes); SIGXFSZ would end the program
 limited() { bash -c 'ulimit -f 4; exec "$@"' - "$@"; }
 mkdir small
-expect 2 "cannot write 'small/frame_00000.png': File too large" "pictures beyond the limit" \
+expect 2 "cannot write 'small/unfinished-frames/frame_00000.png': File too large" "pictures beyond the limit" \
     bash -c 'ulimit -f 4; exec "$@"' - "$program" render mine.toml --out small --frames 0:1
 [ ! -e small/manifest.json ] || fail "there is a manifest without its pictures"
 for output in small/x.png small/x.csv; do
@@ -109,18 +109,20 @@ limited "$program" solve mine.toml >small/table.csv 2>err && fail "a table beyon
 grep -qF "could not be written" err || fail "a table beyond the limit is not named"
 no_draft . "a limit of the size of files"
 
-# ---- killed in the middle: no draft, no manifest that names what is not there
+# ---- killed in the middle: the pictures before are all there, no draft, and the next run clears up
+"$program" render mine.toml --out killed --size 960x540 --frames 0 >out 2>err || fail "the run before the killed one"
+cp -r killed before
 "$program" render mine.toml --out killed >out 2>err &
 pid=$!
 for ((k = 0; k < 2000; ++k)); do
-    [ ! -e killed/frame_00002.png ] || break
+    [ ! -e killed/unfinished-frames/frame_00002.png ] || break
     sleep 0.05
 done
 kill -9 $pid
 wait $pid 2>/dev/null
-[ -e killed/frame_00002.png ] || fail "nothing was drawn in 100 s"
-[ ! -e killed/manifest.json ] || fail "an interrupted run left a manifest"
+[ -e killed/unfinished-frames/frame_00002.png ] || fail "nothing was drawn in 100 s"
 no_draft killed "a run that was killed"
+diff -r -x unfinished-frames before killed >err || fail "a run that was killed changed the pictures before"
 expect 0 "1 picture and manifest.json" "the run after a killed one" \
     "$program" render mine.toml --out killed --size 960x540 --frames 1
 [ "$(ls killed | paste -sd ' ')" = "frame_00001.png manifest.json" ] || fail "left there: $(ls killed | paste -sd ' ')"

@@ -39,7 +39,7 @@ void FrameFiles::add(int number, const View& view, double seconds, render::Image
     if (frames_.empty()) { folder_.begin(); }
     wait();
     writing_ = std::async(
-        std::launch::async, [path = folder_.path() / frame_name(number), picture = std::move(image)] {
+        std::launch::async, [path = folder_.drawn() / frame_name(number), picture = std::move(image)] {
             render::write_file_atomically(path, render::encode_png(picture));
         });
     const bool motion = view.kind == Step::Kind::motion;

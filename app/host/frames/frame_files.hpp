@@ -18,7 +18,7 @@ std::string frame_name(int number);
 /// Encodes and writes one picture while the next is drawn. Every file appears whole or not at all.
 class FrameFiles {
 public:
-    /// Makes `folder`, parents included. What is in it stays as it is until the first picture comes.
+    /// Makes `folder`, parents included. What is in it stays as it is until the run is finished.
     /// @param first,last  numbers of the pictures that may come
     /// @param lesson      its file, which must not be overwritten; empty if it has none
     /// @throws std::runtime_error as FrameFolder
@@ -26,7 +26,8 @@ public:
         const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson = {});
 
     void add(int number, const View& view, double seconds, render::Image image);
-    /// Waits for the last picture and writes the manifest, which so names only pictures that are there.
+    /// Waits for the last picture, puts all of them in their place and writes the manifest, which so names
+    /// only pictures that are there.
     /// @param head what the manifest says of the whole
     void finish(Json head);
 

@@ -61,15 +61,17 @@ TEST_CASE(
             const int drawn = below(3) == 0 ? below(count) : count;
             history +=
                 " " + std::to_string(first) + "+" + std::to_string(drawn) + "/" + std::to_string(count);
+            const std::set<std::string> before = files_in(folder.path());
             write_run(folder.path(), first, first + count - 1, drawn);
             CAPTURE(history);
             const std::set<std::string> there = files_in(folder.path());
-            if (!there.contains("manifest.json")) {
-                CHECK(drawn < count);
+            if (drawn < count) {
+                CHECK(there == before);
                 continue;
             }
+            CHECK(named_by_manifest(folder.path()).size() == static_cast<std::size_t>(count));
             for (const std::string& name : named_by_manifest(folder.path())) { CHECK(there.contains(name)); }
-            if (drawn == count) { CHECK(strays_in(folder.path()).empty()); }
+            CHECK(strays_in(folder.path()).empty());
         }
     }
 }
@@ -86,7 +88,6 @@ TEST_CASE("A run that draws nothing leaves the folder as it was") {
 TEST_CASE("Only pictures that the old manifest names are removed, and only in the folder") {
     const Folder folder;
     write_run(folder.path("frames"), 0, 3, 4);
-    folder.file("frames/frame_00099.png", "somebody's own");
     folder.file("frames/notes.txt", "somebody's own");
     folder.file("frame_00042.png", "outside");
     auto manifest = nlohmann::json::parse(bytes_of(folder.path("frames/manifest.json")));
@@ -94,24 +95,68 @@ TEST_CASE("Only pictures that the old manifest names are removed, and only in th
         manifest["frames"].push_back({{"file", name}});
     }
     manifest["frames"].push_back({{"file", 7}});
-    manifest["frames"].push_back("frame_00099.png");
     folder.file("frames/manifest.json", manifest.dump());
     write_run(folder.path("frames"), 1, 2, 2);
     CHECK(
         files_in(folder.path("frames")) ==
-        std::set<std::string>{
-            "frame_00001.png", "frame_00002.png", "frame_00099.png", "manifest.json", "notes.txt"});
+        std::set<std::string>{"frame_00001.png", "frame_00002.png", "manifest.json", "notes.txt"});
     CHECK(bytes_of(folder.path("frame_00042.png")) == "outside");
 }
 
-TEST_CASE("A manifest that is cut off is written anew, one of another program is not touched") {
+TEST_CASE("A run that fails leaves every byte of the run before") {
     const Folder folder;
-    write_run(folder.path(), 0, 3, 4);
-    const std::string whole = bytes_of(folder.path("manifest.json"));
-    folder.file("manifest.json", whole.substr(0, whole.size() / 2));
-    write_run(folder.path(), 0, 1, 2);
-    CHECK(named_by_manifest(folder.path()).size() == 2);
+    write_run(folder.path(), 0, 2, 3);
+    const std::string manifest = bytes_of(folder.path("manifest.json"));
+    const std::string picture = bytes_of(folder.path("frame_00001.png"));
+    REQUIRE_FALSE(picture.empty());
+    {
+        host::FrameFiles files(folder.path(), 1, 4);
+        files.add(1, View{}, 1.0, {2, 2, std::vector<std::uint8_t>(12, 255)});
+        files.add(2, View{}, 1.0, {2, 2, std::vector<std::uint8_t>(12, 255)});
+    }
+    CHECK(bytes_of(folder.path("manifest.json")) == manifest);
+    CHECK(bytes_of(folder.path("frame_00001.png")) == picture);
+    CHECK(files_in(folder.path()).size() == 4);
+}
 
+TEST_CASE("Pictures that no manifest names are refused, and stay") {
+    const Folder folder;
+    write_run(folder.path(), 0, 2, 3);
+    const std::string theirs = folder.file("frame_00099.png", "somebody's own");
+    const std::set<std::string> before = files_in(folder.path());
+    CHECK_THROWS_WITH(
+        host::FrameFiles(folder.path(), 0, 1),
+        "'" + theirs +
+            "' is a picture that no manifest in this folder names; expected a folder for the pictures of one "
+            "run alone (move it away, or give another folder)");
+    CHECK(files_in(folder.path()) == before);
+    const std::string crank = folder.file("crank.toml", kCrank);
+    const Ran ran = run({"render", crank, "--out", folder.path(), "--size", "960x540", "--frames", "0"});
+    CHECK(ran.status == 2);
+    CHECK_THAT(ran.err, Catch::StartsWith("jointwise: error: '" + theirs + "' is a picture"));
+    CHECK(bytes_of(theirs) == "somebody's own");
+}
+
+TEST_CASE("What an interrupted run left is taken away by the next one") {
+    const Folder folder;
+    write_run(folder.path(), 0, 2, 3);
+    // killed while drawing
+    std::filesystem::create_directory(folder.path("unfinished-frames"));
+    folder.file("unfinished-frames/frame_00007.png", "");
+    folder.file("unfinished-frames/frame_00008.png.part-12", "");
+    // killed while places were taken
+    std::filesystem::rename(folder.path("manifest.json"), folder.path("unfinished.json"));
+    write_run(folder.path(), 5, 5, 1);
+    CHECK(files_in(folder.path()) == std::set<std::string>{"frame_00005.png", "manifest.json"});
+    // files of somebody else in that folder
+    std::filesystem::create_directory(folder.path("unfinished-frames"));
+    folder.file("unfinished-frames/mine.txt", "");
+    CHECK_THROWS_WITH(write_run(folder.path(), 0, 0, 1), Catch::Contains("is in the way"));
+    CHECK(std::filesystem::exists(folder.path("unfinished-frames/mine.txt")));
+    CHECK(named_by_manifest(folder.path()) == std::set<std::string>{"frame_00005.png"});
+}
+
+TEST_CASE("A manifest of another program is not touched") {
     for (const char* other : {"{\"name\": \"A web page\"}", "[]", "7", "{\"format\": \"other\"}"}) {
         const Folder theirs;
         const std::string path = theirs.file("manifest.json", other);
