@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lessons/formula/block_formulas.hpp"
 #include "lessons/formula/symbol_values.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/moved_along.hpp"
@@ -145,6 +146,37 @@ TEST_CASE("velocity and acceleration equations hold in any state, for every join
             }
         }
     }
+}
+
+TEST_CASE(
+    "the formula of every block of the Jacobian is that block, in all coordinates", "[lessons][formula]") {
+    int blocks = 0;
+    for (const JointType& type : kJointTypes) {
+        const Mechanism mechanism = of_type(type, 11);
+        const Instant instant =
+            arbitrary_instant(std::make_shared<const System>(mechanism, everything(mechanism)), 2);
+        for (const Role role : type.roles) {
+            for (const CoordinateChoice choice :
+                 {CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters,
+                  CoordinateChoice::omega_local, CoordinateChoice::omega_global}) {
+                for (const int k : {0, 1, 2, 3}) {
+                    const Block block{role, choice, k < 2, k % 2 == 0};
+                    const auto formula = block_formula(block);
+                    if (!formula) { continue; }
+                    Subject subject;
+                    subject.joint = 0;
+                    subject.role = role;
+                    const std::string equation = block_name(block) + " = " + *formula;
+                    const Outcome outcome = evaluate_at({equation, {}, subject}, instant);
+                    CAPTURE(type.name, equation);
+                    REQUIRE_FALSE(outcome.problem);
+                    CHECK(part_of(outcome) < 1e-12);
+                    ++blocks;
+                }
+            }
+        }
+    }
+    CHECK(blocks > 400);
 }
 
 TEST_CASE("a wrong sign, dot, index or factor makes a formula fail", "[lessons][formula]") {

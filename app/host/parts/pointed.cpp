@@ -1,11 +1,22 @@
 #include "app/host/parts/pointed.hpp"
 
+#include "app/session/view/derivation.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/math/read_math.hpp"
+#include "lessons/math/write_math.hpp"
 
 namespace jw::host {
 
 namespace {
+
+/// Formula of the block, numbers of its vectors, and its row: a line each.
+std::string derivation_text(const std::optional<Derivation>& derivation) {
+    if (!derivation) { return {}; }
+    std::string text = "\n" + math::write_plain(math::own_math(derivation->formula));
+    for (const std::string& symbol : derivation->symbols) { text += "\n" + symbol; }
+    return text + (derivation->row.empty() ? "" : "\n" + derivation->row);
+}
 
 std::string tip_of_cell(const Session& session, int row, int column) {
     const MatrixView& matrix = session.view().matrix;
@@ -13,7 +24,8 @@ std::string tip_of_cell(const Session& session, int row, int column) {
     const MatrixView::Row& r = matrix.rows[static_cast<std::size_t>(row)];
     const MatrixView::Column& c = matrix.columns[static_cast<std::size_t>(column)];
     return "∂(" + r.owner + " · " + r.label + ") / ∂(" + c.owner + " · " + c.symbol +
-           ") = " + number_text(matrix.values(row, column), 6);
+           ") = " + number_text(matrix.values(row, column), 6) +
+           derivation_text(derivation_of(session.step(), matrix.choice, row, column));
 }
 
 std::string tip_of_row(const Session& session, int row) {

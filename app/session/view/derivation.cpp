@@ -1,0 +1,106 @@
+#include "app/session/view/derivation.hpp"
+
+#include <algorithm>
+
+#include "app/session/view/quantities.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "lessons/formula/block_formulas.hpp"
+#include "lessons/formula/symbol_values.hpp"
+#include "lessons/math/write_math.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kDigits = 3;
+
+/// The body and the kind of a column; nothing for an artificial coordinate.
+struct ColumnPlace {
+    int body = -1;
+    bool of_orientation = false;
+    int offset = 0;  ///< within r or the orientation
+};
+
+std::optional<ColumnPlace> place_of(const System& system, int column, int angular) {
+    for (const int body : system.moving_bodies()) {
+        const int within = column - system.body_column(body, angular);
+        if (within < 0 || within >= 3 + angular) { continue; }
+        return ColumnPlace{body, within >= 3, within >= 3 ? within - 3 : within};
+    }
+    return std::nullopt;
+}
+
+std::string numbers(const MatrixX& values) {
+    std::string text = "(";
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+        text += (k == 0 ? "" : ", ") + number_text(values.reshaped()(k), kDigits);
+    }
+    return text + ")";
+}
+
+/// Vectors in a formula, each once: their source and their value.
+void collect_vectors(
+    const math::Row& row, const formula::Meanings& meanings, std::vector<std::string>& lines) {
+    for (const math::Node& node : row) {
+        if (const auto* const group = std::get_if<math::Group>(&node.nucleus)) {
+            collect_vectors(group->inner, meanings, lines);
+            continue;
+        }
+        math::Node plain = node;
+        // the vector itself, not its tilde, bar or transpose
+        if (const auto* const accent = std::get_if<math::Accent>(&node.nucleus)) {
+            if (accent->inner.size() != 1) { continue; }
+            plain.nucleus = accent->inner[0].nucleus;
+        }
+        if (!is_kind(plain, math::SignKind::letter) || is_sign(plain, "I")) { continue; }
+        std::erase_if(plain.above, [](const math::Node& n) { return is_sign(n, "T"); });
+        try {
+            const formula::Value value = formula::evaluate_expression({plain}, meanings);
+            if (value.cols() != 1 || value.rows() == 1) { continue; }
+            const std::string line = math::write_plain({plain}) + " = " + numbers(value.d[0]);
+            if (std::ranges::find(lines, line) == lines.end()) { lines.push_back(line); }
+        } catch (const formula::NotEvaluated&) {
+            // a symbol without a value is left out
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coordinates, int row, int column) {
+    const System& system = *step.system;
+    if (row >= system.rows()) { return std::nullopt; }
+    const RowOrigin origin = system.origin(row);
+    if (origin.kind != RowOrigin::Kind::constraint) { return std::nullopt; }
+    const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
+    const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+    const bool of_p = coordinates == CoordinateChoice::true_euler_parameters ||
+                      coordinates == CoordinateChoice::modified_euler_parameters;
+    const std::optional<ColumnPlace> place = place_of(system, column, of_p ? 4 : 3);
+    const bool is_pair = joint.parallel_form == ParallelForm::pair && is_parallel(c.role);
+    if (!place || is_pair || (place->body != c.body_i && place->body != c.body_j)) { return std::nullopt; }
+
+    const formula::Block block{c.role, coordinates, place->of_orientation, place->body == c.body_i};
+    const std::optional<std::string> source = formula::block_formula(block);
+    if (!source) { return std::nullopt; }
+    const Instant instant = instant_of(step);
+    formula::Subject subject;
+    subject.joint = c.joint;
+    subject.role = c.role;
+    const formula::Meanings meanings = formula::meanings_of(subject, instant);
+    const math::Row right = math::own_math(*source);
+
+    Derivation derivation;
+    derivation.formula = formula::block_name(block) + " = " + *source;
+    collect_vectors(right, meanings, derivation.symbols);
+    const formula::Value value =
+        formula::evaluate_expression(math::own_math(formula::block_name(block)), meanings);
+    if (value.kind == formula::Value::Kind::matrix && origin.component < value.rows()) {
+        constexpr const char* axes[] = {"x", "y", "z"};
+        derivation.row = (value.rows() == 3 ? std::string("row ") + axes[origin.component] + ": " : "row: ") +
+                         numbers(value.d[0].row(origin.component));
+    }
+    return derivation;
+}
+
+}  // namespace jw

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/story/story.hpp"
+
+/// How an entry of Φq comes about.
+namespace jw {
+
+/// The block that an entry belongs to, with numbers for its symbols.
+struct Derivation {
+    std::string formula;               ///< "\Phi_{...} = ...", as docs/mathematics.md says
+    std::vector<std::string> symbols;  ///< "sᵢ = (0, −0.6, 0.8)", one line each
+    std::string row;                   ///< the row of the block with the entry: "x: (0, 0.8, 0.6)"
+};
+
+/// @param row of the step's system
+/// @param column of Φq in these coordinates
+/// @return nothing for drivers, screws, pairs, normalisation and artificial coordinates, which have no such
+/// block
+std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coordinates, int row, int column);
+
+}  // namespace jw

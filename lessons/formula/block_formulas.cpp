@@ -1,0 +1,96 @@
+#include "lessons/formula/block_formulas.hpp"
+
+namespace jw::formula {
+
+namespace {
+
+std::string bold(const std::string& letter, char body, const std::string& marks = {}) {
+    return "\\mathbf{" + letter + "}_" + body + (marks.empty() ? "" : "^" + marks);
+}
+
+std::string tilde(const std::string& symbol) { return "\\tilde{\\mathbf{" + symbol + "}}"; }
+
+/// Derivative of the arm A s′ of a body, the only thing that depends on the choice of coordinates.
+/// @param mark  "P" or "B" for an arm to a point, nothing for an axis
+std::string arm(CoordinateChoice coordinates, const std::string& letter, char body, const std::string& mark) {
+    const std::string index = std::string("_") + body;
+    const std::string marks = mark.empty() ? "" : "^" + mark;
+    const std::string local = "\\bar{\\mathbf{" + letter + "}}'" + index + marks;
+    const std::string global = tilde(letter) + index + marks;
+    switch (coordinates) {
+        case CoordinateChoice::omega_local: return "(-" + global + " " + bold("A", body) + ")";
+        case CoordinateChoice::omega_global: return "(-" + global + ")";
+        case CoordinateChoice::modified_euler_parameters: return "2 " + bold("G", body) + " " + local;
+        case CoordinateChoice::true_euler_parameters: break;
+    }
+    return "2 (" + bold("G", body) + " " + local + " + \\mathbf{" + letter + "}'" + index + marks + " " +
+           bold("p", body, "T") + ")";
+}
+
+std::string of_position(Role role, bool i) {
+    const std::string minus = i ? "-" : "";
+    switch (role) {
+        case Role::same_point: return i ? "\\mathbf{I}" : "-\\mathbf{I}";
+        case Role::distance_parallel: return minus + tilde("s") + "_i";
+        case Role::distance_perpendicular: return minus + bold("s", 'i', "T");
+        case Role::distance_perpendicular_j: return minus + bold("s", 'j', "T");
+        case Role::length: return minus + "2 \\mathbf{d}^T";
+        case Role::axes_parallel:
+        case Role::axes_perpendicular:
+        case Role::sides_perpendicular:
+        case Role::screw_advance:
+        case Role::screw_angle: break;
+    }
+    return "0";
+}
+
+std::string of_orientation(Role role, CoordinateChoice c, bool i) {
+    const char own = i ? 'i' : 'j';
+    switch (role) {
+        case Role::same_point: return (i ? "" : "-") + arm(c, "s", own, "P");
+        case Role::axes_perpendicular: return bold("s", i ? 'j' : 'i', "T") + " " + arm(c, "s", own, "");
+        case Role::sides_perpendicular: return bold("h", i ? 'j' : 'i', "T") + " " + arm(c, "h", own, "");
+        case Role::axes_parallel:
+            return i ? "-" + tilde("s") + "_j " + arm(c, "s", own, "")
+                     : tilde("s") + "_i " + arm(c, "s", own, "");
+        case Role::distance_perpendicular:
+            return i ? "\\mathbf{d}^T " + arm(c, "s", own, "") + " - " + bold("s", 'i', "T") + " " +
+                           arm(c, "s", own, "B")
+                     : bold("s", 'i', "T") + " " + arm(c, "s", own, "B");
+        case Role::distance_perpendicular_j:
+            return i ? "-" + bold("s", 'j', "T") + " " + arm(c, "s", own, "B")
+                     : "\\mathbf{d}^T " + arm(c, "s", own, "") + " + " + bold("s", 'j', "T") + " " +
+                           arm(c, "s", own, "B");
+        case Role::distance_parallel:
+            return i ? "-\\tilde{\\mathbf{d}} " + arm(c, "s", own, "") + " - " + tilde("s") + "_i " +
+                           arm(c, "s", own, "B")
+                     : tilde("s") + "_i " + arm(c, "s", own, "B");
+        case Role::length: return std::string(i ? "-" : "") + "2 \\mathbf{d}^T " + arm(c, "s", own, "P");
+        case Role::screw_advance:
+        case Role::screw_angle: break;
+    }
+    return "0";
+}
+
+}  // namespace
+
+std::string block_name(const Block& block) {
+    const std::string phi = "\\boldsymbol{\\Phi}";
+    const std::string index = block.body_i ? "_i" : "_j";
+    if (!block.of_orientation) { return phi + "_{\\mathbf{r}" + index + "}"; }
+    switch (block.coordinates) {
+        case CoordinateChoice::true_euler_parameters: return phi + "_{\\mathbf{p}" + index + "}";
+        case CoordinateChoice::modified_euler_parameters: return phi + "_{\\mathbf{p}" + index + "}^{(m)}";
+        case CoordinateChoice::omega_local: return phi + "_{\\boldsymbol{\\omega}'" + index + "}";
+        case CoordinateChoice::omega_global: break;
+    }
+    return phi + "_{\\boldsymbol{\\omega}" + index + "}";
+}
+
+std::optional<std::string> block_formula(const Block& block) {
+    if (block.role == Role::screw_advance || block.role == Role::screw_angle) { return std::nullopt; }
+    return block.of_orientation ? of_orientation(block.role, block.coordinates, block.body_i)
+                                : of_position(block.role, block.body_i);
+}
+
+}  // namespace jw::formula
