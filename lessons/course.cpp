@@ -180,7 +180,7 @@ std::string CourseRead::report() const {
 CourseRead read_course(std::string source, std::string file_name) {
     CourseRead read;
     read.source = std::move(source);
-    Problems problems(std::move(file_name));
+    Problems problems(std::move(file_name), read.source);
     if (const auto table = reading::parse_toml(read.source, problems)) {
         Fields root(*table, "the course", problems);
         Course course = course_in(root);

@@ -35,7 +35,7 @@ formula::Subject read_subject(Fields& fields, const Reading& reading) {
 }
 
 /// Evaluates the formula in a random state, where only its symbols and shapes can be wrong.
-void try_out(Fields& fields, const Reading& reading, const formula::Formula& formula) {
+void try_out(Fields& fields, const Reading& reading, const formula::Formula& formula, bool holds) {
     // what else is wrong would only be said twice
     if (reading.problems->errors_count() > 0) { return; }
     const Mechanism& mechanism = reading.lesson.mechanism;
@@ -46,7 +46,8 @@ void try_out(Fields& fields, const Reading& reading, const formula::Formula& for
             std::make_shared<const Centroidal>(centroidal(mechanism, reading.lesson.dynamics->loads));
     }
     const formula::Outcome outcome = formula::evaluate_at(formula, instant);
-    if (!outcome.problem) { return; }
+    // a misprint may be one because its shapes do not fit
+    if (!outcome.problem || (outcome.misfit && !holds)) { return; }
     const math::Problem& problem = *outcome.problem;
     reading.problems->add(
         outcome.definition < 0 ? fields.place_in("formula", problem.at) : fields.span("where"),
@@ -74,7 +75,7 @@ std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& re
     if (const auto holds = fields.flag("holds")) { claim.holds = holds->value; }
     if (!source || reading.problems->errors_count() > errors) { return std::nullopt; }
     claim.formula.source = source->value;
-    try_out(fields, reading, claim.formula);
+    try_out(fields, reading, claim.formula, claim.holds);
     return claim;
 }
 

@@ -84,10 +84,13 @@ std::optional<Answer> read_quantity_answer(Fields& fields, const Reading& readin
 std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
     const auto choices = fields.texts("choices");
     if (!choices) { return std::nullopt; }
-    if (choices->value.size() < 2 || choices->value.size() > kMostChoices) {
+    const auto count = choices->value.size();
+    fields.require("answer", "the number of the right choice, from 1");
+    const auto right = fields.integer("answer", 1, static_cast<int>(std::max<std::size_t>(1, count)));
+    if (count < 2 || count > kMostChoices) {
         reading.problems->add(
-            choices->span, "there are " + std::to_string(choices->value.size()) + " choices; expected 2 to " +
-                               std::to_string(kMostChoices));
+            choices->span, std::to_string(count) + (count == 1 ? " choice" : " choices") +
+                               "; expected 2 to " + std::to_string(kMostChoices));
         return std::nullopt;
     }
     ChoiceAnswer answer;
@@ -95,8 +98,6 @@ std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
         fields.check_words(choice);
         answer.choices.push_back(choice.value);
     }
-    fields.require("answer", "the number of the right choice, from 1");
-    const auto right = fields.integer("answer", 1, static_cast<int>(answer.choices.size()));
     if (!right) { return std::nullopt; }
     answer.right = right->value - 1;
     return answer;

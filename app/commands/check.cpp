@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/commands/check_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/session/claims/carried_claims.hpp"
+#include "app/session/try/trials.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
 
@@ -40,6 +42,10 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     checked.title = lesson.title;
     if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
     checked.claims = check_claims(lesson);
+    // experiments of one's own come in place of those that the author proposes
+    if (options.experiments.empty()) {
+        std::ranges::move(check_trials(lesson), std::back_inserter(checked.claims));
+    }
     return checked;
 }
 

@@ -10,6 +10,7 @@
 #include "app/host/lesson/saving.hpp"
 #include "app/host/lesson/unsaved.hpp"
 #include "app/host/parts/notice.hpp"
+#include "app/host/parts/predictions.hpp"
 #include "app/host/parts/scene_hand.hpp"
 #include "app/host/tabs/tabs.hpp"
 #include "app/host/ui/scaled_fonts.hpp"
@@ -98,6 +99,7 @@ public:
     /// Something to be read at the foot of the picture for a while.
     void say(const std::string& message);
     const Notice& notice() const { return notice_; }
+    const Predictions& predictions() const { return predictions_; }
 
 private:
     void act_on(const InputEvent& event);
@@ -110,6 +112,7 @@ private:
     void apply(const Experiment& experiment);
     void go_to(int step);
     void play_or_pause();
+    void answer();
     void next_freedom();
     void let_go();
     void fit_camera(bool at_once);
@@ -135,6 +138,7 @@ private:
     SceneHand hand_;
     ShownPicture shown_;
     Notice notice_;
+    Predictions predictions_;
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins

@@ -94,6 +94,7 @@ void Host::carry_out(Command command) {
         case Command::previous_joint: return go_to(next_joint(session_->story(), session_->index(), -1));
         case Command::first: return go_to(0);
         case Command::last: return go_to(last_step(session_->story()));
+        case Command::answer: return answer();
         case Command::faster: return state_.playback.faster();
         case Command::slower: return state_.playback.slower();
         case Command::tab_step: state_.tab = Tab::step; return;
@@ -145,6 +146,11 @@ void Host::carry_out(Command command) {
 void Host::play_or_pause() {
     state_.playback.play_or_pause();
     if (state_.playback.plays() && session_->index() == last_step(session_->story())) { go_to(0); }
+}
+
+void Host::answer() {
+    if (session_->step().kind != Step::Kind::question) { return say("Nothing is asked at this step."); }
+    predictions_.focus();
 }
 
 void Host::let_go() {

@@ -35,6 +35,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     panels::draw_annotations(ui.canvas, picture(), hand_.camera(), layout_.scene);
     panels::draw_title(ui.canvas, layout_.title, view);
     panels::draw_caption(ui.canvas, layout_.caption, view);
+    predictions_.draw(ui, panels::box_of(layout_.scene));
     if (session_->in_hand()) { draw_badge(ui, panels::box_of(layout_.scene)); }
     side_column(ui, layout_, tabs_);
     timeline_bar(ui, layout_.bar);

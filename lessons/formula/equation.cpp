@@ -103,7 +103,11 @@ Outcome evaluate_equation(const Row& equation, const std::vector<Row>& where, co
         }
     } catch (const NotEvaluated& failed) {
         outcome.problem = failed.problem();
-    } catch (const Mismatch& mismatch) { outcome.problem = math::Problem{0, mismatch.what(), ""}; }
+        outcome.misfit = failed.misfit();
+    } catch (const Mismatch& mismatch) {
+        outcome.problem = math::Problem{0, mismatch.what(), ""};
+        outcome.misfit = true;
+    }
     return outcome;
 }
 

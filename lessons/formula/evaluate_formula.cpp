@@ -60,7 +60,7 @@ private:
     static Value at(const Node& node, F&& f) {
         try {
             return f();
-        } catch (const Mismatch& mismatch) { fail(node, mismatch.what()); }
+        } catch (const Mismatch& mismatch) { throw NotEvaluated({node.from, mismatch.what(), ""}, true); }
     }
 
     Value expression(Cursor& cursor) const {

@@ -27,6 +27,7 @@ struct Meanings {
 /// Difference of the sides of an equation; of a chain the largest.
 struct Outcome {
     std::optional<math::Problem> problem;  ///< why it cannot be evaluated, at a byte of its source
+    bool misfit = false;                   ///< its symbols are known, but their shapes do not fit
     int definition = -1;                   ///< which definition is wrong, -1: the equation itself
     Comparison apart;
     std::string left;   ///< value of the side before the relation with the largest difference, for messages
@@ -41,12 +42,15 @@ Outcome evaluate_equation(
 /// Why a formula has no value, at a byte of its source.
 class NotEvaluated : public std::runtime_error {
 public:
-    explicit NotEvaluated(math::Problem problem)
-        : std::runtime_error(problem.message), problem_(std::move(problem)) {}
+    explicit NotEvaluated(math::Problem problem, bool misfit = false)
+        : std::runtime_error(problem.message), problem_(std::move(problem)), misfit_(misfit) {}
     const math::Problem& problem() const { return problem_; }
+    /// Shapes do not fit.
+    bool misfit() const { return misfit_; }
 
 private:
     math::Problem problem_;
+    bool misfit_;
 };
 
 /// Evaluates an expression without a relation.

@@ -147,11 +147,11 @@ public:
         if (left_fence) { inside_ = !inside_; }
         if (is_space(left) || is_space(right)) { return ""; }
         if (is_kind(left, SignKind::relation) || is_kind(right, SignKind::relation)) { return " "; }
+        if (is_kind(left, SignKind::punctuation)) { return " "; }
         if (is_kind(right, SignKind::operation)) { return awaits_operand(left) ? "" : " "; }
         if (is_kind(left, SignKind::operation)) {
             return before == nullptr || awaits_operand(*before) ? "" : " ";
         }
-        if (is_kind(left, SignKind::punctuation)) { return " "; }
         if (is_kind(right, SignKind::punctuation)) { return ""; }
         if (is_kind(right, SignKind::closing) || is_kind(left, SignKind::opening)) { return ""; }
         if (left_fence) { return inside_ ? "" : " "; }

@@ -8,13 +8,32 @@ namespace jw::host {
 
 namespace {
 
-std::string name_of_stretch(const Story& story, const Step& step) {
-    if (step.kind == Step::Kind::motion) { return "motion"; }
-    const std::optional<Addition> subject = subject_of(story.lesson(), step);
-    if (!subject) { return "bodies"; }
-    const auto k = static_cast<std::size_t>(subject->index);
-    const Mechanism& mechanism = story.lesson().mechanism;
-    return subject->kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
+/// What a step is part of. A question belongs to what it asks about, not to what was there before.
+struct Part {
+    bool moves = false;
+    int additions = 0;
+
+    bool operator==(const Part&) const = default;
+};
+
+Part part_of(const Story& story, const Step& step) {
+    Part part{step.kind == Step::Kind::motion, step.additions};
+    if (!is_asked(step.kind)) { return part; }
+    const Question& question = story.lesson().questions[static_cast<std::size_t>(step.question)];
+    part.moves = question.place == Question::Place::motion;
+    if (step.kind == Step::Kind::question && question.place == Question::Place::addition) {
+        ++part.additions;
+    }
+    return part;
+}
+
+std::string name_of(const Part& part, const Lesson& lesson) {
+    if (part.moves) { return "motion"; }
+    if (part.additions == 0) { return "bodies"; }
+    const Addition& subject = lesson.order[static_cast<std::size_t>(part.additions - 1)];
+    const auto k = static_cast<std::size_t>(subject.index);
+    return subject.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                 : lesson.mechanism.drivers[k].name;
 }
 
 }  // namespace
@@ -24,13 +43,13 @@ std::vector<Stretch> stretches_of(const Story& story) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
         const Step& step = story.steps()[k];
         const auto index = static_cast<int>(k);
-        const bool moves = step.kind == Step::Kind::motion;
-        const bool same = k > 0 && story.steps()[k - 1].additions == step.additions &&
-                          (story.steps()[k - 1].kind == Step::Kind::motion) == moves;
+        const Part part = part_of(story, step);
+        const bool same = k > 0 && part_of(story, story.steps()[k - 1]) == part;
         if (same) {
             stretches.back().last = index;
         } else {
-            stretches.push_back({index, index, name_of_stretch(story, step), step.kind});
+            const Step::Kind kind = part.moves ? Step::Kind::motion : step.kind;
+            stretches.push_back({index, index, name_of(part, story.lesson()), kind});
         }
     }
     return stretches;

@@ -15,6 +15,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::previous_joint, Group::timeline, "Joint or driver before", "Page up", Key::page_up},
     CommandInfo{Command::first, Group::timeline, "First step (restart)", "Home", Key::home},
     CommandInfo{Command::last, Group::timeline, "Last step", "End", Key::end},
+    CommandInfo{Command::answer, Group::timeline, "Answer the question", "a", Key::none, 'a'},
     CommandInfo{Command::faster, Group::timeline, "Faster", ".", Key::none, '.'},
     CommandInfo{Command::slower, Group::timeline, "Slower", ",", Key::none, ','},
 

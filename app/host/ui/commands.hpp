@@ -18,6 +18,7 @@ enum class Command {
     previous_joint,
     first,
     last,
+    answer,
     faster,
     slower,
     // what stands beside the picture

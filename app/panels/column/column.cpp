@@ -217,6 +217,8 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
             return {
                 given_up_at(4, values_block(view)), newton_block(view), matrix,
                 given_up_at(2, convergence_block(canvas, view))};
+        case Step::Kind::question: return {figures_block(view), matrix, plot};
+        case Step::Kind::answer:
         case Step::Kind::assembled: return {figures_block(view), words_block(view), matrix, plot};
         case Step::Kind::failed: return {failure_block(view), given_up_at(4, newton_block(view)), matrix};
         case Step::Kind::motion: break;

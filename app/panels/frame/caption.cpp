@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <imgui.h>
 
@@ -41,6 +42,42 @@ std::string trimmed(std::string text) {
     return text.substr(first, text.find_last_not_of(" \n") - first + 1);
 }
 
+/// Paragraphs of a question or an answer, below each other.
+struct Asked {
+    std::string text;
+    bool soft = false;
+};
+
+std::vector<Asked> paragraphs_of(const QuestionView& question) {
+    std::vector<Asked> list{{typeset(run_on(question.ask)), question.answered}};
+    if (question.answered) {
+        list.push_back({typeset(run_on(question.answer))});
+        if (!question.why.empty()) { list.push_back({typeset(run_on(question.why)), true}); }
+        return list;
+    }
+    for (std::size_t k = 0; k < question.choices.size(); ++k) {
+        list.push_back({std::to_string(k + 1) + ")  " + typeset(run_on(question.choices[k]))});
+    }
+    return list;
+}
+
+void draw_question(const Canvas& canvas, Box box, const QuestionView& question) {
+    const render::Fonts& fonts = canvas.fonts();
+    const std::vector<Asked> list = paragraphs_of(question);
+    const float gap = canvas.px(4.0F);
+    float height = -gap;
+    for (const Asked& asked : list) {
+        height += gap + paragraph_height(canvas, fonts.normal, asked.text, box.width);
+    }
+    const ImFont* const font = height <= box.height ? fonts.normal : fonts.small;
+    for (const Asked& asked : list) {
+        const Colour colour = asked.soft ? theme::kSoft : theme::kInk;
+        const float used = paragraph(canvas, box, font, colour, asked.text) + gap;
+        box.y += used;
+        box.height -= used;
+    }
+}
+
 }  // namespace
 
 std::string run_on(std::string_view text) {
@@ -73,6 +110,7 @@ void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.y, box.width, std::max(1.0F, canvas.px(1.0F))}, theme::kLine);
     const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
+    if (view.question) { return draw_question(canvas, inner, *view.question); }
 
     // large type while three lines are enough
     const bool is_long = wrapped(*fonts.normal, view.sentence, inner.width).size() > 3;

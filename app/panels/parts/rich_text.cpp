@@ -13,6 +13,7 @@ namespace jw::panels {
 namespace {
 
 constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that are higher than words
+constexpr float kAroundDisplay = 5.0F;
 constexpr float kDisplayIndent = 1.5F;
 
 /// Pieces that stay on one line, and whether a space stands before them.
@@ -115,7 +116,7 @@ void grow(RichLine& line, const ImFont& font) {
     line.descent = font.FontSize - up;
     for (const RichPiece& piece : line.pieces) {
         if (!piece.words.empty()) { continue; }
-        const float air = kBetweenLines * font.FontSize / 16.0F;
+        const float air = (line.display ? kAroundDisplay : kBetweenLines) * font.FontSize / 16.0F;
         line.ascent = std::max(line.ascent, std::ceil(piece.formula.ascent + air));
         line.descent = std::max(line.descent, std::ceil(piece.formula.descent + air));
     }
@@ -141,6 +142,7 @@ std::vector<RichLine> broken(std::vector<Chunk> chunks, const ImFont& font, floa
         if (chunk.own_line) {
             x = std::min(kDisplayIndent * font.FontSize, std::max(0.0F, width - chunk.width));
         }
+        lines.back().display = chunk.own_line;
         fresh = chunk.own_line;
         append(lines.back(), chunk, x);
     }

@@ -20,6 +20,7 @@ struct RichLine {
     float ascent = 0.0F;  ///< above the baseline
     float descent = 0.0F;
     float width = 0.0F;
+    bool display = false;  ///< a formula of its own
 };
 struct RichText {
     std::vector<RichLine> lines;

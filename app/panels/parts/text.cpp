@@ -139,7 +139,10 @@ std::string typeset(std::string_view text) {
             const bool ends = k + 2 >= text.size() || !is_word(text[k + 2]);
             return text[k] == '_' && k + 1 < text.size() && text[k + 1] == subscript.first && ends;
         });
-        in_formula = in_formula != (text[k] == '$' && (k == 0 || text[k - 1] != '\\'));
+        // two dollar signs open or close one formula
+        const bool mark =
+            text[k] == '$' && (k == 0 || text[k - 1] != '\\') && (k + 1 == text.size() || text[k + 1] != '$');
+        in_formula = in_formula != mark;
         if (in_formula) {
             set += text[k];
             continue;

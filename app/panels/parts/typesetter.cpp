@@ -105,11 +105,11 @@ public:
         if (is_kind(left, fence)) { inside_ = !inside_; }
         if (is_space(left) || is_space(right)) { return 0.0F; }
         if (is_kind(left, relation) || is_kind(right, relation)) { return kThick; }
+        if (is_kind(left, punctuation)) { return kThin; }
         if (is_kind(right, operation)) { return awaits_operand(left) ? 0.0F : kMedium; }
         if (is_kind(left, operation)) {
             return before == nullptr || awaits_operand(*before) ? 0.0F : kMedium;
         }
-        if (is_kind(left, punctuation)) { return kThin; }
         if (is_kind(right, function)) { return is_kind(left, opening) ? 0.0F : kThin; }
         if (is_kind(left, function) || is_kind(left, large)) {
             return is_kind(right, opening) ? 0.0F : kThin;

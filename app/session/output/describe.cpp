@@ -101,13 +101,29 @@ std::string motion_text(const View& view) {
            text_table(bodies, columns_of_numbers(4, 2));
 }
 
+/// The question with its choices, or its answer and why.
+std::string question_text(const QuestionView& question, int width) {
+    std::string text = "  ? " + wrapped(math::plain_words(question.ask), width - 4, 4) + '\n';
+    if (!question.answered) {
+        for (std::size_t k = 0; k < question.choices.size(); ++k) {
+            const std::string choice = std::to_string(k + 1) + ") " + math::plain_words(question.choices[k]);
+            text += "    " + wrapped(choice, width - 4, 7) + '\n';
+        }
+        return text;
+    }
+    text += "  ! " + wrapped(math::plain_words(question.answer), width - 4, 4) + '\n';
+    if (question.why.empty()) { return text; }
+    return text + "  » " + wrapped(math::plain_words(question.why), width - 4, 4) + '\n';
+}
+
 }  // namespace
 
 std::string describe(const View& view, int width) {
     std::string text = "[" + std::to_string(view.step) + "] " + view.title;
     if (view.kind == Step::Kind::iteration) { text += " · iteration"; }
     if (view.kind == Step::Kind::assembled) { text += " · put together"; }
-    text += '\n' + std::string("  ") + wrapped(view.sentence, width - 2, 2) + '\n';
+    text += '\n';
+    if (!view.sentence.empty()) { text += "  " + wrapped(view.sentence, width - 2, 2) + '\n'; }
     if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&
         view.kind != Step::Kind::assembled) {
         text += "  » " + wrapped(math::plain_words(view.author_text), width - 4, 4) + '\n';
@@ -115,6 +131,8 @@ std::string describe(const View& view, int width) {
     switch (view.kind) {
         case Step::Kind::bodies:
         case Step::Kind::iteration: break;
+        case Step::Kind::question:
+        case Step::Kind::answer: text += question_text(*view.question, width); break;
         case Step::Kind::equations: text += equations_text(view, width); break;
         case Step::Kind::assembled: text += newton_text(view) + rank_text(view, width); break;
         case Step::Kind::failed:

@@ -78,8 +78,17 @@ Json list_of(const std::vector<T>& items) {
     return list;
 }
 
-Json json_of(const View& view, const Step& step) {
+Json json_of(const QuestionView& question) {
     return {
+        {"ask", question.ask},
+        {"choices", question.choices},
+        {"unit", text_or_null(question.unit)},
+        {"answer", text_or_null(question.answer)},
+        {"why", text_or_null(question.why)}};
+}
+
+Json json_of(const View& view, const Step& step) {
+    Json json = {
         {"index", view.step},
         {"kind", kind_name(view.kind)},
         {"time_s", number(view.t)},
@@ -111,6 +120,8 @@ Json json_of(const View& view, const Step& step) {
         {"note", text_or_null(view.velocity_note)},
         {"failure", text_or_null(view.failure)},
         {"bodies", json_of(step.system->mechanism(), step.state, step.velocity)}};
+    if (view.question) { json["question"] = json_of(*view.question); }
+    return json;
 }
 
 }  // namespace
@@ -124,6 +135,8 @@ const char* kind_name(Step::Kind kind) {
         case Step::Kind::iteration: return "iteration";
         case Step::Kind::assembled: return "assembled";
         case Step::Kind::failed: return "failed";
+        case Step::Kind::question: return "question";
+        case Step::Kind::answer: return "answer";
         case Step::Kind::motion: break;
     }
     return "motion";

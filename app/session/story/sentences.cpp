@@ -252,6 +252,8 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
 
 std::string title_of(const Lesson& lesson, const Step& step) {
     if (step.kind == Step::Kind::bodies) { return "The free bodies"; }
+    if (step.kind == Step::Kind::question) { return "A question"; }
+    if (step.kind == Step::Kind::answer) { return "The answer"; }
     if (step.kind == Step::Kind::motion) { return step.failed() ? "The motion ends" : "The motion"; }
     const std::optional<Addition> subject = subject_of(lesson, step);
     const Mechanism& m = lesson.mechanism;
@@ -273,6 +275,8 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
         case Step::Kind::assembled: return assembled_sentence(lesson, step, *subject, rank);
         case Step::Kind::failed:
             return subject_name(lesson, *subject) + " cannot be closed. The last good pose is kept.";
+        case Step::Kind::question: return "Predict, then see.";
+        case Step::Kind::answer: return "";
         case Step::Kind::motion: break;
     }
     if (step.failed()) {

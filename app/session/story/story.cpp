@@ -20,6 +20,11 @@ Selection selection_of(const Lesson& lesson, int count) {
 
 std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     if (step.additions == 0 || step.kind == Step::Kind::motion) { return std::nullopt; }
+    if (step.kind == Step::Kind::question) { return std::nullopt; }
+    const bool of_addition =
+        step.kind != Step::Kind::answer ||
+        lesson.questions[static_cast<std::size_t>(step.question)].place == Question::Place::addition;
+    if (!of_addition) { return std::nullopt; }
     return lesson.order[static_cast<std::size_t>(step.additions - 1)];
 }
 
@@ -83,6 +88,8 @@ void Story::tell(const StoryOptions& options) {
     const auto all = static_cast<int>(lesson_->order.size());
     const int additions = options.additions < 0 ? all : std::min(options.additions, all);
     tell_bodies();
+    ask(Question::Place::bodies, nullptr, Step::Kind::question);
+    ask(Question::Place::bodies, nullptr, Step::Kind::answer);
     for (int count = 1; count <= additions; ++count) {
         if (is_enough()) { return; }
         const bool quiet = !keep_steps_ && count < additions && tell_quietly(count);
@@ -92,7 +99,9 @@ void Story::tell(const StoryOptions& options) {
     if (is_enough()) { return; }
     if (options.with_motion && additions == all) {
         if (const auto plan = shown_motion(*lesson_)) {
+            ask(Question::Place::motion, nullptr, Step::Kind::question);
             lesson_->motion ? tell_motion(*plan, options) : tell_dynamics(*plan, options);
+            if (failure() == nullptr) { ask(Question::Place::motion, nullptr, Step::Kind::answer); }
         }
     }
     find_featured_joint();
@@ -106,7 +115,8 @@ const Step* Story::failure() const {
 int Story::last_assembled() const {
     int index = 0;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
-        if (steps_[k].kind != Step::Kind::motion) { index = static_cast<int>(k); }
+        if (steps_[k].kind == Step::Kind::motion) { break; }
+        if (!is_asked(steps_[k].kind)) { index = static_cast<int>(k); }
     }
     return index;
 }
@@ -229,7 +239,35 @@ void Story::forget_poses() {
     }
 }
 
+/// Tells the questions (or the answers) that belong here, at the pose of the last step.
+void Story::ask(Question::Place place, const Addition* added, Step::Kind kind) {
+    // those who want poses alone are not asked
+    if (!keep_steps_) { return; }
+    for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
+        const Question& question = lesson_->questions[k];
+        const bool here = question.place == place && (added == nullptr || question.addition == *added);
+        if (!here) { continue; }
+        Step step = steps_.back();
+        step.kind = kind;
+        step.question = static_cast<int>(k);
+        step.choices.clear();
+        step.events.clear();
+        step.note.clear();
+        step.rows_switched = step.change_point = false;
+        step.rank_before = nullptr;
+        steps_.push_back(std::move(step));
+    }
+}
+
 bool Story::tell_addition(int count) {
+    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    ask(Question::Place::addition, &added, Step::Kind::question);
+    if (!close_addition(count)) { return false; }
+    ask(Question::Place::addition, &added, Step::Kind::answer);
+    return true;
+}
+
+bool Story::close_addition(int count) {
     auto system = std::make_shared<System>(lesson_->mechanism, selection_of(*lesson_, count));
     system->inherit_rows(*system_);
     const std::shared_ptr<const System> before = system_;

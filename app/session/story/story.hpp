@@ -41,9 +41,12 @@ struct Step {
         assembled,  ///< closed: rank before and after, freedoms, redundant equations
         failed,     ///< could not be closed; the last good pose is kept and the story ends
         motion,     ///< a moment of the motion
+        question,   ///< something is asked before it is shown; the pose is that of the step before
+        answer,     ///< of that question, at the pose that has been reached
     };
     Kind kind = Kind::bodies;
     int additions = 0;  ///< joints and drivers present
+    int question = -1;  ///< question and answer: index into Lesson::questions
     std::shared_ptr<const System> system;
     double t = 0.0;
     State state;
@@ -68,6 +71,9 @@ struct Step {
     /// The story ends here before its time.
     bool failed() const { return failure.has_value() || !ended.empty(); }
 };
+
+/// True for a question and its answer: nothing is added or moved by them.
+inline bool is_asked(Step::Kind kind) { return kind == Step::Kind::question || kind == Step::Kind::answer; }
 
 /// Reactions at a moment of a motion by masses and forces; absent at other steps, and for mechanisms so large
 /// that finding them would take longer than the motion.
@@ -137,6 +143,8 @@ private:
     void tell_bodies();
     void tell(const StoryOptions& options);
     bool tell_addition(int count);
+    bool close_addition(int count);
+    void ask(Question::Place place, const Addition* added, Step::Kind kind);
     bool tell_quietly(int count);
     bool fits_as_it_is(const Addition& added) const;
     void forget_poses();

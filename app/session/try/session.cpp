@@ -16,12 +16,13 @@ struct Place {
     Step::Kind kind = Step::Kind::bodies;
     std::optional<Addition> subject;
     int nth = 0;  ///< of the steps about the same subject
+    int question = -1;
     double t = 0.0;
 };
 
 Place place_of(const Story& story, int index) {
     const Step& step = story.steps()[static_cast<std::size_t>(index)];
-    Place place{step.kind, subject_of(story.lesson(), step), 0, step.t};
+    Place place{step.kind, subject_of(story.lesson(), step), 0, step.question, step.t};
     for (int k = index - 1; k >= 0; --k) {
         if (subject_of(story.lesson(), story.steps()[static_cast<std::size_t>(k)]) != place.subject) {
             break;
@@ -49,6 +50,10 @@ int find_place(const Story& story, const Place& place) {
     const auto size = static_cast<int>(story.steps().size());
     if (place.kind == Step::Kind::motion) { return nearest_moment(story, place.t); }
     if (place.kind == Step::Kind::bodies) { return 0; }
+    for (int k = 0; is_asked(place.kind) && k < size; ++k) {
+        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        if (step.kind == place.kind && step.question == place.question) { return k; }
+    }
     int nth = 0;
     int last = -1;
     for (int k = 0; k < size; ++k) {

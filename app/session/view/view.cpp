@@ -133,6 +133,7 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
         }
         return text;
     }
+    if (is_asked(step.kind)) { return {}; }
     const Addition subject = *subject_of(lesson, step);
     const auto k = static_cast<std::size_t>(subject.index);
     return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
@@ -188,6 +189,7 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.title = title_of(lesson, step);
     view.sentence = sentence_of(lesson, step, report);
     view.author_text = author_text_of(lesson, step);
+    if (is_asked(step.kind)) { view.question = question_view_of(story, step); }
     if (shown_joint >= 0) {
         view.equations = equations_of_joint(
             step, shown_joint, choices_of_joint(*step.system, shown_joint, step.state, before),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/view/quantities.hpp"
+#include "app/session/view/question_view.hpp"
 #include "app/session/view/view_equations.hpp"
 
 /// Contents of a step as plain values. The terminal, the JSON, the panels and the pictures all read them, so
@@ -80,10 +81,11 @@ struct View {
     int steps = 0;  ///< how many the story has
     double t = 0.0;
     std::string lesson_title;
-    std::string source;       ///< of the joint's type where there is one, else of the lesson
-    std::string title;        ///< "Joint C · revolute · coupler – rocker"
-    std::string sentence;     ///< what happened, with the real numbers
-    std::string author_text;  ///< may be empty
+    std::string source;                    ///< of the joint's type where there is one, else of the lesson
+    std::string title;                     ///< "Joint C · revolute · coupler – rocker"
+    std::string sentence;                  ///< what happened, with the real numbers
+    std::string author_text;               ///< may be empty
+    std::optional<QuestionView> question;  ///< of a question and its answer
     std::vector<EquationGroup> equations;
     MatrixView matrix;
     RankView rank;

@@ -148,9 +148,13 @@ TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
     CHECK(host::step_at(story, "motor") == first_step_of(person, "motor"));
     const auto half = host::step_at(story, "t=0.5");
     REQUIRE(half);
+    int first_moment = 0;
+    while (story.steps()[static_cast<std::size_t>(first_moment)].kind != Step::Kind::motion) {
+        ++first_moment;
+    }
     // 200 intervals in 4 s
     CHECK(story.steps()[static_cast<std::size_t>(*half)].t == Approx(0.5).margin(0.0101));
-    CHECK(host::step_at(story, "t=-7") == story.last_assembled() + 1);
+    CHECK(host::step_at(story, "t=-7") == first_moment);
     for (const std::string nonsense :
          {"", "0", "-1", "1.5", "b", "t=", "t=soon", "t=nan", "1e9", "12x", "t=0.5s", " 1"}) {
         CAPTURE(nonsense);

@@ -1,0 +1,222 @@
+#include "app/session/view/question_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "app/session/view/quantities.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/quantity_text.hpp"
+#include "core/numerics/variants.hpp"
+#include "lessons/math/text_parts.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+
+std::vector<std::string> choices_of(const Question& question) {
+    return std::visit(
+        Overloaded{
+            [](const ChoiceAnswer& a) { return a.choices; },
+            [](const DroppedAnswer&) { return std::vector<std::string>(kAxes.begin(), kAxes.end()); },
+            [](const CountAnswer&) { return std::vector<std::string>(); },
+            [](const QuantityAnswer&) { return std::vector<std::string>(); },
+        },
+        question.answer);
+}
+
+std::string unit_of_answer(const Question& question) {
+    const auto* const quantity = std::get_if<QuantityAnswer>(&question.answer);
+    if (quantity == nullptr) { return {}; }
+    return unit_text(dimension_of(quantity->quantity), quantity->derivative, quantity->in_degrees);
+}
+
+int count_in(const RankReport& report, Count count) {
+    switch (count) {
+        case Count::rank: return report.rank;
+        case Count::rows: return report.rows;
+        case Count::columns: return report.columns;
+        case Count::dof: return report.dof;
+        case Count::redundant: return report.redundant();
+        case Count::mobility_by_counting: break;
+    }
+    return report.mobility_by_counting;
+}
+
+RightAnswer right_count(const CountAnswer& answer, const Step& step) {
+    const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+    RightAnswer right;
+    right.number = count_in(report, answer.count);
+    right.known = report.decided;
+    return right;
+}
+
+RightAnswer right_axis(const DroppedAnswer& answer, const Step& step) {
+    RightAnswer right;
+    for (const Constraint& c : step.system->constraints()) {
+        if (c.joint == answer.joint && c.role == answer.role) { right.choice = c.dropped; }
+    }
+    right.known = right.choice >= 0;
+    return right;
+}
+
+/// The instant at a time of the story's motion, which a driven motion reaches exactly.
+std::optional<Instant> instant_at(const Story& story, const AtTime& when) {
+    const Step& assembled = story.steps()[static_cast<std::size_t>(story.last_assembled())];
+    if (!when.by_forces && story.lesson().motion) {
+        System system = *assembled.system;
+        MotionTracker tracker(system, assembled.state, assembled.t);
+        bool switched = false;
+        if (!advance_along(tracker, story.lesson(), when.t, switched)) { return std::nullopt; }
+        Instant instant;
+        instant.t = when.t;
+        instant.system = std::make_shared<const System>(system);
+        instant.state = tracker.frame().state;
+        instant.velocity = tracker.frame().velocity;
+        instant.acceleration = tracker.frame().acceleration;
+        return instant;
+    }
+    const Step* nearest = nullptr;
+    for (const Step& step : story.steps()) {
+        if (step.kind != Step::Kind::motion) { continue; }
+        if (nearest == nullptr || std::abs(step.t - when.t) < std::abs(nearest->t - when.t)) {
+            nearest = &step;
+        }
+    }
+    return nearest != nullptr ? std::optional<Instant>(instant_of(*nearest)) : std::nullopt;
+}
+
+RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
+    RightAnswer right;
+    const std::optional<Instant> instant = instant_at(story, answer.when);
+    if (!instant) { return right; }
+    const QuantityValue value = evaluate(answer.quantity, *instant, answer.derivative);
+    const double factor = answer.in_degrees ? kDegreesPerRadian : 1.0;
+    right.number = factor * value.derivatives[static_cast<std::size_t>(answer.derivative)];
+    right.tolerance = factor * answer.tolerance;
+    const bool modulo_turn = answer.derivative == 0 && is_modulo_turn(answer.quantity);
+    right.turn = modulo_turn ? factor * 2.0 * std::numbers::pi : 0.0;
+    right.known = std::isfinite(right.number);
+    return right;
+}
+
+std::string answer_text(const Question& question, const RightAnswer& right) {
+    if (!right.known) { return "This scene does not get there."; }
+    if (right.choice >= 0) { return choices_of(question)[static_cast<std::size_t>(right.choice)]; }
+    const std::string unit = unit_of_answer(question);
+    // as many digits as the tolerance asks for, and two more
+    const double size = std::max(std::abs(right.number), 1e-300);
+    const int digits =
+        right.tolerance > 0.0
+            ? std::clamp(static_cast<int>(std::ceil(std::log10(size / right.tolerance))) + 2, 2, 9)
+            : 6;
+    return number_text(right.number, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string without_blanks(const std::string& text) {
+    std::string kept;
+    std::ranges::copy_if(text, std::back_inserter(kept), [](char c) { return c != ' '; });
+    return kept;
+}
+
+/// A number, a fraction of two, with or without the unit behind it.
+std::optional<double> typed_number(std::string text, const std::string& unit) {
+    text = without_blanks(text);
+    const std::string plain_unit = without_blanks(unit);
+    if (!plain_unit.empty() && text.size() > plain_unit.size() && text.ends_with(plain_unit)) {
+        text.resize(text.size() - plain_unit.size());
+    }
+    const auto parse = [](std::string_view part) -> std::optional<double> {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        const bool whole = error == std::errc() && end == part.data() + part.size();
+        return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+    };
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) { return parse(text); }
+    const auto above = parse(std::string_view(text).substr(0, slash));
+    const auto below = parse(std::string_view(text).substr(slash + 1));
+    if (!above || !below || *below == 0.0) { return std::nullopt; }
+    return *above / *below;
+}
+
+int chosen(const QuestionView& view, const std::string& given) {
+    const std::optional<double> number = typed_number(given, "");
+    const auto count = static_cast<double>(view.choices.size());
+    if (number && *number >= 1.0 && *number <= count && *number == std::floor(*number)) {
+        return static_cast<int>(*number) - 1;
+    }
+    for (std::size_t k = 0; k < view.choices.size(); ++k) {
+        if (!given.empty() && math::plain_words(view.choices[k]).starts_with(given)) {
+            return static_cast<int>(k);
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+QuestionView question_view_of(const Story& story, const Step& step) {
+    const Question& question = story.lesson().questions[static_cast<std::size_t>(step.question)];
+    QuestionView view;
+    view.ask = question.ask;
+    view.choices = choices_of(question);
+    view.unit = unit_of_answer(question);
+    view.answered = step.kind == Step::Kind::answer;
+    if (!view.answered) { return view; }
+    view.answer = answer_text(question, right_answer(story, question, step));
+    view.why = question.why;
+    return view;
+}
+
+RightAnswer right_answer(const Story& story, const Question& question, const Step& step) {
+    return std::visit(
+        Overloaded{
+            [&](const CountAnswer& a) { return right_count(a, step); },
+            [&](const DroppedAnswer& a) { return right_axis(a, step); },
+            [&](const QuantityAnswer& a) { return right_quantity(a, story); },
+            [&](const ChoiceAnswer& a) {
+                RightAnswer right;
+                right.choice = a.right;
+                right.known = true;
+                return right;
+            },
+        },
+        question.answer);
+}
+
+GivenAnswer judge_answer(const QuestionView& view, const RightAnswer& right, const std::string& given) {
+    GivenAnswer judged;
+    if (!view.choices.empty()) {
+        const int choice = chosen(view, given);
+        if (choice < 0) {
+            judged.note = "expected the number of a choice, 1 to " + std::to_string(view.choices.size());
+            return judged;
+        }
+        judged.understood = true;
+        judged.right = right.known && choice == right.choice;
+        judged.note = "You said: " + view.choices[static_cast<std::size_t>(choice)];
+        return judged;
+    }
+    const std::optional<double> number = typed_number(given, view.unit);
+    if (!number) {
+        judged.note = "expected a number" + (view.unit.empty() ? "" : " in " + view.unit);
+        return judged;
+    }
+    const double apart = *number - right.number;
+    const double off = right.turn > 0.0 ? std::remainder(apart, right.turn) : apart;
+    judged.understood = true;
+    judged.right = right.known && std::abs(off) <= right.tolerance;
+    judged.note = "You said " + number_text(*number, 6) + (view.unit.empty() ? "" : " " + view.unit) + ".";
+    if (right.known && !judged.right && right.tolerance > 0.0) {
+        judged.note += " Off by " + number_text(off, 3) + ".";
+    }
+    return judged;
+}
+
+}  // namespace jw
