@@ -42,7 +42,9 @@ std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
     if (!text) { return std::nullopt; }
     const std::size_t blank = text->value.rfind(' ');
     const std::string primitive = blank == std::string::npos ? "" : text->value.substr(blank + 1);
-    if (primitive != "p1" && primitive != "p2") {
+    const auto parallel = {Role::axes_parallel, Role::distance_parallel};
+    const auto* const role = std::ranges::find_if(parallel, [&](Role r) { return word_of(r) == primitive; });
+    if (role == parallel.end()) {
         reading.problems->add(
             text->span,
             in_quotes(text->value) + " names no pair of equations; expected \"JOINT p1\" or \"JOINT p2\"");
@@ -50,13 +52,12 @@ std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
     }
     const Named* const joint = reading.joint({text->value.substr(0, blank), text->span});
     if (joint == nullptr || !joint->sound) { return std::nullopt; }
-    const Role role = primitive == "p1" ? Role::axes_parallel : Role::distance_parallel;
-    if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type->uses(role)) {
+    if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type->uses(*role)) {
         reading.problems->add(
             text->span, "this joint has no " + primitive + "; expected a primitive that it is made of");
         return std::nullopt;
     }
-    return DroppedAnswer{joint->index, role};
+    return DroppedAnswer{joint->index, *role};
 }
 
 std::optional<Answer> read_quantity_answer(Fields& fields, const Reading& reading) {

@@ -66,6 +66,10 @@ Addition subject_of_answer(const Answer& answer) {
 
 bool has_meaning(const Question& question, const Written& written) {
     if (question.place == Question::Place::addition && !written.has(question.addition)) { return false; }
+    const bool moves = written.lesson->motion || written.lesson->dynamics;
+    const bool of_motion =
+        question.place == Question::Place::motion || std::holds_alternative<QuantityAnswer>(question.answer);
+    if (of_motion && !moves) { return false; }
     const Addition subject = subject_of_answer(question.answer);
     return subject.index < 0 || written.has(subject);
 }

@@ -50,7 +50,9 @@ Outcome outcome_of(const char* equation, const Instant& instant, std::vector<std
     return evaluate_at({equation, std::move(where), subject}, instant);
 }
 
-double part_of(const Outcome& outcome) { return outcome.apart.difference / outcome.apart.scale; }
+double part_of(const Outcome& outcome) {
+    return outcome.apart.difference / std::max(outcome.apart.scale, 1e-300);
+}
 
 /// Value of a symbol after the bodies have moved on for a time.
 MatrixX value_after(const char* expression, const Instant& start, double t) {

@@ -120,7 +120,8 @@ int closed_step_of(const Session& session, const Addition& part) {
     const std::vector<Step>& steps = session.story().steps();
     for (auto k = static_cast<int>(steps.size()) - 1; k >= 0; --k) {
         const Step& step = steps[static_cast<std::size_t>(k)];
-        if (step.kind != Step::Kind::motion && subject_of(session.lesson(), step) == part) { return k; }
+        if (step.kind == Step::Kind::motion || is_asked(step.kind)) { continue; }
+        if (subject_of(session.lesson(), step) == part) { return k; }
     }
     throw Unreadable(part_name(session.lesson(), part) + " is not reached in this lesson");
 }

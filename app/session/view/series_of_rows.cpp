@@ -193,6 +193,7 @@ std::vector<Vec3> axis_directions(const Story& story, int joint, int last) {
     std::vector<Vec3> directions;
     for (int k = 0; k <= last; ++k) {
         const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        if (is_asked(step.kind)) { continue; }  // nothing moves by asking
         const std::vector<int>& present = step.system->selection().joints;
         if (std::ranges::find(present, joint) == present.end()) { continue; }
         const Mat3 A = rotation_matrix(step.state.p[static_cast<std::size_t>(axis.body_i)]);
