@@ -117,6 +117,37 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("before assembly a view says the rank here and the rank once assembled", "[app][story]") {
+    // at the start estimate all three rows of p1 are independent; at the solution one repeats the others
+    const Lesson lesson = lesson_named("parallel/parallel-vectors");
+    const Story story(lesson, no_motion());
+    int looked_at = 0;
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        const View view = view_of(story, k);
+        const bool before = view.kind == Step::Kind::equations || view.kind == Step::Kind::iteration;
+        CHECK(view.rank.once_assembled.has_value() == before);
+        if (view.kind != Step::Kind::equations || view.title.rfind("Joint p1", 0) != 0) { continue; }
+        ++looked_at;
+        CHECK(view.rank.rank == 11);
+        CHECK(view.rank.once_assembled == 10);
+        CHECK_THAT(view.sentence, Catch::Contains("Rank 11 here, 10 once assembled"));
+        CHECK_THAT(describe(view), Catch::Contains("Rank 11 here, 10 once assembled"));
+        CHECK(json_of(story, k)["steps"].back()["rank"]["rank_once_assembled"] == 10);
+    }
+    CHECK(looked_at == 1);
+}
+
+TEST_CASE("a rank that assembly does not change is said once", "[app][story]") {
+    const Lesson lesson = lesson_named("loops/four-bar");
+    const Story story(lesson, no_motion());
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        const View view = view_of(story, k);
+        const bool differs = view.rank.once_assembled && *view.rank.once_assembled != view.rank.rank;
+        CAPTURE(k, view.sentence);
+        CHECK((view.sentence.find("once assembled") != std::string::npos) == differs);
+    }
+}
+
 TEST_CASE("a view says so exactly where the choice of rows has changed", "[app][story]") {
     const Lesson lesson = lesson_named("parallel/which-two-of-three");
     const Story story(lesson);

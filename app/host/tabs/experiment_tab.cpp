@@ -29,6 +29,9 @@ void verdict(const LessonUi& ui) {
     const RankView& rank = ui.session.view().rank;
     std::string text = std::to_string(rank.rows) + " equations, rank " + std::to_string(rank.rank) + ", " +
                        std::to_string(rank.dof) + (rank.dof == 1 ? " freedom" : " freedoms");
+    if (rank.differs_once_assembled()) {
+        text += ", rank " + std::to_string(*rank.once_assembled) + " once assembled";
+    }
     if (rank.rows > rank.rank) { text += ", " + std::to_string(rank.rows - rank.rank) + " repeated"; }
     ImGui::PushFont(ui.canvas.fonts().bold);
     ImGui::TextUnformatted(text.c_str());

@@ -34,11 +34,14 @@ float width_of(const Canvas& canvas, const Figure& figure) {
 
 std::array<Figure, 6> figures_of(const RankView& rank) {
     const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
+    const bool here = rank.differs_once_assembled();
     const int redundant = rank.rows - rank.rank;
-    const std::string number = grown ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
-                                     : std::to_string(rank.rank);
+    // a growth that assembly takes back is none
+    const std::string number = grown && !here
+                                   ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
+                                   : std::to_string(rank.rank);
     return {{
-        {number, "rank", 0.27F, theme::kAccent},
+        {number, here ? "rank here" : "rank", 0.27F, theme::kAccent},
         {std::to_string(rank.rows), "rows", 0.13F},
         {std::to_string(rank.columns), "columns", 0.15F},
         {std::to_string(rank.dof), rank.dof == 1 ? "freedom" : "freedoms", 0.16F},
@@ -92,6 +95,15 @@ float warning(const Canvas& canvas, const Box& box, const std::string& text) {
     return height + canvas.px(4.0F);
 }
 
+/// "10 once assembled, 8 before: 1 redundant", where that is another rank than that of the pose.
+float once_assembled_line(const Canvas& canvas, const Box& box, const RankView& rank) {
+    if (!rank.differs_once_assembled()) { return 0.0F; }
+    std::string text = "rank " + std::to_string(*rank.once_assembled) + " once assembled";
+    if (rank.rank_before >= 0) { text += ", " + std::to_string(rank.rank_before) + " before"; }
+    text += ": then " + std::to_string(rank.rows - *rank.once_assembled) + " redundant";
+    return paragraph(canvas, box, canvas.fonts().small, theme::kAccent, text);
+}
+
 }  // namespace
 
 float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
@@ -111,7 +123,8 @@ float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
         draw_figure(canvas, {x, box.y + top + lower, 0.0F, 0.0F}, figures[k]);
         x += (narrow ? 1.0F / 3.0F : figures[k].share) * box.width;
     }
-    return top + (narrow ? 2.0F : 1.0F) * row;
+    const float height = top + (narrow ? 2.0F : 1.0F) * row;
+    return height + once_assembled_line(canvas, {box.x, box.y + height, box.width, 0.0F}, rank);
 }
 
 float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) {

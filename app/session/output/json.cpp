@@ -100,6 +100,7 @@ Json json_of(const View& view, const Step& step) {
          {{"rows", view.rank.rows},
           {"columns", view.rank.columns},
           {"rank", view.rank.rank},
+          {"rank_once_assembled", view.rank.once_assembled ? Json(*view.rank.once_assembled) : Json()},
           {"rank_before", view.rank.rank_before < 0 ? Json() : Json(view.rank.rank_before)},
           {"dof", view.rank.dof},
           {"redundant", view.rank.rows - view.rank.rank},

@@ -286,6 +286,15 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
     return motion_sentence(lesson, step, rank);
 }
 
+std::string once_assembled_text(int here, int once) {
+    const std::string ranks =
+        "Rank " + std::to_string(here) + " here, " + std::to_string(once) + " once assembled";
+    if (once > here) { return ranks + ": some rows are independent only at the solution."; }
+    const int fewer = here - once;
+    return ranks + ": " + number_word(fewer) + (fewer == 1 ? " row repeats" : " rows repeat") +
+           " others at the solution only.";
+}
+
 std::string failure_text(const Step& step) {
     if (step.failure) { return failure_text(*step.system, *step.failure); }
     std::string text = step.ended;

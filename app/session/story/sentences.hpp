@@ -13,6 +13,9 @@ std::string title_of(const Lesson& lesson, const Step& step);
 /// @param rank of the step's pose
 std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport& rank);
 
+/// What the rank of an unassembled pose becomes: "Rank 11 here, 10 once assembled: ..."
+std::string once_assembled_text(int here, int once);
+
 /// Why the story ends at a step; empty if it does not.
 std::string failure_text(const Step& step);
 

@@ -43,6 +43,17 @@ MatrixView matrix_of(
     return view;
 }
 
+/// The rank that the equations of an unassembled step have once they hold, if the story tells that.
+std::optional<int> rank_once_assembled(const Story& story, const Step& step, int index) {
+    if (step.kind != Step::Kind::equations && step.kind != Step::Kind::iteration) { return std::nullopt; }
+    const std::vector<Step>& steps = story.steps();
+    for (std::size_t k = static_cast<std::size_t>(index); k < steps.size(); ++k) {
+        if (steps[k].additions != step.additions) { break; }
+        if (steps[k].kind == Step::Kind::assembled && steps[k].rank) { return steps[k].rank->rank; }
+    }
+    return std::nullopt;
+}
+
 RankView rank_view_of(const Step& step, const RankReport& report) {
     const System& system = *step.system;
     RankView view;
@@ -187,7 +198,12 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
             ? std::string(lesson.mechanism.joints[static_cast<std::size_t>(shown_joint)].type->source)
             : lesson.source;
     view.title = title_of(lesson, step);
+    view.rank = rank_view_of(step, report);
+    view.rank.once_assembled = rank_once_assembled(story, step, index);
     view.sentence = sentence_of(lesson, step, report);
+    if (view.rank.differs_once_assembled()) {
+        view.sentence += " " + once_assembled_text(report.rank, *view.rank.once_assembled);
+    }
     view.author_text = author_text_of(lesson, step);
     if (is_asked(step.kind)) { view.question = question_view_of(story, step); }
     if (shown_joint >= 0) {

@@ -37,6 +37,9 @@ struct RankView {
     int dof = 0;
     int mobility_by_counting = 0;
     int rank_before = -1;  ///< -1: nothing to compare with
+    /// Before assembly: the rank that the same equations have once they hold. Rows that repeat others do so
+    /// at the solution only, so the rank of an unassembled pose may be larger.
+    std::optional<int> once_assembled;
     int rows_before = 0;
     bool has_spectrum = true;             ///< false: the next and the last list were not computed
     std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
@@ -50,6 +53,9 @@ struct RankView {
     std::vector<std::string> redundant_rows;  ///< labels
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
     std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
+
+    /// True if the rank of the pose is not the one that the equations have once they hold.
+    bool differs_once_assembled() const { return once_assembled && *once_assembled != rank; }
 };
 
 struct NewtonRow {
