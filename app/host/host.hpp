@@ -110,6 +110,7 @@ private:
     void carry_out(Requests requests);
     void carry_out(Command command);
     void apply(const Experiment& experiment);
+    void show_joint(int joint);
     void go_to(int step);
     void play_or_pause();
     void answer();

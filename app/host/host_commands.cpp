@@ -56,6 +56,7 @@ void Host::carry_out(Requests requests) {
     }
     for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
+    if (requests.show_joint && session_) { show_joint(*requests.show_joint); }
     if (requests.copy) { say(copied(*requests.copy, "Copied.")); }
     if (requests.open) { open(*requests.open); }
 }
@@ -76,6 +77,18 @@ void Host::apply(const Experiment& experiment) {
         state_.playback.leave_freedom();
         state_.forget_pointed();
     }
+}
+
+void Host::show_joint(int joint) {
+    const std::vector<Joint>& joints = session_->lesson().mechanism.joints;
+    // the lesson may have been saved anew since the click began
+    if (joint < 0 || static_cast<std::size_t>(joint) >= joints.size()) { return; }
+    const std::string name = joints[static_cast<std::size_t>(joint)].name;
+    session_->show_joint(joint);
+    rouse();
+    const bool shown = session_->story().chosen_joint() == joint;
+    say(shown ? "Vectors and equations of " + name + ". Click it again for those of the lesson."
+              : "Vectors and equations as the lesson shows them.");
 }
 
 void Host::go_to(int step) {

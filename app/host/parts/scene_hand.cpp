@@ -118,7 +118,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool re
     if (mode_ == Mode::drag && static_cast<std::size_t>(body_) >= bodies) {
         // the lesson was saved anew, or another one opened, without the body that is held
         mode_ = Mode::idle;
-        body_ = -1;
+        body_ = joint_ = -1;
         return;
     }
     const bool held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
@@ -137,7 +137,9 @@ void SceneHand::press(const LessonUi& ui, const render::Rect& viewport, bool rig
     x_ = mouse.x;
     y_ = mouse.y;
     moved_ = false;
-    body_ = right ? -1 : body_of(ui.session, ui.state.pointed_at);
+    const Pointable link = ui.state.pointed_at;
+    joint_ = !right && link.kind == Pointable::Kind::joint ? link.index : -1;
+    body_ = right ? -1 : body_of(ui.session, link);
     mode_ = right ? Mode::pan : (body_ >= 0 ? Mode::drag : Mode::orbit);
     if (body_ < 0) { return; }
     const State& state = ui.session.step().state;
@@ -176,6 +178,10 @@ void SceneHand::move(const LessonUi& ui, const render::Rect& viewport) {
 }
 
 void SceneHand::release(const LessonUi& ui) {
+    if (!moved_ && joint_ >= 0 && ui.session.step().kind == Step::Kind::motion) {
+        ui.requests.show_joint = joint_;
+    }
+    joint_ = -1;
     if (mode_ == Mode::drag && moved_) { ui.requests.add(Release{}); }
     mode_ = Mode::idle;
     body_ = -1;

@@ -59,6 +59,7 @@ private:
     float y_ = 0.0F;
     bool moved_ = false;
     int body_ = -1;
+    int joint_ = -1;  ///< pressed upon: a click chooses it
     Vec3 point_local_ = Vec3::Zero();
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/text.hpp"
+#include "app/session/story/featured.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -170,7 +171,8 @@ int experiment_joint_of(const LessonUi& ui) {
             ui.session.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
         if (driven >= 0) { return driven; }
     }
-    if (ui.session.story().featured_joint() >= 0) { return ui.session.story().featured_joint(); }
+    const std::vector<int> featured = featured_joints(ui.session.story());
+    if (!featured.empty()) { return featured.front(); }
     return count > 0 ? 0 : -1;
 }
 

@@ -53,6 +53,7 @@ struct Requests {
     std::vector<Command> commands;
     std::optional<std::string> open;  ///< lesson file
     std::optional<std::string> copy;  ///< text for the clipboard
+    std::optional<int> show_joint;    ///< its vectors and equations, while everything moves
     std::vector<int> lit_rows;        ///< for the next frame
 
     void add(const Experiment& experiment) { experiments.push_back(experiment); }

@@ -1,10 +1,12 @@
 #include "app/panels/column/equations_panel.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
 
 #include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 
 namespace jw::panels {
@@ -63,9 +65,17 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word_of(row.status));
 }
 
+/// "p1 · in m": whose the equation is where those of several are shown, and its unit.
+std::string aside_of(const EquationGroup& group) {
+    const std::string unit = group.unit.empty() || group.unit == "-" ? "" : "in " + group.unit;
+    return group.owner + (group.owner.empty() || unit.empty() ? "" : " · ") + unit;
+}
+
 float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
     const render::Fonts& fonts = canvas.fonts();
-    const float unit_room = canvas.px(44.0F);
+    const std::string aside = shortened_name(*fonts.small, aside_of(group), 0.4F * box.width);
+    const float unit_room =
+        std::max(canvas.px(44.0F), canvas.text_width(fonts.small, aside) + canvas.px(8.0F));
     Formula formula = layout_formula(group.formula, large_formula_fonts(fonts));
     if (density != Density::roomy || formula.width > box.width - unit_room) {
         formula = layout_formula(group.formula, formula_fonts(fonts));
@@ -76,10 +86,8 @@ float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGrou
     const float baseline = box.y + std::ceil(formula.ascent) + canvas.px(1.0F);
     if (group.joint >= 0) { link_formula(canvas, {box.x, baseline}, formula, group.joint); }
     draw_formula(canvas, {box.x, baseline}, formula, theme::kInk, true);
-    if (!group.unit.empty() && group.unit != "-") {
-        const float top = baseline - std::round(fonts.small->Ascent);
-        canvas.text({box.right(), top}, fonts.small, theme::kSoft, "in " + group.unit, Align::right);
-    }
+    const float top = baseline - std::round(fonts.small->Ascent);
+    canvas.text({box.right(), top}, fonts.small, theme::kSoft, aside, Align::right);
     return std::ceil(formula.ascent + formula.descent) + canvas.px(density == Density::tight ? 3.0F : 5.0F);
 }
 

@@ -1,6 +1,9 @@
 #include "app/session/picture/picture.hpp"
 
+#include <algorithm>
+
 #include "app/session/picture/picture_parts.hpp"
+#include "app/session/story/featured.hpp"
 
 namespace jw {
 
@@ -14,18 +17,24 @@ constexpr double kTriadRadius = 0.0028;
 constexpr double kSameFrame = 0.02;
 constexpr float kFaint = 0.4F;
 constexpr float kGhost = 0.2F;
-constexpr double kMoved = 0.01;  // of the unit: less is not seen
+constexpr double kMoved = 0.01;    // of the unit: less is not seen
+constexpr double kOneName = 0.06;  // of the unit: nearer names say the same of the same
 
 int bodies_count(const Lesson& lesson) { return static_cast<int>(lesson.mechanism.bodies.size()); }
 
-/// The joint that a step is about: the one that was added, or that the added driver acts along; while
-/// everything moves the featured one. -1: none.
-int subject_joint(const Story& story, const Step& step) {
-    if (step.kind == Step::Kind::motion) { return story.featured_joint(); }
+/// The joints that a step is about: the one that was added, or that the added driver acts along; while
+/// everything moves the featured ones. Empty: none.
+std::vector<int> subject_joints(const Story& story, const Step& step) {
+    if (step.kind == Step::Kind::motion) { return featured_joints(story); }
     const std::optional<Addition> subject = subject_of(story.lesson(), step);
-    if (!subject) { return -1; }
-    if (subject->kind == Addition::Kind::joint) { return subject->index; }
-    return story.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
+    if (!subject) { return {}; }
+    if (subject->kind == Addition::Kind::joint) { return {subject->index}; }
+    const int along = story.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
+    return along < 0 ? std::vector<int>{} : std::vector<int>{along};
+}
+
+bool contains(const std::vector<int>& joints, int joint) {
+    return std::ranges::find(joints, joint) != joints.end();
 }
 
 /// The joint whose equation could not be closed, -1 if there is none.
@@ -43,7 +52,7 @@ void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& li
 }
 
 void add_mechanism(
-    const Lesson& lesson, const PictureStyle& style, const Step& step, int highlighted,
+    const Lesson& lesson, const PictureStyle& style, const Step& step, const std::vector<int>& highlighted,
     render::Scene& scene) {
     for (int b = 0; b < bodies_count(lesson); ++b) {
         const std::size_t first = scene.shapes.size();
@@ -52,7 +61,7 @@ void add_mechanism(
     }
     for (const int j : step.system->selection().joints) {
         const std::size_t first = scene.shapes.size();
-        add_joint(lesson, style, placed(lesson.mechanism, j, step.state), j == highlighted, scene);
+        add_joint(lesson, style, placed(lesson.mechanism, j, step.state), contains(highlighted, j), scene);
         name_from(scene.shapes, first, Pointable::joint(j));
     }
 }
@@ -64,23 +73,47 @@ int part_of(const render::Colour& colour) {
     return colour == render::palette::kVectorD ? Pointable::kVectorD : -1;
 }
 
-/// Vectors and their names, all of one joint.
-void name_vectors(Picture& picture, int joint) {
-    for (render::Arrow& arrow : picture.scene.arrows) {
+/// Adds the vectors of a joint and their names, which stand for it.
+void add_named_vectors(
+    const Lesson& lesson, const PictureStyle& style, const State& state, int joint, Picture& picture) {
+    const std::size_t first_arrow = picture.scene.arrows.size();
+    const std::size_t first_name = picture.annotations.size();
+    add_vectors(style, placed(lesson.mechanism, joint, state), picture);
+    for (std::size_t k = first_arrow; k < picture.scene.arrows.size(); ++k) {
+        render::Arrow& arrow = picture.scene.arrows[k];
         if (const int part = part_of(arrow.colour); part >= 0) {
             arrow.id = picture_id(Pointable::vector(joint, part));
         }
     }
-    for (Annotation& annotation : picture.annotations) {
+    for (std::size_t k = first_name; k < picture.annotations.size(); ++k) {
+        Annotation& annotation = picture.annotations[k];
         if (const int part = part_of(annotation.colour); part >= 0) {
             annotation.link = Pointable::vector(joint, part);
         }
     }
 }
 
+/// Of two joints that share a vector, fixed in the same body, one names it.
+void leave_out_repeated_names(const PictureStyle& style, Picture& picture) {
+    std::vector<Annotation>& names = picture.annotations;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const Annotation first = names[k];
+        const auto repeats = [&](const Annotation& name) {
+            return name.text == first.text && name.link.kind == Pointable::Kind::vector &&
+                   (name.at - first.at).norm() < kOneName * style.unit;
+        };
+        const auto rest = names.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+        names.erase(std::remove_if(rest, names.end(), repeats), names.end());
+    }
+}
+
 void add_triads(
-    const Lesson& lesson, const PictureStyle& style, const Step& step, int joint, render::Scene& scene) {
-    const Joint* subject = joint < 0 ? nullptr : &lesson.mechanism.joints[static_cast<std::size_t>(joint)];
+    const Lesson& lesson, const PictureStyle& style, const Step& step, const std::vector<int>& joints,
+    render::Scene& scene) {
+    const auto joins = [&](int joint, int body) {
+        const Joint& subject = lesson.mechanism.joints[static_cast<std::size_t>(joint)];
+        return subject.body_i == body || subject.body_j == body;
+    };
     const BodyFrame ground = frame_of(step.state, 0);
     for (int b = 0; b < bodies_count(lesson); ++b) {
         const BodyFrame frame = frame_of(step.state, b);
@@ -88,7 +121,7 @@ void add_triads(
         const bool on_ground = b > 0 && style.ground_axes && (frame.A - ground.A).norm() < kSameFrame &&
                                (frame.r - ground.r).norm() < kSameFrame * style.unit;
         if (on_ground || (b == 0 && !style.ground_axes)) { continue; }
-        const bool of_subject = subject != nullptr && (subject->body_i == b || subject->body_j == b);
+        const bool of_subject = std::ranges::any_of(joints, [&](int joint) { return joins(joint, b); });
         render::Triad triad{{frame.A, frame.r}};
         triad.length = (b == 0 ? kGroundTriad : kTriad) * style.unit;
         triad.radius = kTriadRadius * style.unit;
@@ -133,9 +166,7 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
     if (style.traced_body < 0) { return; }
     render::Polyline path{{}, 1.6, render::palette::kInkFaint};
     path.see_through = false;
-    for (int k = 0; k <= index; ++k) {
-        const Step& step = story.steps()[static_cast<std::size_t>(k)];
-        if (step.kind != Step::Kind::motion) { continue; }
+    const auto add = [&](const Step& step) {
         path.points.push_back(frame_of(step.state, style.traced_body).point(style.traced_point_local));
     }
     if (path.points.size() > 1) { scene.polylines.push_back(std::move(path)); }
@@ -146,21 +177,21 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
 Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index) {
     const Lesson& lesson = story.lesson();
     const bool moves = step.kind == Step::Kind::motion;
-    const int joint = subject_joint(story, step);
+    const std::vector<int> joints = subject_joints(story, step);
     const std::optional<Addition> subject = subject_of(lesson, step);
     const bool about_driver = subject && subject->kind == Addition::Kind::driver;
 
     Picture picture;
-    add_mechanism(lesson, style, step, moves ? -1 : joint, picture.scene);
+    add_mechanism(lesson, style, step, moves ? std::vector<int>{} : joints, picture.scene);
     if (step.kind == Step::Kind::iteration) { add_ghosts(story, style, index, picture.scene); }
-    add_triads(lesson, style, step, joint, picture.scene);
+    add_triads(lesson, style, step, joints, picture.scene);
     if (about_driver) {
         add_driver(lesson, style, step.state, subject->index, picture);
-    } else if (joint >= 0) {
-        add_vectors(style, placed(lesson.mechanism, joint, step.state), picture);
-        name_vectors(picture, joint);
+    } else {
+        for (const int joint : joints) { add_named_vectors(lesson, style, step.state, joint, picture); }
+        leave_out_repeated_names(style, picture);
     }
-    if (const int failing = failing_joint(step); failing >= 0 && failing != joint) {
+    if (const int failing = failing_joint(step); failing >= 0 && !contains(joints, failing)) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
     }
     // between bodies that are still apart they would only be in the way

@@ -89,7 +89,9 @@ struct StoryOptions {
     bool with_motion = true;
     bool with_ranks = true;  ///< of every assembled step, for those who show them
     int intervals = 0;       ///< of the motion; 0: as many as the lesson says
-    int additions = -1;      ///< so many joints and drivers are put together, and nothing moves; -1: all
+    /// Moments of a motion by masses and forces that are kept for curves and paths, at least; 0: its steps.
+    int curve_moments = 960;
+    int additions = -1;  ///< so many joints and drivers are put together, and nothing moves; -1: all
     /// Nobody looks beyond this step: telling may end after it, if that is before the motion. -1: everything.
     int last_step = -1;
     /// False: of the steps before the last their kind and number are kept, no system and no pose. For those
@@ -138,6 +140,10 @@ public:
     /// The joint whose equations are of interest while everything moves: the first whose choice of p1 / p2
     /// rows changes, or the only one; -1 if there is none.
     int featured_joint() const { return featured_joint_; }
+    /// The joint chosen instead of it by who looks at the story; -1 if none is.
+    int chosen_joint() const { return chosen_joint_; }
+    /// Chooses a joint of the mechanism; -1 leaves the choice to the story again.
+    void choose_joint(int joint) { chosen_joint_ = joint; }
 
 private:
     void tell_bodies();
@@ -165,6 +171,7 @@ private:
     RankWhenAsked rank_;
     std::vector<Step> steps_;
     int featured_joint_ = -1;
+    int chosen_joint_ = -1;
 };
 
 /// Verdict on a pose. @param spectrum singular values and free motions of large systems, too: takes long

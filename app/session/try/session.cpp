@@ -227,11 +227,21 @@ Session::Past Session::present(std::string what) const {
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     const Place place = place_of(*story_, index_);
     auto story = std::make_unique<Story>(*lesson);
+    if (story_->chosen_joint() < static_cast<int>(lesson->mechanism.joints.size())) {
+        story->choose_joint(story_->chosen_joint());
+    }
     hand_.reset();
     story_ = std::move(story);
     lesson_ = std::move(lesson);  // the story before looked into the one before
     index_ = find_place(*story_, place);
     told_anew();
+}
+
+void Session::show_joint(int joint) {
+    const auto joints = static_cast<int>(lesson_->mechanism.joints.size());
+    const bool leave = joint < 0 || joint >= joints || joint == story_->chosen_joint();
+    story_->choose_joint(leave ? -1 : joint);
+    changed();
 }
 
 void Session::told_anew() {

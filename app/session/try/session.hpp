@@ -36,6 +36,10 @@ public:
     /// @return what was done or why it was not, for people; empty where there is nothing to say
     std::string apply(const Experiment& experiment);
 
+    /// Shows vectors and equations of this joint while everything moves; the same one again, or -1, leaves
+    /// the choice to the story. No experiment: the lesson stays as it is.
+    void show_joint(int joint);
+
     /// The file was saved anew. What was tried before stays in the history.
     void replace(Lesson lesson);
 

@@ -1,5 +1,9 @@
 #include "app/session/view/view.hpp"
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/session/story/featured.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/view_equations.hpp"
@@ -81,6 +85,26 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     }
     view.free_motions = free_motion_texts(system, report.free_motions);
     return view;
+}
+
+/// The equations of all those joints, each with why its rows are kept.
+std::vector<EquationGroup> equations_of(
+    const Story& story, const Step& step, int index, const std::vector<int>& joints,
+    const RankReport& report) {
+    const System* before =
+        index > 0 ? story.steps()[static_cast<std::size_t>(index) - 1].system.get() : nullptr;
+    std::vector<EquationGroup> all;
+    for (const int joint : joints) {
+        std::vector<EquationGroup> groups = equations_of_joint(
+            step, joint, choices_of_joint(*step.system, joint, step.state, before),
+            report.assembled ? &report : nullptr);
+        std::ranges::move(groups, std::back_inserter(all));
+    }
+    if (joints.size() < 2) { return all; }
+    for (EquationGroup& group : all) {
+        group.owner = story.lesson().mechanism.joints[static_cast<std::size_t>(group.joint)].name;
+    }
+    return all;
 }
 
 NewtonRow newton_row_of(const System& system, const NewtonStep& newton) {
@@ -182,10 +206,12 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     if (const auto subject = subject_of(lesson, step)) {
         (subject->kind == Addition::Kind::joint ? joint : driver) = subject->index;
     }
-    const int shown_joint = step.kind == Step::Kind::motion ? story.featured_joint() : joint;
-
-    const System* before =
-        index > 0 ? story.steps()[static_cast<std::size_t>(index) - 1].system.get() : nullptr;
+    std::vector<int> shown_joints;
+    if (step.kind == Step::Kind::motion) {
+        shown_joints = featured_joints(story);
+    } else if (joint >= 0) {
+        shown_joints.push_back(joint);
+    }
 
     View view;
     view.kind = step.kind;
@@ -193,10 +219,9 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.steps = static_cast<int>(story.steps().size());
     view.t = step.t;
     view.lesson_title = lesson.title;
-    view.source =
-        shown_joint >= 0 && step.kind != Step::Kind::motion
-            ? std::string(lesson.mechanism.joints[static_cast<std::size_t>(shown_joint)].type->source)
-            : lesson.source;
+    view.source = joint >= 0
+                      ? std::string(lesson.mechanism.joints[static_cast<std::size_t>(joint)].type->source)
+                      : lesson.source;
     view.title = title_of(lesson, step);
     view.rank = rank_view_of(step, report);
     view.rank.once_assembled = rank_once_assembled(story, step, index);
@@ -206,15 +231,11 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     }
     view.author_text = author_text_of(lesson, step);
     if (is_asked(step.kind)) { view.question = question_view_of(story, step); }
-    if (shown_joint >= 0) {
-        view.equations = equations_of_joint(
-            step, shown_joint, choices_of_joint(*step.system, shown_joint, step.state, before),
-            report.assembled ? &report : nullptr);
-    } else if (driver >= 0) {
+    view.equations = equations_of(story, step, index, shown_joints, report);
+    if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
     }
     if (parts == ViewParts::all) { view.matrix = matrix_of(step, lesson.coordinates, report, joint, driver); }
-    view.rank = rank_view_of(step, report);
     view.newton = newton_rows_of(step);
     view.bodies = body_motions_of(step);
     if (step.kind == Step::Kind::motion) { view.quantities = quantities_of(step); }

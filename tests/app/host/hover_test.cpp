@@ -116,6 +116,26 @@ TEST_CASE("Pointing at a body in the picture lights up its columns, and it can b
     CHECK((r(person->session().lesson()) - r(person->session().as_written())).norm() > 1e-3);
 }
 
+TEST_CASE("A click on a joint chooses whose vectors and equations are seen while everything moves") {
+    Person person("loops/four-bar.toml");
+    const int moment = person.session().index_of_time(0.5);
+    person.go_to(moment);
+    REQUIRE(person.view().equations.empty());
+    person.host().set_picker([](float, float) { return picture_id(Pointable::joint(2)); });
+    const render::Rect& scene = person.host().layout().scene;
+    const auto x = static_cast<float>(scene.x + scene.width / 2);
+    const auto y = static_cast<float>(scene.y + scene.height / 2);
+    person.click(x, y);
+    CHECK(person.session().index() == moment);
+    REQUIRE_FALSE(person.view().equations.empty());
+    CHECK(person.view().equations.front().joint == 2);
+    person.click(x, y);
+    CHECK(person.view().equations.empty());
+    // what is dragged is no click
+    person.drag(x, y, x + 1.0F, y + 40.0F);
+    CHECK(person.view().equations.empty());
+}
+
 TEST_CASE("A saved picture is what is on the screen, and p writes it into the folder for pictures") {
     const auto person = at_equations();
     person->type("p");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/app/session/picture_lessons.hpp"
 
 namespace jw::test {
@@ -161,6 +162,62 @@ TEST_CASE("while everything moves a point leaves its path and no joint is highli
     for (const Vec3& point : picture.scene.polylines.front().points) {
         const Vec3& start = picture.scene.polylines.front().points.front();
         CHECK((point - kPoint).cross(kAxis).norm() == Approx((start - kPoint).cross(kAxis).norm()));
+    }
+}
+
+TEST_CASE(
+    "vectors and formulas of one or two joints made of vectors alone stay while they move",
+    "[app][picture]") {
+    const auto [name, wanted] = GENERATE(table<std::string, std::vector<std::string>>(
+        {{"vectors/perpendicular-vectors", {"n1", "n2"}}, {"parallel/parallel-vectors", {"p1", "p2"}}}));
+    const Lesson lesson = lesson_named(name);
+    const Story story(lesson);
+    const int moment = first_of(story, Step::Kind::motion) + 3;
+    const Picture picture = picture_of(story, picture_style(story), moment);
+    const View view = view_of(story, moment);
+    for (const std::string& joint_name : wanted) {
+        CAPTURE(name, joint_name);
+        const auto joint = std::ranges::find(lesson.mechanism.joints, joint_name, &Joint::name);
+        const auto index = static_cast<int>(joint - lesson.mechanism.joints.begin());
+        const auto of_joint = [&](const Annotation& a) {
+            return a.link == Pointable::vector(index, Pointable::kVectorI);
+        };
+        // the two share s_i, which is named once
+        const auto first = static_cast<int>(
+            std::ranges::find(lesson.mechanism.joints, wanted.front(), &Joint::name) -
+            lesson.mechanism.joints.begin());
+        CHECK(std::ranges::count_if(picture.annotations, of_joint) == (index == first ? 1 : 0));
+        const auto is_drawn = [&](const render::Arrow& arrow) {
+            return arrow.id == picture_id(Pointable::vector(index, Pointable::kVectorI));
+        };
+        CHECK(std::ranges::any_of(picture.scene.arrows, is_drawn));
+        const auto group = std::ranges::find(view.equations, index, &EquationGroup::joint);
+        REQUIRE(group != view.equations.end());
+        CHECK(group->owner == joint_name);
+    }
+}
+
+TEST_CASE("a joint that was chosen shows its vectors and equations while it moves", "[app][picture]") {
+    Session session(lesson_named("loops/four-bar"));
+    session.apply(GoTo{session.index_of_time(0.5)});
+    CHECK(session.view().equations.empty());
+    const auto version = session.version();
+    session.show_joint(2);
+    CHECK(session.version() > version);
+    REQUIRE_FALSE(session.view().equations.empty());
+    CHECK(session.view().equations.front().joint == 2);
+    const auto of_joint = [](const Annotation& a) {
+        return a.link.kind == Pointable::Kind::vector && a.link.index == 2;
+    };
+    CHECK(std::ranges::any_of(session.picture().annotations, of_joint));
+    SECTION("also after the lesson was changed") {
+        session.apply(SetCoordinates{CoordinateChoice::omega_global});
+        REQUIRE_FALSE(session.view().equations.empty());
+        CHECK(session.view().equations.front().joint == 2);
+    }
+    SECTION("and not when it is chosen once more") {
+        session.show_joint(2);
+        CHECK(session.view().equations.empty());
     }
 }
 
