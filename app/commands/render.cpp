@@ -22,6 +22,7 @@ struct RenderOptions {
     std::string size = "1280x720";
     double fps = 30.0;
     std::optional<std::string> frames;
+    bool motion_only = false;
 };
 
 // below this the panels have no room; above it the letters do not fit into one texture
@@ -45,6 +46,44 @@ int intervals_of(const Lesson& lesson, double fps) {
     return std::max(1, static_cast<int>(std::lround(motion->duration * fps)));
 }
 
+/// The frames to be drawn; empty (last before first) where only the motion is wanted and it is not reached.
+FrameRange range_of(const RenderOptions& options, const Story& story) {
+    const int frames = static_cast<int>(story.steps().size());
+    if (options.frames) { return frame_range(*options.frames, frames); }
+    if (!options.motion_only) { return {0, frames - 1}; }
+    const FrameRange motion{story.last_assembled() + 1, frames - 1};
+    if (motion.first > motion.last && story.failure() == nullptr) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: --motion-only, but nothing moves in this lesson; expected "
+            "a lesson with [motion] or [dynamics]");
+    }
+    return motion;
+}
+
+/// Draws the frames of `range` and writes them with their manifest.
+void draw_frames(
+    const RenderOptions& options, const PixelSize& size, const Story& story, const FrameRange& range,
+    const std::vector<std::string>& done, const Streams& streams) {
+    host::FrameFiles files(options.out, range.first, range.last, options.file);
+    host::FramePainter painter(story, size.width, size.height);
+    ProgressBar bar(streams, "drawing");
+    for (int k = range.first; k <= range.last; ++k) {
+        const View view = view_of(story, k);
+        files.add(k, view, seconds_to_look(view, 1.0 / options.fps), painter.paint(view));
+        bar.show(static_cast<double>(k - range.first + 1) / (range.last - range.first + 1));
+    }
+    Json manifest{
+        {"format", "jointwise render"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", story.lesson().file_name}, {"title", story.lesson().title}}},
+        {"size", {size.width, size.height}},
+        {"fps", options.fps},
+        {"frames_in_all", story.steps().size()}};
+    add_done(manifest, done);
+    files.finish(manifest);
+}
+
 Exit render_command(const RenderOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallest, kLargest);
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
@@ -53,29 +92,9 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     StoryOptions how;
     how.intervals = intervals_of(lesson, options.fps);
     const Story story(lesson, how);
-    const int frames = static_cast<int>(story.steps().size());
-    const FrameRange range =
-        options.frames ? frame_range(*options.frames, frames) : FrameRange{0, frames - 1};
-
-    host::FrameFiles files(options.out, range.first, range.last, options.file);
-    host::FramePainter painter(story, size.width, size.height);
-    {
-        ProgressBar bar(streams, "drawing");
-        for (int k = range.first; k <= range.last; ++k) {
-            const View view = view_of(story, k);
-            files.add(k, view, seconds_to_look(view, 1.0 / options.fps), painter.paint(view));
-            bar.show(static_cast<double>(k - range.first + 1) / (range.last - range.first + 1));
-        }
-        Json manifest{
-            {"format", "jointwise render"},
-            {"version", kJsonVersion},
-            {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
-            {"size", {size.width, size.height}},
-            {"fps", options.fps},
-            {"frames_in_all", frames}};
-        add_done(manifest, changed.done);
-        files.finish(manifest);
-    }
+    const FrameRange range = range_of(options, story);
+    if (range.first > range.last) { throw not_reached(lesson, *story.failure()); }
+    draw_frames(options, size, story, range, changed.done, streams);
     const int drawn = range.last - range.first + 1;
     streams.err << drawn << (drawn == 1 ? " picture" : " pictures") << " and manifest.json in " << options.out
                 << '\n';
@@ -102,8 +121,11 @@ void add_render(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::Range(0.1, kMostFps))
         ->type_name("X")
         ->capture_default_str();
-    command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")
-        ->type_name("A:B");
+    CLI::Option* frames =
+        command->add_option("--frames", options->frames, "draw only frames A to B of the same numbering")
+            ->type_name("A:B");
+    command->add_flag("--motion-only", options->motion_only, "draw only the motion, by the same numbering")
+        ->excludes(frames);
     command->footer(
         "Example: jointwise render lessons/catalogue/loops/four-bar.toml --out frames --size 1920x1080");
     command->callback([options, &streams, &run] {

@@ -114,6 +114,7 @@ private:
     void go_to(int step);
     void play_or_pause();
     void answer();
+    void play_motion();
     void next_freedom();
     void let_go();
     void fit_camera(bool at_once);

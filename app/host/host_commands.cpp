@@ -103,6 +103,7 @@ void Host::carry_out(Command command) {
         case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
         case Command::back: state_.playback.pause(); return go_to(session_->index() - 1);
         case Command::play: return play_or_pause();
+        case Command::play_motion: return play_motion();
         case Command::next_joint: return go_to(next_joint(session_->story(), session_->index(), 1));
         case Command::previous_joint: return go_to(next_joint(session_->story(), session_->index(), -1));
         case Command::first: return go_to(0);
@@ -164,6 +165,13 @@ void Host::play_or_pause() {
 void Host::answer() {
     if (session_->step().kind != Step::Kind::question) { return say("Nothing is asked at this step."); }
     predictions_.focus();
+}
+
+void Host::play_motion() {
+    const std::optional<int> first = first_moment(session_->story());
+    if (!first) { return say("Nothing moves in this lesson: it ends when everything is put together."); }
+    go_to(*first);
+    state_.playback.play();
 }
 
 void Host::let_go() {

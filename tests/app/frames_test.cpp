@@ -50,6 +50,28 @@ TEST_CASE("two runs give the same bytes, and a part of a run gives that part of 
     CHECK_FALSE(std::filesystem::exists(part.path("frame_00001.png")));
 }
 
+TEST_CASE("the motion alone is drawn by the numbering of all, and no still with it", "[app][frames]") {
+    const Folder motion;
+    REQUIRE(render(motion.path(), {"--motion-only"}).status == 0);
+    const auto manifest = manifest_of(motion);
+    REQUIRE(manifest["frames"].size() > 1);
+    for (const auto& frame : manifest["frames"]) { CHECK(frame["kind"] == "motion"); }
+    CHECK(manifest["frames"].back()["frame"] == manifest["frames_in_all"].get<int>() - 1);
+    CHECK(
+        manifest["frames"].front()["frame"].get<std::size_t>() ==
+        manifest["frames_in_all"].get<std::size_t>() - manifest["frames"].size());
+}
+
+TEST_CASE("where nothing moves there is no motion to be drawn", "[app][frames]") {
+    const Folder folder;
+    const std::string crank(kCrank);
+    const std::string still = folder.file("still.toml", crank.substr(0, crank.find("[motion]")));
+    const Ran ran = run({"render", still, "--out", folder.path("frames"), "--motion-only"});
+    CHECK(ran.status == 2);
+    CHECK_THAT(ran.err, Catch::Contains("--motion-only, but nothing moves in this lesson"));
+    CHECK_FALSE(std::filesystem::exists(folder.path("frames")));
+}
+
 TEST_CASE("the manifest maps every frame to its step, time and key numbers", "[app][frames]") {
     const Folder folder;
     REQUIRE(render(folder.path(), {"--frames", "0:1"}).status == 0);

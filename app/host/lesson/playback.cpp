@@ -17,11 +17,17 @@ constexpr double kFastest = 4.0;
 constexpr double kFreedomSeconds = 3.0;  // there and back
 // between two frames of something that moves: no display shows more
 constexpr double kMoving = 1.0 / 60.0;
+constexpr double kCountdown = 0.25;  // between two looks at it
 
 }  // namespace
 
 void Playback::play_or_pause() {
     playing_ = !playing_;
+    step_waited_ = 0.0;
+}
+
+void Playback::play() {
+    playing_ = true;
     step_waited_ = 0.0;
 }
 
@@ -73,11 +79,19 @@ std::optional<ShowFreedom> Playback::freedom_after(double seconds) {
     return ShowFreedom{freedom_, std::sin(turn)};
 }
 
+std::optional<double> Playback::seconds_to_next_still(const Session& session) const {
+    if (!playing_ || session.step().kind == Step::Kind::motion) { return std::nullopt; }
+    const double step = seconds_of_step(session.story(), session.view());
+    return std::max(0.0, (step - step_waited_) / speed_);
+}
+
 double Playback::seconds_to_change(const Session& session) const {
     if (freedom_ >= 0) { return kMoving; }
     if (!playing_) { return std::numeric_limits<double>::infinity(); }
     const double step = seconds_of_step(session.story(), session.view());
-    return std::max(kMoving, (step - step_waited_) / speed_);
+    const double left = (step - step_waited_) / speed_;
+    // a still counts down on the timeline
+    return std::max(kMoving, session.step().kind == Step::Kind::motion ? left : std::min(left, kCountdown));
 }
 
 }  // namespace jw::host

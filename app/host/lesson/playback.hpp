@@ -19,6 +19,8 @@ public:
     void pause() { playing_ = false; }
     /// Plays from the beginning of the step that is shown.
     void play_or_pause();
+    /// Plays on from the beginning of the step that is shown next.
+    void play();
     void faster();
     void slower();
     /// The slowest after the fastest.
@@ -36,6 +38,8 @@ public:
     std::optional<int> step_after(double seconds, const Session& session);
     /// The pose to be shown after so many seconds more; nothing if no free motion is followed.
     std::optional<ShowFreedom> freedom_after(double seconds);
+    /// Time until the next still is shown [s]; nothing while it does not play, or plays a motion.
+    std::optional<double> seconds_to_next_still(const Session& session) const;
     /// Time until the step or the pose changes [s]; infinity if nothing moves.
     double seconds_to_change(const Session& session) const;
 

@@ -57,6 +57,11 @@ std::vector<Stretch> stretches_of(const Story& story) {
 
 int last_step(const Story& story) { return static_cast<int>(story.steps().size()) - 1; }
 
+std::optional<int> first_moment(const Story& story) {
+    const int index = story.last_assembled() + 1;
+    return index <= last_step(story) ? std::optional<int>(index) : std::nullopt;
+}
+
 int next_joint(const Story& story, int step, int direction) {
     int target = direction > 0 ? last_step(story) : 0;
     for (const Stretch& s : stretches_of(story)) {

@@ -23,6 +23,9 @@ std::vector<Stretch> stretches_of(const Story& story);
 /// Index of the last step.
 int last_step(const Story& story);
 
+/// Index of the first moment of the motion; nothing if nothing moves.
+std::optional<int> first_moment(const Story& story);
+
 /// First step of the next stretch after `step` (`direction` 1), or of the one before it (-1); at the ends the
 /// last step and the first.
 int next_joint(const Story& story, int step, int direction);

@@ -9,6 +9,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/output/pace.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
@@ -125,7 +126,27 @@ void speed_button(const LessonUi& ui) {
     if (ImGui::IsItemHovered()) { ImGui::SetTooltip("Speed  (, and .)"); }
 }
 
+/// "Play", or "Pause 7 s" with the time until the next still, which also shrinks as a line.
+void play_button(const LessonUi& ui) {
+    const float width = ui.px(92.0F);
+    const std::optional<double> left = ui.state.playback.seconds_to_next_still(ui.session);
+    const std::string label = play_label(ui.state.playback.plays(), left);
+    command_button(ui, Command::play, label.c_str(), width);
+    if (!left) { return; }
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const double whole = seconds_of_step(ui.session.story(), ui.session.view());
+    const auto part = static_cast<float>(std::clamp(*left * ui.state.playback.speed() / whole, 0.0, 1.0));
+    ui.canvas.fill(
+        {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * width, ui.px(3.0F)}, theme::kAccent);
+}
+
 }  // namespace
+
+std::string play_label(bool plays, std::optional<double> seconds_left) {
+    if (!plays) { return "Play###play"; }
+    if (!seconds_left) { return "Pause###play"; }
+    return "Pause " + std::to_string(static_cast<int>(std::ceil(*seconds_left))) + " s###play";
+}
 
 std::string short_speed(double speed) {
     if (speed == 0.25) { return "¼ ×"; }
@@ -189,7 +210,9 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::back, "<", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::play, ui.state.playback.plays() ? "Pause" : "Play", ui.px(62.0F));
+    play_button(ui);
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::play_motion, "Motion", ui.px(64.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::next, ">", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));

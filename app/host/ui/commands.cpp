@@ -11,6 +11,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::next, Group::timeline, "Next step", "Right, n", Key::right, 'n'},
     CommandInfo{Command::back, Group::timeline, "Step back", "Left, b", Key::left, 'b'},
     CommandInfo{Command::play, Group::timeline, "Play or pause", "Space", Key::space},
+    CommandInfo{Command::play_motion, Group::timeline, "Play the motion only", "M", Key::none, 'M'},
     CommandInfo{Command::next_joint, Group::timeline, "Next joint or driver", "Page down", Key::page_down},
     CommandInfo{Command::previous_joint, Group::timeline, "Joint or driver before", "Page up", Key::page_up},
     CommandInfo{Command::first, Group::timeline, "First step (restart)", "Home", Key::home},

@@ -14,6 +14,7 @@ enum class Command {
     next,
     back,
     play,
+    play_motion,
     next_joint,
     previous_joint,
     first,

@@ -1,26 +1,42 @@
 #include "app/session/output/pace.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
-#include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
 namespace {
 
-// pace of an attentive reader in a lecture, formulas beside the text
 constexpr double kSecondsToLook = 1.5;
-constexpr double kSecondsPerCharacter = 0.05;
+// 260 words a minute, an attentive reader; who wants longer pauses
+constexpr double kSecondsPerWord = 60.0 / 260.0;
+constexpr double kLongestStill = 10.0;
+
+int words_of(const std::string& text) {
+    std::istringstream words(math::plain_words(text));
+    return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}));
+}
+
+/// A question is read with its choices; the answer is thought over while it stands.
+int words_of(const QuestionView& question) {
+    int words = words_of(question.ask) + words_of(question.answer) + words_of(question.why);
+    for (const std::string& choice : question.choices) { words += words_of(choice); }
+    return words;
+}
 
 }  // namespace
 
 double seconds_to_look(const View& view, double moment) {
     if (view.kind == Step::Kind::motion) { return moment; }
     if (view.kind == Step::Kind::iteration) { return kSecondsToLook; }
-    const int characters =
-        displayed_width(view.sentence) + displayed_width(math::plain_words(view.author_text));
-    return kSecondsToLook + kSecondsPerCharacter * characters;
+    // after assembly the author's text is still the one that was there when the equations came
+    const bool is_new = view.kind != Step::Kind::assembled;
+    const int asked = view.question ? words_of(*view.question) : 0;
+    const int words = words_of(view.sentence) + (is_new ? words_of(view.author_text) : 0) + asked;
+    return std::min(kLongestStill, kSecondsToLook + kSecondsPerWord * words);
 }
 
 double seconds_of_step(const Story& story, const View& view) {

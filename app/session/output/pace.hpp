@@ -4,7 +4,7 @@
 
 namespace jw {
 
-/// Time that a step should be shown [s]: the time to read it.
+/// Time that a step should be shown [s]: the time to read it, at most ten seconds for a still.
 /// @param moment  seconds between two moments of the motion
 double seconds_to_look(const View& view, double moment);
 

@@ -109,11 +109,11 @@ TEST_CASE("No command line, however wrong, is answered with a name of a library,
     const std::vector<std::string> commands{"list",  "check",    "step",  "inspect", "try",   "newton",
                                             "solve", "simulate", "bench", "plot",    "render"};
     const std::vector<std::string> options{
-        "--until",       "--try",     "--format",   "--step",     "--time",   "--as-given",
-        "--coordinates", "--at",      "--from",     "--to",       "--size",   "--frames",
-        "--fps",         "--out",     "--of",       "--joint",    "--curves", "--method",
-        "--tolerance",   "--samples", "--duration", "--picture",  "--output", "--quiet",
-        "--analysis",    "--compare", "--text",     "--help-all", "-x",       "--"};
+        "--until",   "--try",    "--format",     "--step",     "--time",      "--as-given", "--coordinates",
+        "--at",      "--from",   "--to",         "--size",     "--frames",    "--fps",      "--out",
+        "--of",      "--joint",  "--curves",     "--method",   "--tolerance", "--samples",  "--duration",
+        "--picture", "--output", "--quiet",      "--analysis", "--compare",   "--text",     "--help-all",
+        "-x",        "--",       "--motion-only"};
     const std::vector<std::string> values{
         "",
         "0",

@@ -23,6 +23,12 @@ int first_step_of(const Person& person, const std::string& name) {
     return -1;
 }
 
+/// A moment after the key: what plays does not come to rest.
+void play_motion(Person& person) {
+    person.host().push(host::InputEvent::typed('M'));
+    person.wait(0.05);
+}
+
 }  // namespace
 
 TEST_CASE("Keys go to the next step and back, to the joints, and to both ends") {
@@ -98,18 +104,66 @@ TEST_CASE("It plays to the end, pauses where it is, and begins anew from the end
     CHECK(person.host().state().playback.speed() == 0.25);
 }
 
+TEST_CASE("No still is shown for more than ten seconds, and a long one at 260 words a minute") {
+    const Person person(kMovingFourBar);
+    const Story& story = person.session().story();
+    double stills = 0.0;
+    for (int k = 0; k <= story.last_assembled(); ++k) {
+        const double seconds = seconds_of_step(story, view_of(story, k));
+        CHECK(seconds >= 1.5);
+        CHECK(seconds <= 10.0);
+        stills += seconds;
+    }
+    // it was 189 s
+    CHECK(stills < 140.0);
+    View view;
+    view.kind = Step::Kind::equations;
+    view.sentence = "one two three four five six seven eight nine ten eleven twelve thirteen";
+    CHECK(seconds_to_look(view, 0.0) == Approx(1.5 + 13.0 * 60.0 / 260.0));
+}
+
+TEST_CASE("A still that is played counts down to the next step, a motion does not") {
+    Person person(kMovingFourBar);
+    const auto left = [&] { return person.host().state().playback.seconds_to_next_still(person.session()); };
+    CHECK_FALSE(left().has_value());
+    person.press(Key::space);
+    REQUIRE(left().has_value());
+    const double before = *left();
+    CHECK(person.host().seconds_to_change() <= 0.25);
+    person.wait(1.0);
+    REQUIRE(left().has_value());
+    CHECK(*left() == Approx(before - 1.0).margin(0.1));
+    CHECK(host::play_label(true, 6.2) == "Pause 7 s###play");
+    play_motion(person);
+    CHECK_FALSE(left().has_value());
+}
+
+TEST_CASE("M plays the motion only, from its beginning") {
+    Person person(kMovingFourBar);
+    const int first = *host::first_moment(person.session().story());
+    play_motion(person);
+    CHECK(person.host().state().playback.plays());
+    CHECK(person.session().index() >= first);
+    CHECK(person.session().index() <= first + 5);
+    person.wait(1.0);
+    CHECK(person.session().index() > first + 10);
+    play_motion(person);
+    CHECK(person.session().index() <= first + 5);
+    CHECK(person.host().state().playback.plays());
+}
+
 TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
     Person person(kMovingFourBar);
     const float y = static_cast<float>(person.host().layout().height) - 20.0F;
     std::vector<int> seen;
-    for (float x = 240.0F; x <= 1080.0F; x += 70.0F) {
+    for (float x = 360.0F; x <= 1080.0F; x += 70.0F) {
         person.click(x, y);
         if (!seen.empty()) { CHECK(person.session().index() >= seen.back()); }
         seen.push_back(person.session().index());
     }
     CHECK(seen.front() < first_step_of(person, "B"));
     CHECK(seen.back() > person.session().story().last_assembled());
-    person.drag(1080.0F, y, 300.0F, y);
+    person.drag(1080.0F, y, 410.0F, y);
     CHECK(person.session().index() < first_step_of(person, "C"));
     const int before = person.session().index();
     person.wheel(-1.0F);
@@ -121,7 +175,7 @@ TEST_CASE("A click on the line jumps there, a drag scrubs, the wheel steps") {
 TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
     Person person(kMovingFourBar);
     const float y = static_cast<float>(person.host().layout().height) - 20.0F;
-    person.host().push(host::InputEvent::pointer(300.0F, y));
+    person.host().push(host::InputEvent::pointer(400.0F, y));
     person.host().push(host::InputEvent::button(0, true));
     person.host().push(host::InputEvent::pointer(700.0F, y));
     person.host().push(host::InputEvent::pointer(1080.0F, y));
