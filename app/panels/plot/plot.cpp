@@ -89,12 +89,21 @@ float right_of_caption(const Canvas& canvas, const PlotPane& pane) {
 void draw_marks(const Canvas& canvas, const PlotLayout& layout) {
     const float width = std::max(1.0F, canvas.px(1.4F));
     for (const PlotMark& mark : layout.marks) {
-        const float x = std::round(mark.x);
         for (const PlotPane& pane : layout.panes) {
-            const bool free =
-                &pane == &layout.panes.front() && !mark.text.empty() && x > right_of_caption(canvas, pane);
-            const float top = free ? mark.box.bottom() : pane.plot.y;
-            canvas.dashed_line({x, top}, {x, pane.plot.bottom()}, theme::kSubjectMark, width);
+            if (mark.count > 1) {
+                const float breadth = std::max(width, mark.end - mark.x);
+                canvas.fill(
+                    {mark.x, pane.plot.y, breadth, pane.plot.height},
+                    render::with_alpha(theme::kSubject, 0.4F));
+            }
+            const bool first = &pane == &layout.panes.front() && !mark.text.empty();
+            for (const float edge : {mark.x, mark.end}) {
+                const float x = std::round(edge);
+                const bool free = first && mark.count == 1 && x > right_of_caption(canvas, pane);
+                const float top = free ? mark.box.bottom() : pane.plot.y;
+                canvas.dashed_line({x, top}, {x, pane.plot.bottom()}, theme::kSubjectMark, width);
+                if (mark.count == 1) { break; }
+            }
         }
     }
     // after all lines: one from the upper row may pass through a text of the lower one

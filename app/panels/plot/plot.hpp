@@ -34,10 +34,13 @@ struct PlotLabel {
     Point anchor;  ///< where the curve is
 };
 
+/// One mark, or a stretch of so many that their lines would bury the curves.
 struct PlotMark {
     float x = 0.0F;
     std::string text;  ///< empty where there is no room
     Box box;
+    float end = 0.0F;  ///< right end of a stretch; of one mark its x
+    int count = 1;
 };
 
 /// Curves of one unit, with a vertical axis of their own.

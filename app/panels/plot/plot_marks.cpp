@@ -13,6 +13,42 @@ namespace {
 constexpr float kHighBox = 18.0F;    // in lines: has room for a second row
 constexpr float kCrowded = 0.6F;     // of the width, taken by names
 constexpr float kGapOfNames = 8.0F;  // between names
+constexpr float kCloseMarks = 16.0F;
+constexpr std::size_t kFewestInStretch = 4;
+
+/// Number of marks from the `first` on that would bury the curves: of one kind, each close to the next.
+std::size_t crowd_from(
+    const Canvas& canvas, const PlotLayout& layout, const std::vector<Mark>& marks, std::size_t first) {
+    std::size_t next = first + 1;
+    if (marks[first].many.empty()) { return 1; }
+    const float close = canvas.px(kCloseMarks);
+    while (next < marks.size() && marks[next].many == marks[first].many &&
+           layout.x.pixel(marks[next].at) - layout.x.pixel(marks[next - 1].at) < close) {
+        ++next;
+    }
+    return next - first >= kFewestInStretch ? next - first : 1;
+}
+
+/// The marks in sight; where many of a kind are close together, one stretch for all of them.
+std::vector<PlotMark> thinned_out(
+    const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, bool brief) {
+    std::vector<Mark> seen;
+    for (const Mark& mark : set.marks) {
+        if (layout.x.range.contains(mark.at)) { seen.push_back(mark); }
+    }
+    std::vector<PlotMark> marks;
+    for (std::size_t k = 0; k < seen.size();) {
+        const std::size_t count = crowd_from(canvas, layout, seen, k);
+        const Mark& first = seen[k];
+        PlotMark mark{layout.x.pixel(first.at), brief && !first.brief.empty() ? first.brief : first.text, {}};
+        mark.end = layout.x.pixel(seen[k + count - 1].at);
+        mark.count = static_cast<int>(count);
+        if (count > 1) { mark.text = std::to_string(count) + " " + first.many; }
+        marks.push_back(std::move(mark));
+        k += count;
+    }
+    return marks;
+}
 
 /// The lowest row in which `mark` has room between those that are placed.
 bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Box>& placed, PlotMark& mark) {
@@ -20,7 +56,7 @@ bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Bo
     const float line = canvas.line_height(small);
     mark.text = shortened(*small, mark.text, strip.width);
     const float width = canvas.text_width(small, mark.text);
-    const float left = std::clamp(mark.x - 0.5F * width, strip.x, strip.right() - width);
+    const float left = std::clamp(0.5F * (mark.x + mark.end) - 0.5F * width, strip.x, strip.right() - width);
     for (int row = rows - 1; row >= 0; --row) {
         mark.box = {std::round(left), strip.y + static_cast<float>(row) * line, width, line};
         const Box roomy = shrunk(mark.box, -0.5F * canvas.px(kGapOfNames), 0.0F);
@@ -49,18 +85,14 @@ void place_marks(const Canvas& canvas, const SeriesSet& set, int rows, PlotLayou
     const Box strip{plot.x, layout.box.y, plot.width, 0.0F};
     // all texts in full, or all of them brief
     for (const bool brief : {false, true}) {
-        layout.marks.clear();
-        for (const Mark& mark : set.marks) {
-            if (!layout.x.range.contains(mark.at)) { continue; }
-            const std::string& text = brief && !mark.brief.empty() ? mark.brief : mark.text;
-            layout.marks.push_back({layout.x.pixel(mark.at), text, {}});
-        }
+        layout.marks = thinned_out(canvas, layout, set, brief);
         std::vector<PlotMark*> order;
         for (PlotMark& mark : layout.marks) { order.push_back(&mark); }
         if (layout.cursor) {
             // the one that the cursor stands at has its name in any case
-            std::ranges::stable_sort(
-                order, {}, [&](const PlotMark* mark) { return std::abs(mark->x - *layout.cursor); });
+            std::ranges::stable_sort(order, {}, [&](const PlotMark* mark) {
+                return std::max({mark->x - *layout.cursor, *layout.cursor - mark->end, 0.0F});
+            });
         }
         std::vector<Box> placed;
         bool all = true;

@@ -168,6 +168,17 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
     path.see_through = false;
     const auto add = [&](const Step& step) {
         path.points.push_back(frame_of(step.state, style.traced_body).point(style.traced_point_local));
+    };
+    if (story.curve().empty()) {
+        for (int k = 0; k <= index; ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            if (step.kind == Step::Kind::motion) { add(step); }
+        }
+    } else {
+        const double now = story.steps()[static_cast<std::size_t>(index)].t;
+        for (const Step& moment : story.curve()) {
+            if (moment.t <= now) { add(moment); }
+        }
     }
     if (path.points.size() > 1) { scene.polylines.push_back(std::move(path)); }
 }

@@ -37,6 +37,18 @@ constexpr long kMostStepsOfStory = 10'000;
 // their reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
 constexpr double kNoMoment = 1e-6;  // far above rounding, 1e-13 by the forces
+// of all bodies in all moments of a curve: more would take hundreds of megabytes
+constexpr int kMostPosesOfCurve = 100'000;
+
+/// Moments of the curve from one step to the next: a power of two, so that the times of the steps are the
+/// same to the last bit whether there is a curve or not.
+int moments_between(const StoryOptions& options, int intervals, const Mechanism& mechanism) {
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    const int most = std::max(1, kMostPosesOfCurve / (bodies * intervals));
+    int between = 1;
+    while (intervals * between < options.curve_moments && 2 * between <= most) { between *= 2; }
+    return between;
+}
 
 }  // namespace
 
@@ -334,19 +346,24 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
     DynamicsRequest request = request_of(*lesson_);
     request.settings.most_steps = kMostStepsOfStory;
     Simulation simulation(assembled, lesson_->dynamics->loads, request.settings);
-    const std::vector<double> times = equal_times(plan.to, intervals);
+    const int between = moments_between(options, intervals, assembled);
+    const std::vector<double> times = equal_times(plan.to, intervals * between);
     auto centroidal = std::make_shared<const Centroidal>(simulation.scene());
     const bool counts_turns = !centroidal->loads.rotational_springs.empty();
     System system = *system_;
     std::shared_ptr<const System> shared = system_;
+    int moment = 0;
+    bool switched = false;
     const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
         const Snapshot snapshot = simulation.snapshot(t, y);
         Step step;
         if (t == 0.0) { step.note = start_note(assembled, snapshot); }
         step.kind = Step::Kind::motion;
         step.additions = static_cast<int>(lesson_->order.size());
-        step.rows_switched = system.choose_rows(snapshot.state);
-        if (step.rows_switched) { shared = std::make_shared<System>(system); }
+        const bool switched_now = system.choose_rows(snapshot.state);
+        if (switched_now) { shared = std::make_shared<System>(system); }
+        switched = switched || switched_now;
+        step.rows_switched = switched_now;
         step.system = shared;
         step.t = t;
         step.state = snapshot.state;
@@ -358,6 +375,10 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         step.centroidal = centroidal;
         step.centroidal_acceleration = simulation.acceleration(t, y);
         step.energy = Energy{snapshot.kinetic, snapshot.potential};
+        if (between > 1) { curve_.push_back(step); }
+        if (moment++ % between != 0) { return; }
+        step.rows_switched = switched;
+        switched = false;
         steps_.push_back(std::move(step));
         if (options.progress) { options.progress(t / plan.to); }
     });
@@ -371,6 +392,8 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         start.velocity = start_motion(assembled);
         start.acceleration = zero_motion(assembled);
     }
+    // where it ends between two steps, the last moment is the one to be shown
+    if (!curve_.empty() && curve_.back().t > steps_.back().t) { steps_.push_back(curve_.back()); }
     steps_.back().ended = failure_text(*outcome.failure, request.settings, lesson_->mechanism);
 }
 

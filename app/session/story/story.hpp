@@ -105,6 +105,7 @@ inline StoryOptions poses_only(bool with_motion = false) {
     StoryOptions options;
     options.with_motion = with_motion;
     options.with_ranks = false;
+    options.curve_moments = 0;
     return options;
 }
 
@@ -133,6 +134,9 @@ public:
 
     const Lesson& lesson() const { return *lesson_; }
     const std::vector<Step>& steps() const { return steps_; }
+    /// Moments of a motion by masses and forces, many between two steps, from the dense output of its
+    /// integrator: what curves and paths are drawn from. Empty where the steps are all there is.
+    const std::vector<Step>& curve() const { return curve_; }
     /// Set if the story ended early.
     const Step* failure() const;
     /// Index of the step at which everything that is to be added first is: the last before the motion.
@@ -170,6 +174,7 @@ private:
     std::size_t forgotten_ = 0;  ///< steps before this one have no pose any more
     RankWhenAsked rank_;
     std::vector<Step> steps_;
+    std::vector<Step> curve_;
     int featured_joint_ = -1;
     int chosen_joint_ = -1;
 };

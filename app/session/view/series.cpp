@@ -90,7 +90,8 @@ std::vector<NamedQuantity> further_quantities(const Step& step, const BodyPoint&
     return list;
 }
 
-const Step& step_at(const Story& story, const SeriesSet& set, std::size_t point) {
+const Step& moment_at(const Story& story, const SeriesSet& set, std::size_t point) {
+    if (set.of_curve) { return story.curve()[point]; }
     return story.steps()[static_cast<std::size_t>(set.steps[point])];
 }
 
@@ -174,7 +175,7 @@ int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuanti
         set.series.push_back({name, unit_text(named.quantity, named.derivative), {}, 0.0, false});
     }
     for (std::size_t point = 0; point < set.at.size() && !wanted.empty(); ++point) {
-        const Instant instant = instant_of(step_at(story, set, point));
+        const Instant instant = instant_of(moment_at(story, set, point));
         for (std::size_t k = 0; k < wanted.size(); ++k) {
             const QuantityValue v = evaluate(wanted[k].quantity, instant, wanted[k].derivative);
             const double number = v.derivatives[static_cast<std::size_t>(wanted[k].derivative)];
@@ -186,15 +187,15 @@ int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuanti
 }
 
 SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
-    SeriesSet set = series::over_time(story);
+    SeriesSet set = series::over_curve(story);
     if (set.at.empty()) { return set; }
     for (std::size_t point = 0; point < set.at.size(); ++point) {
-        add_measures(step_at(story, set, point), set.series);
+        add_measures(moment_at(story, set, point), set.series);
     }
     for (std::size_t k = 0; k + 1 < set.series.size(); ++k) {
         if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }
     }
-    add_series(set, story, further_quantities(step_at(story, set, 0), traced));
+    add_series(set, story, further_quantities(moment_at(story, set, 0), traced));
     set.telling = telling_measure(story, set);
     return set;
 }

@@ -23,12 +23,14 @@ struct Mark {
     double at = 0.0;      ///< on the axis of the set
     std::string text;     ///< short: "sleeve p1: drop x"
     std::string brief{};  ///< where that has no room: "sleeve switches"; empty: there is no shorter one
+    std::string many{};   ///< name of several of them where each has no room: "switches"; empty: none
 };
 
 struct SeriesSet {
     std::string axis;        ///< "t [s]" or "iteration"
     std::vector<double> at;  ///< ascending
-    std::vector<int> steps;  ///< the story's step that each point belongs to
+    std::vector<int> steps;  ///< the story's step that each point belongs to, or the next one after it
+    bool of_curve = false;   ///< the points are the moments of Story::curve
     std::vector<Series> series;
     std::vector<int> telling;  ///< of the series: what says most, to begin with
     bool logarithmic = false;  ///< values are best seen on a logarithmic scale

@@ -49,6 +49,7 @@ Mark switches_between(const System& before, const System& now) {
         ++joints;
     }
     mark.brief += joints == 1 ? " switches" : " switch";
+    mark.many = "switches of rows";
     return mark;
 }
 
@@ -123,6 +124,25 @@ SeriesSet over_time(const Story& story) {
     add_change_points(story, set);
     std::ranges::stable_sort(set.marks, {}, &Mark::at);
     if (set.at.empty()) { set.why_empty = why_nothing_moves(story); }
+    return set;
+}
+
+SeriesSet over_curve(const Story& story) {
+    SeriesSet set = over_time(story);
+    if (story.curve().empty() || set.steps.empty()) { return set; }
+    const std::vector<int> steps = std::move(set.steps);
+    set.at.clear();
+    set.steps.clear();
+    set.of_curve = true;
+    std::size_t next = 0;
+    for (const Step& moment : story.curve()) {
+        const auto time_of = [&](std::size_t k) {
+            return story.steps()[static_cast<std::size_t>(steps[k])].t;
+        };
+        while (next + 1 < steps.size() && time_of(next) < moment.t) { ++next; }
+        set.at.push_back(moment.t);
+        set.steps.push_back(steps[next]);
+    }
     return set;
 }
 

@@ -8,6 +8,9 @@ namespace jw::series {
 /// Times and steps of the motion, with marks where rows were chosen anew and where a change point was passed.
 SeriesSet over_time(const Story& story);
 
+/// The same over the moments of the story's curve, where it has one: as fine as a plot is wide.
+SeriesSet over_curve(const Story& story);
+
 /// Steps of the motion at which a pose was reached.
 std::vector<int> motion_steps(const Story& story);
 

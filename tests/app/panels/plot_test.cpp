@@ -302,4 +302,25 @@ TEST_CASE("zoomed again and again, numbers stay apart at the end of double preci
     }
 }
 
+TEST_CASE("marks that would bury the curves become one stretch with their number", "[panels][plot]") {
+    Surface surface;
+    SeriesSet set = waves();
+    set.marks = {{0.1, "change point"}};
+    for (int k = 0; k < 60; ++k) {
+        set.marks.push_back({1.0 + 0.01 * k, "sleeve p1: drop x", "sleeve switches", "switches of rows"});
+    }
+    set.marks.push_back({2.8, "wrist p1: drop x", "wrist switches", "switches of rows"});
+    const PlotLayout layout = layout_plot(surface.canvas(), {10.0F, 20.0F, 760.0F, 420.0F}, set, {});
+    REQUIRE(layout.marks.size() == 3);
+    CHECK(layout.marks[1].count == 60);
+    CHECK(layout.marks[1].text == "60 switches of rows");
+    CHECK(layout.marks[1].end > layout.marks[1].x);
+    CHECK(layout.marks[2].count == 1);
+    // nearer, each has room of its own
+    PlotState near;
+    near.window = Range{1.0, 1.05};
+    const PlotLayout zoomed = layout_plot(surface.canvas(), {10.0F, 20.0F, 760.0F, 420.0F}, set, near);
+    CHECK(std::ranges::all_of(zoomed.marks, [](const PlotMark& mark) { return mark.count == 1; }));
+}
+
 }  // namespace jw::panels::test

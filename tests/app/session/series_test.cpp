@@ -283,4 +283,36 @@ TEST_CASE("a CSV file reads back as the same numbers, commas and quotes in names
     CHECK(text.find('\r') == std::string::npos);
 }
 
+TEST_CASE("curves of dynamics are as fine as a plot is wide, and pass through the steps", "[app][series]") {
+    const Lesson lesson = lesson_named("dynamics/simple-pendulum");
+    const Story story(lesson);
+    const SeriesSet set = motion_series(story);
+    REQUIRE(is_complete(set));
+    REQUIRE(set.at.size() > 900);
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    for (int k = story.last_assembled() + 1; k <= last; ++k) {
+        // the last point up to a step is the step itself
+        const auto above = std::ranges::upper_bound(set.steps, k);
+        const auto point = static_cast<std::size_t>(above - set.steps.begin()) - 1;
+        CHECK(set.at[point] == story.steps()[static_cast<std::size_t>(k)].t);
+    }
+    // energy is not lost between two steps either: to the tolerance of the integrator
+    const Series& kinetic = series_named(set, "energy.kinetic");
+    const Series& potential = series_named(set, "energy.potential");
+    const double start = kinetic.values[0] + potential.values[0];
+    const double most = *std::ranges::max_element(kinetic.values);
+    for (std::size_t k = 0; k < set.at.size(); ++k) {
+        REQUIRE(std::abs(kinetic.values[k] + potential.values[k] - start) < 1e-4 * most);
+    }
+}
+
+TEST_CASE("the steps of dynamics are the same to the last bit with a curve and without", "[app][series]") {
+    for (const std::string name : {"dynamics/governor", "dynamics/torsion-pendulum"}) {
+        const Lesson lesson = lesson_named(name);
+        StoryOptions without;
+        without.curve_moments = 0;
+        CHECK(told(Story(lesson)) == told(Story(lesson, without)));
+    }
+}
+
 }  // namespace jw::test
