@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/panels/column/dynamics_panel.hpp"
 #include "app/panels/column/equations_panel.hpp"
 #include "app/panels/column/failure_panel.hpp"
 #include "app/panels/column/matrix_panel.hpp"
@@ -142,6 +143,12 @@ Block quantities_block(const View& view) {
     }};
 }
 
+Block dynamics_block(const View& view) {
+    return {[&view](const Canvas& c, const Box& box, Density density) {
+        return view.dynamics ? dynamics_panel(c, box, *view.dynamics, density) : 0.0F;
+    }};
+}
+
 Block bodies_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density density) {
         return view.bodies.empty() ? 0.0F : bodies_motion_panel(c, box, view.bodies, density);
@@ -227,7 +234,8 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
         failure_block(view),
         given_up_at(4, choices_block(view)),
         quantities_block(view),
-        given_up_at(3, bodies_block(view)),
+        dynamics_block(view),
+        given_up_at(view.dynamics ? 1 : 3, bodies_block(view)),
         warnings_block(view),
         matrix,
         plot};

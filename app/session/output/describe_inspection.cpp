@@ -201,7 +201,8 @@ std::string describe(const Inspection& inspection, const Lesson& lesson, int wid
     text += matrix_text(inspection, labels, widest, width);
     const std::string choices = choices_text(inspection, width);
     if (!choices.empty()) { text += '\n' + choices; }
-    return text + '\n' + rank_lines(inspection, width);
+    text += '\n' + rank_lines(inspection, width);
+    return inspection.dynamics ? text + '\n' + describe(*inspection.dynamics) : text;
 }
 
 }  // namespace jw

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/view/dynamics_view.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/view.hpp"
 
@@ -18,6 +19,8 @@ inline constexpr int kJsonVersion = 1;
 Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
 Json json_of(const RankReport& report, const System& system);
+/// null where there are none.
+Json json_of(const std::optional<DynamicsView>& dynamics);
 /// `value` and the `bound` that rounding puts on it.
 Json json_of(const EquationResidual& residual);
 /// Bodies with positions and velocities, in the order of the lesson.

@@ -224,6 +224,7 @@ Json json_of(const Inspection& inspection, const Lesson& lesson) {
         {"velocity_residual", json_of(inspection.residuals.velocity)},
         {"rank", json_of(inspection.rank, system)},
         {"choices", choices_of(system, inspection.state)},
+        {"dynamics", json_of(inspection.dynamics)},
     };
 }
 

@@ -87,6 +87,7 @@ Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, 
     inspection.state = step.state;
     inspection.velocity = step.velocity;
     inspection.t = step.t;
+    inspection.dynamics = dynamics_view_of(step);
     evaluate(inspection, spectrum);
     return inspection;
 }
@@ -128,6 +129,9 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
         const Snapshot snapshot = simulation.snapshot(t, y);
         inspection.state = snapshot.state;
         inspection.velocity = snapshot.velocity;
+        inspection.dynamics = dynamics_view_of(
+            simulation.scene(), t, snapshot.state, snapshot.velocity,
+            Energy{snapshot.kinetic, snapshot.potential});
         reached = true;
     });
     if (outcome.failure && !reached) {

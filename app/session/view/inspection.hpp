@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/session/story/story.hpp"
+#include "app/session/view/dynamics_view.hpp"
 #include "core/kinematics/kinematic_residuals.hpp"
 
 /// Every number of a system at one moment, in the coordinates that were asked for.
@@ -26,6 +27,7 @@ struct Inspection {
     bool sound = true;                  ///< false: they did not pass their check
     KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
     RankReport rank;                    ///< kinematic, whatever the coordinates
+    std::optional<DynamicsView> dynamics;  ///< of a moment of a motion by masses and forces
 };
 
 /// When singular values and free motions are computed.

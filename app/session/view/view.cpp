@@ -239,6 +239,7 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.newton = newton_rows_of(step);
     view.bodies = body_motions_of(step);
     if (step.kind == Step::Kind::motion) { view.quantities = quantities_of(step); }
+    if (parts == ViewParts::all) { view.dynamics = dynamics_view_of(step); }
     view.velocity_note = velocity_note_of(step);
     view.failure = failure_text(step);
     return view;

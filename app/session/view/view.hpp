@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/view/dynamics_view.hpp"
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/question_view.hpp"
 #include "app/session/view/view_equations.hpp"
@@ -98,11 +99,12 @@ struct View {
     std::vector<NewtonRow> newton;  ///< of this solve, up to this step
     std::vector<BodyMotion> bodies;
     std::vector<QuantityMotion> quantities;  ///< motion only
+    std::optional<DynamicsView> dynamics;    ///< motion by masses and forces only
     std::string velocity_note;               ///< "not unique: ..." or empty
     std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
 };
 
-/// Text and JSON show no matrix: of a large system it is most of the work.
+/// Text and JSON show no matrix and no equations of motion: of a large system they are most of the work.
 enum class ViewParts { all, without_matrix };
 
 /// @param index of the step in the story

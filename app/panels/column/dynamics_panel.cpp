@@ -1,0 +1,202 @@
+#include "app/panels/column/dynamics_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/panels/parts/formula.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw::panels {
+
+namespace {
+
+/// Entries of a matrix, row by row, in formula markup.
+struct BlockMatrix {
+    std::vector<std::vector<const char*>> rows;
+};
+
+/// A matrix of symbols between brackets. @return its right edge
+float draw_block_matrix(const Canvas& canvas, Point at, float line, const BlockMatrix& matrix) {
+    const FormulaFonts fonts = formula_fonts(canvas.fonts());
+    const float gap = canvas.px(10.0F);
+    const float foot = canvas.px(3.0F);
+    const float height = line * static_cast<float>(matrix.rows.size());
+    float x = at.x + canvas.px(5.0F);
+    for (std::size_t column = 0; column < matrix.rows.front().size(); ++column) {
+        float width = 0.0F;
+        for (const auto& row : matrix.rows) {
+            width = std::max(width, layout_formula(row[column], fonts).width);
+        }
+        for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
+            const Formula formula = layout_formula(matrix.rows[row][column], fonts);
+            const float y = at.y + line * static_cast<float>(row) + 0.72F * line;
+            draw_formula(canvas, {x + 0.5F * (width - formula.width), y}, formula, theme::kInk);
+        }
+        x += width + (column + 1 < matrix.rows.front().size() ? gap : canvas.px(5.0F));
+    }
+    const float thick = hairline(canvas);
+    for (const auto& [edge, inward] : {std::pair{at.x, 1.0F}, std::pair{x, -1.0F}}) {
+        canvas.fill({edge - 0.5F * thick, at.y, thick, height}, theme::kInk);
+        const float from = inward > 0.0F ? edge : edge - foot;
+        canvas.fill({from, at.y, foot, thick}, theme::kInk);
+        canvas.fill({from, at.y + height - thick, foot, thick}, theme::kInk);
+    }
+    return x;
+}
+
+/// [M, Φqᵀ; Φq, 0] [q̈; −λ] = [Q; γ]
+float draw_slide_24(const Canvas& canvas, const Box& box) {
+    const float line = canvas.line_height(canvas.fonts().normal) + canvas.px(4.0F);
+    const auto middle = [&](float x, const char* markup) {
+        const Formula formula = layout_formula(markup, formula_fonts(canvas.fonts()));
+        const float y = box.y + line + 0.25F * canvas.line_height(canvas.fonts().normal);
+        draw_formula(canvas, {x, y}, formula, theme::kInk);
+        return x + formula.width;
+    };
+    const float gap = canvas.px(6.0F);
+    float x = draw_block_matrix(canvas, {box.x, box.y}, line, {{{"@M", "@Φ_q^T"}, {"@Φ_q", "@0"}}});
+    x = draw_block_matrix(canvas, {x + gap, box.y}, line, {{{"¨q"}, {"−@λ"}}});
+    x = middle(x + gap, "=");
+    x = draw_block_matrix(canvas, {x + gap, box.y}, line, {{{"@Q"}, {"@γ"}}});
+    x += 3.0F * gap;
+    const FormulaFonts fonts = small_formula_fonts(canvas.fonts());
+    float y = box.y + 0.72F * line;
+    for (const char* const markup : {"@M = diag(m @I, @J′)", "@Q = [@f; @n′ − ~ω′@J′@ω′]"}) {
+        const Formula formula = layout_formula(markup, fonts);
+        if (x + formula.width <= box.right()) { draw_formula(canvas, {x, y}, formula, theme::kSoft); }
+        y += line;
+    }
+    return 2.0F * line + canvas.px(4.0F);
+}
+
+constexpr std::array kHeads{"m", "@J′", "@f", "@n′ − ~ω′@J′@ω′"};
+constexpr std::array kUnits{"kg", "xx, yy, zz in kg m²", "N", "N m"};
+constexpr std::array kEnds{0.12F, 0.42F, 0.71F, 1.0F};  // of the columns, in parts of the width
+
+/// Up to four digits, whatever the size: masses may be decades apart.
+std::string short_number(double value) {
+    constexpr double nothing = 1e-12;
+    return with_minus_signs(number_text(std::abs(value) < nothing ? 0.0 : value, 3));
+}
+
+void draw_triple(const Canvas& canvas, const Box& cell, const Vec3& v) {
+    const ImFont* const small = canvas.fonts().small;
+    for (int k = 0; k < 3; ++k) {
+        const Box column = column_of(cell, k, 3);
+        const std::string text = shortened(*small, short_number(v(k)), column.width - canvas.px(2.0F));
+        canvas.text({column.right(), column.y}, small, theme::kInk, text, Align::right);
+    }
+}
+
+/// A symbol and its unit, which goes where there is no room for it.
+void draw_head(const Canvas& canvas, const Box& cell, const char* symbol, const char* unit) {
+    const ImFont* const small = canvas.fonts().small;
+    const Formula formula = layout_formula(symbol, small_formula_fonts(canvas.fonts()));
+    const float gap = canvas.px(4.0F);
+    const float room = cell.width - formula.width - 2.0F * gap;
+    const std::string text = canvas.text_width(small, unit) <= room ? unit : "";
+    const float width = text.empty() ? 0.0F : canvas.text_width(small, text) + gap;
+    canvas.text({cell.right(), cell.y}, small, theme::kSoft, text, Align::right);
+    const float baseline = cell.y + std::round(small->Ascent);
+    draw_formula(canvas, {cell.right() - width - formula.width, baseline}, formula, theme::kInk);
+}
+
+/// M and Q, one row a body.
+float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
+    const ImFont* const small = canvas.fonts().small;
+    const float line = canvas.line_height(small) + canvas.px(2.0F);
+    const float name = 0.15F * box.width;
+    const auto cell = [&](std::size_t column, float y) {
+        const float width = box.width - name;
+        const float from = column == 0 ? 0.0F : kEnds[column - 1];
+        return Box{box.x + name + from * width, y, (kEnds[column] - from) * width, line};
+    };
+    float y = box.y;
+    for (std::size_t k = 0; k < kHeads.size(); ++k) { draw_head(canvas, cell(k, y), kHeads[k], kUnits[k]); }
+    y += line;
+    for (std::size_t b = 0; b < std::min(most, dynamics.bodies.size()); ++b) {
+        const DynamicsView::Body& body = dynamics.bodies[b];
+        canvas.text({box.x, y}, small, theme::kInk, shortened_name(*small, body.name, name));
+        const Box mass = cell(0, y);
+        canvas.text({mass.right(), y}, small, theme::kInk, short_number(body.mass), Align::right);
+        draw_triple(canvas, cell(1, y), body.J_local.diagonal());
+        draw_triple(canvas, cell(2, y), body.f);
+        draw_triple(canvas, cell(3, y), body.n_local);
+        y += line;
+    }
+    if (dynamics.bodies.size() > most) {
+        const auto more = static_cast<int>(dynamics.bodies.size() - most);
+        canvas.text({box.x, y}, small, theme::kSoft, "and " + count_text(more, "more body", "more bodies"));
+        y += line;
+    }
+    return y - box.y;
+}
+
+/// "A  s x −1.2, s y 0.4, p1 x (0)": λ of one joint, those that repeat others in brackets.
+std::string multipliers_line(const DynamicsView& dynamics, std::size_t& first) {
+    const std::string& owner = dynamics.multipliers[first].owner;
+    std::string text = owner + ":";
+    for (bool begun = false; first < dynamics.multipliers.size(); ++first, begun = true) {
+        const DynamicsView::Multiplier& m = dynamics.multipliers[first];
+        if (m.owner != owner) { break; }
+        const std::string value = m.left_out ? "(0)" : short_number(m.lambda);
+        text += (begun ? ",  " : "  ") + m.row + " " + value;
+    }
+    return text;
+}
+
+float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
+    if (dynamics.multipliers.empty()) { return 0.0F; }
+    const render::Fonts& fonts = canvas.fonts();
+    const Formula lambda = layout_formula("@λ", formula_fonts(fonts));
+    draw_formula(canvas, {box.x, box.y + std::round(fonts.small->Ascent)}, lambda, theme::kInk);
+    const std::string about = dynamics.unique() ? "of the rows of Φq, joint by joint"
+                                                : "of the rows of Φq; in brackets those that repeat others";
+    canvas.text({box.x + lambda.width + canvas.px(6.0F), box.y}, fonts.small, theme::kSoft, about);
+    float height = canvas.line_height(fonts.small) + canvas.px(2.0F);
+    std::size_t joints = 0;
+    for (std::size_t first = 0; first < dynamics.multipliers.size();) {
+        if (joints++ == most) {
+            canvas.text({box.x, box.y + height}, fonts.small, theme::kSoft, "and more joints");
+            return height + canvas.line_height(fonts.small);
+        }
+        const Box rest{box.x, box.y + height, box.width, 0.0F};
+        height += paragraph(canvas, rest, fonts.small, theme::kInk, multipliers_line(dynamics, first), 2);
+    }
+    return height;
+}
+
+std::string triple_text(const Vec3& v) {
+    return "(" + short_number(v.x()) + ", " + short_number(v.y()) + ", " + short_number(v.z()) + ")";
+}
+
+float draw_sums(const Canvas& canvas, const Box& box, const DynamicsView& dynamics) {
+    const Energy& energy = dynamics.energy;
+    const auto joules = [](double value) { return with_minus_signs(number_text(value, 5)) + " J"; };
+    const std::string text =
+        "kinetic " + joules(energy.kinetic) + "  +  potential " + joules(energy.potential) + "  =  " +
+        joules(energy.kinetic + energy.potential) + "\nmomentum " + triple_text(dynamics.momentum) +
+        " kg m/s\nangular momentum about the origin " + triple_text(dynamics.angular_momentum) + " kg m²/s";
+    return paragraph(canvas, box, canvas.fonts().small, theme::kInk, text);
+}
+
+}  // namespace
+
+float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density) {
+    const bool tight = density == Density::tight;
+    const std::size_t most = density == Density::roomy ? 6 : (tight ? 2 : 4);
+    float height = heading(canvas, box, "Equations of motion", "(r, ω′), bodies at their centres of mass");
+    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
+    const float gap = canvas.px(tight ? 2.0F : 5.0F);
+    if (!tight) { height += draw_slide_24(canvas, below()); }
+    height += draw_bodies(canvas, below(), dynamics, most) + gap;
+    height += draw_multipliers(canvas, below(), dynamics, most) + gap;
+    return height + draw_sums(canvas, below(), dynamics);
+}
+
+}  // namespace jw::panels

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/panels/parts/parts.hpp"
+#include "app/session/view/dynamics_view.hpp"
+
+namespace jw::panels {
+
+/// The equations of motion of slide 24 with their numbers: M and Q body by body, λ joint by joint, energies
+/// and momenta.
+/// @return height taken
+float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density);
+
+}  // namespace jw::panels
