@@ -38,7 +38,8 @@ NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     return plan;
 }
 
-/// The step at which closing the joint or driver `at` begins; of the last one without a name.
+/// The step at which closing the joint or driver `at` begins; without a name, of the one that tells
+/// most: with a wrong branch, or with the most iterations.
 int start_of(const Story& story, const std::string& at) {
     const Lesson& lesson = story.lesson();
     std::vector<std::string> names;
@@ -50,7 +51,8 @@ int start_of(const Story& story, const std::string& at) {
     if (names.empty()) {
         throw CommandError(Exit::bad_input, "jointwise: error: the lesson has no joint: nothing is solved");
     }
-    const std::size_t place = at.empty() ? names.size() - 1 : place_in(names, at);
+    if (at.empty()) { return start_of_telling_closing(story); }
+    const std::size_t place = place_in(names, at);
     if (place == names.size()) {
         const std::string hint = did_you_mean(at, names);
         throw CommandError(
@@ -90,7 +92,10 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
     auto options = std::make_shared<NewtonChoices>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
-    command->add_option("--at", options->at, "the joint or driver that is closed; default: the last one")
+    command
+        ->add_option(
+            "--at", options->at,
+            "the joint or driver that is closed; default: where a wrong branch is met, else most iterations")
         ->type_name("NAME");
     command->add_option("--compare", options->compare, "methods or coordinates")
         ->check(CLI::IsMember({"methods", "coordinates"}))

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/session/benchmark/newton_runs.hpp"
 #include "app/session/output/json.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
@@ -48,6 +49,48 @@ TEST_CASE("newton says which solutions are not meant", "[app][commands]") {
     CHECK(none.out.find("No method closed it from here.") != std::string::npos);
     CHECK(none.err.find("No method closed it from here.") != std::string::npos);
     CHECK(none.status == 3);
+}
+
+TEST_CASE("without a name newton compares where most happens", "[app][commands]") {
+    // its driver, added last, takes more iterations, but the wrong branch is what the lesson is about
+    const std::string lesson = lesson_path("hard/anti-parallel.toml");
+    const Ran ran = run({"newton", lesson, "--format", "json"});
+    CHECK(ran.out == run({"newton", lesson, "--at", "hinge", "--format", "json"}).out);
+    for (const auto& file : all_lesson_files()) {
+        const Lesson told = shipped(file);
+        const Story story(told, poses_only());
+        const int start = start_of_telling_closing(story);
+        CAPTURE(file, start);
+        if (told.order.empty()) {
+            CHECK(start == -1);
+            continue;
+        }
+        REQUIRE(start >= 0);
+        const auto events_from = [&](int first) {
+            std::size_t events = 0;
+            for (std::size_t k = static_cast<std::size_t>(first) + 1; k < story.steps().size(); ++k) {
+                if (story.steps()[k].kind == Step::Kind::equations) { break; }
+                events = std::max(events, story.steps()[k].events.size());
+            }
+            return events;
+        };
+        const auto has_branch_from = [&](int first) {
+            const Step& next = story.steps()[static_cast<std::size_t>(first) + 1];
+            const auto all = events_from(first);
+            std::size_t k = static_cast<std::size_t>(first) + 1;
+            while (story.steps()[k].additions == next.additions && story.steps()[k].events.size() < all) {
+                ++k;
+            }
+            return std::ranges::any_of(story.steps()[k].events, [](const PositionEvent& event) {
+                return std::holds_alternative<WrongBranch>(event);
+            });
+        };
+        for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            if (step.kind != Step::Kind::equations) { continue; }
+            CHECK((events_from(start) >= events_from(k) || has_branch_from(start)));
+        }
+    }
 }
 
 TEST_CASE("without normalisation rows Newton goes another way", "[app][commands]") {

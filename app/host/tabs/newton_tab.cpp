@@ -19,12 +19,14 @@ using panels::Box;
 // more ghosts than this hide each other
 constexpr std::size_t kMostGhosts = 12;
 
-/// The step from which the joint or driver shown was closed, -1 if there is none.
+/// The step from which the joint or driver shown was closed; where none is, of the one that tells the most.
+/// -1 if nothing is added.
 int start_of_solve(const Session& session) {
     const std::vector<Step>& steps = session.story().steps();
     int k = session.index();
-    if (steps[static_cast<std::size_t>(k)].kind == Step::Kind::motion) {
-        k = session.story().last_assembled();
+    const Step::Kind kind = steps[static_cast<std::size_t>(k)].kind;
+    if (kind == Step::Kind::motion || kind == Step::Kind::bodies) {
+        return start_of_telling_closing(session.story());
     }
     while (k > 0 && steps[static_cast<std::size_t>(k)].kind != Step::Kind::equations) { --k; }
     return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
@@ -86,7 +88,7 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     const int start = start_of_solve(ui.session);
     if (start < 0) {
         forget_ghosts();
-        return note(ui, "Nothing is solved with the free bodies: go to a joint or a driver.");
+        return note(ui, "Nothing is solved: the lesson adds neither joints nor drivers.");
     }
     const Step& from = ui.session.story().steps()[static_cast<std::size_t>(start)];
     const Addition subject = *subject_of(ui.session.lesson(), from);

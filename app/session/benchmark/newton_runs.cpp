@@ -90,6 +90,30 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
 
 }  // namespace
 
+int start_of_telling_closing(const Story& story) {
+    const auto iterates = [](const PositionEvent& event) {
+        const auto* const newton = std::get_if<NewtonStep>(&event);
+        return newton != nullptr && newton->rank > 0;  // else the last look: closed, or given up
+    };
+    const auto is_branch = [](const PositionEvent& event) {
+        return std::holds_alternative<WrongBranch>(event);
+    };
+    int start = -1;
+    int telling = -1;
+    std::pair<std::ptrdiff_t, std::ptrdiff_t> most{-1, -1};
+    for (std::size_t k = 0; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        if (step.kind == Step::Kind::equations) { start = static_cast<int>(k); }
+        if (step.kind != Step::Kind::assembled && step.kind != Step::Kind::failed) { continue; }
+        const std::pair found{
+            std::ranges::count_if(step.events, is_branch), std::ranges::count_if(step.events, iterates)};
+        if (found <= most) { continue; }
+        most = found;
+        telling = start;
+    }
+    return telling;
+}
+
 int start_of_closing(const Story& story, const Addition& subject) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
         const Step& step = story.steps()[k];

@@ -31,6 +31,10 @@ inline constexpr std::array kNewtonMethods{
 /// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
 int start_of_closing(const Story& story, const Addition& subject);
 
+/// Index of the step from which the joint or driver is closed that tells most of Newton's method: where a
+/// wrong branch is left, else where the most iterations happen; the first of equals, -1 if nothing is added.
+int start_of_telling_closing(const Story& story);
+
 struct NewtonRuns {
     std::string title;  ///< "Closing D from the same start, methods in rp-modified"
     std::vector<std::string> names;
