@@ -114,6 +114,7 @@ private:
     void go_to(int step);
     void play_or_pause();
     void answer();
+    void carry_out_trial(int index);
     void play_motion();
     void next_freedom();
     void let_go();

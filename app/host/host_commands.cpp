@@ -10,6 +10,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/session/output/export.hpp"
 #include "app/session/picture/picture_camera.hpp"
+#include "app/session/try/carry_out.hpp"
 
 namespace jw::host {
 
@@ -56,6 +57,7 @@ void Host::carry_out(Requests requests) {
     }
     for (const Experiment& experiment : requests.experiments) { apply(experiment); }
     for (const Command command : requests.commands) { carry_out(command); }
+    if (requests.trial) { carry_out_trial(*requests.trial); }
     if (requests.show_joint && session_) { show_joint(*requests.show_joint); }
     if (requests.copy) { say(copied(*requests.copy, "Copied.")); }
     if (requests.open) { open(*requests.open); }
@@ -160,6 +162,21 @@ void Host::carry_out(Command command) {
 void Host::play_or_pause() {
     state_.playback.play_or_pause();
     if (state_.playback.plays() && session_->index() == last_step(session_->story())) { go_to(0); }
+}
+
+void Host::carry_out_trial(int index) {
+    rouse();
+    // a copy: what is tried changes the lesson
+    const Trial trial = session_->lesson().trials[static_cast<std::size_t>(index)];
+    std::string said;
+    for (const std::string& action : trial.actions) {
+        const ExperimentResult result = jw::carry_out(*session_, action);
+        said += (said.empty() ? "" : "\n") + result.said;
+        if (!result.done) { break; }
+    }
+    state_.playback.leave_freedom();
+    state_.forget_pointed();
+    say(said);
 }
 
 void Host::answer() {

@@ -10,6 +10,7 @@
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw::host {
 
@@ -158,6 +159,29 @@ void freedoms(const LessonUi& ui) {
     }
 }
 
+/// What the author proposes.
+void trials(const LessonUi& ui) {
+    const std::vector<Trial>& proposed = ui.session.lesson().trials;
+    if (proposed.empty()) { return; }
+    section(ui, "Proposed");
+    for (std::size_t k = 0; k < proposed.size(); ++k) {
+        ImGui::PushID(static_cast<int>(k));
+        if (ImGui::SmallButton(proposed[k].breaks ? "Break" : "Try")) {
+            ui.requests.trial = static_cast<int>(k);
+        }
+        if (ImGui::IsItemHovered()) {
+            std::string tip;
+            for (const std::string& action : proposed[k].actions) {
+                tip += (tip.empty() ? "" : "\n") + action;
+            }
+            ImGui::SetTooltip("%s", tip.c_str());
+        }
+        ImGui::SameLine();
+        note(ui, math::plain_words(proposed[k].text));
+        ImGui::PopID();
+    }
+}
+
 }  // namespace
 
 int experiment_joint_of(const LessonUi& ui) {
@@ -180,6 +204,7 @@ void experiment_tab(const LessonUi& ui, const panels::Box& box) {
     Area area(ui, "try it", box, true);
     verdict(ui);
     history(ui);
+    trials(ui);
     if (const int joint = experiment_joint_of(ui); joint >= 0) { experiment_joint(ui, joint); }
     repeated_equations(ui);
     freedoms(ui);

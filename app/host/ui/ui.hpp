@@ -52,6 +52,7 @@ struct Requests {
     std::vector<Experiment> experiments;
     std::vector<Command> commands;
     std::optional<std::string> open;  ///< lesson file
+    std::optional<int> trial;         ///< of the lesson: to be carried out
     std::optional<std::string> copy;  ///< text for the clipboard
     std::optional<int> show_joint;    ///< its vectors and equations, while everything moves
     std::vector<int> lit_rows;        ///< for the next frame

@@ -174,6 +174,13 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
     return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
 }
 
+/// The end of a lesson says what to remember.
+void add_summary(const Lesson& lesson, View& view) {
+    if (lesson.summary.empty()) { return; }
+    std::string& text = view.question ? view.question->why : view.author_text;
+    text += (text.empty() ? "In short: " : " In short: ") + lesson.summary;
+}
+
 std::string velocity_note_of(const Step& step) {
     if (step.kind != Step::Kind::motion) { return {}; }
     const auto contradiction = [&](const LinearVerdict& verdict, const char* what) {
@@ -229,8 +236,9 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     if (view.rank.differs_once_assembled()) {
         view.sentence += " " + once_assembled_text(report.rank, *view.rank.once_assembled);
     }
-    view.author_text = author_text_of(lesson, step);
     if (is_asked(step.kind)) { view.question = question_view_of(story, step); }
+    view.author_text = author_text_of(lesson, step);
+    if (index + 1 == view.steps && story.failure() == nullptr) { add_summary(lesson, view); }
     view.equations = equations_of(story, step, index, shown_joints, report);
     if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
