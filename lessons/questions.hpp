@@ -47,6 +47,10 @@ struct Question {
     SourceSpan span;  ///< of its table in the lesson file
 };
 
+struct Lesson;
+/// False where what it is about is not there (any more): its joint or driver, or the motion.
+bool applies(const Question& question, const Lesson& lesson);
+
 /// A proposal to try something.
 struct Trial {
     std::string text;

@@ -45,35 +45,6 @@ struct AnswerWriter {
     }
 };
 
-/// The joint or driver that the answer is about, index -1 for none.
-Addition subject_of_answer(const Answer& answer) {
-    const Addition none{Addition::Kind::joint, -1};
-    return std::visit(
-        Overloaded{
-            [&](const CountAnswer&) { return none; },
-            [](const DroppedAnswer& a) {
-                return Addition{Addition::Kind::joint, a.joint};
-            },
-            [](const QuantityAnswer& a) {
-                const int joint = joint_of(a.quantity);
-                return joint >= 0 ? Addition{Addition::Kind::joint, joint}
-                                  : Addition{Addition::Kind::driver, driver_of(a.quantity)};
-            },
-            [&](const ChoiceAnswer&) { return none; },
-        },
-        answer);
-}
-
-bool has_meaning(const Question& question, const Written& written) {
-    if (question.place == Question::Place::addition && !written.has(question.addition)) { return false; }
-    const bool moves = written.lesson->motion || written.lesson->dynamics;
-    const bool of_motion =
-        question.place == Question::Place::motion || std::holds_alternative<QuantityAnswer>(question.answer);
-    if (of_motion && !moves) { return false; }
-    const Addition subject = subject_of_answer(question.answer);
-    return subject.index < 0 || written.has(subject);
-}
-
 std::string place_text(const Question& question, const Written& written) {
     switch (question.place) {
         case Question::Place::bodies: return "bodies";
@@ -89,7 +60,7 @@ void write_questions(const Written& written, Lines& lines) {
     const Lesson& lesson = *written.lesson;
     if (!lesson.questions.empty() || !lesson.trials.empty()) { lines.section("questions, and what to try"); }
     for (const Question& question : lesson.questions) {
-        if (!has_meaning(question, written)) { continue; }
+        if (!applies(question, lesson)) { continue; }
         lines.table("[[question]]");
         lines.key("at", string_text(place_text(question, written)));
         lines.key("ask", string_text(question.ask));

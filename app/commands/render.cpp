@@ -51,7 +51,12 @@ FrameRange range_of(const RenderOptions& options, const Story& story) {
     const int frames = static_cast<int>(story.steps().size());
     if (options.frames) { return frame_range(*options.frames, frames); }
     if (!options.motion_only) { return {0, frames - 1}; }
-    const FrameRange motion{story.last_assembled() + 1, frames - 1};
+    FrameRange motion{frames, frames - 1};
+    for (int k = frames - 1; k >= 0; --k) {
+        const Step::Kind kind = story.steps()[static_cast<std::size_t>(k)].kind;
+        if (kind == Step::Kind::motion) { motion.first = k; }
+        if (kind == Step::Kind::answer && motion.last == k) { motion.last = k - 1; }
+    }
     if (motion.first > motion.last && story.failure() == nullptr) {
         throw CommandError(
             Exit::bad_input,

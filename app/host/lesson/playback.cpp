@@ -63,7 +63,8 @@ std::optional<int> Playback::step_after(double seconds, const Session& session) 
         step_waited_ -= due;
         ++step;
         // moments of a motion are equally long; whatever else comes is waited for from its beginning
-        if (session.step().kind != Step::Kind::motion) {
+        const Step& reached = session.story().steps()[static_cast<std::size_t>(step)];
+        if (session.step().kind != Step::Kind::motion || reached.kind != Step::Kind::motion) {
             step_waited_ = 0.0;
             break;
         }

@@ -1,5 +1,6 @@
 #include "app/host/lesson/timeline.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -58,8 +59,9 @@ std::vector<Stretch> stretches_of(const Story& story) {
 int last_step(const Story& story) { return static_cast<int>(story.steps().size()) - 1; }
 
 std::optional<int> first_moment(const Story& story) {
-    const int index = story.last_assembled() + 1;
-    return index <= last_step(story) ? std::optional<int>(index) : std::nullopt;
+    const auto found = std::ranges::find(story.steps(), Step::Kind::motion, &Step::kind);
+    return found == story.steps().end() ? std::nullopt
+                                        : std::optional<int>(static_cast<int>(found - story.steps().begin()));
 }
 
 int next_joint(const Story& story, int step, int direction) {

@@ -15,66 +15,32 @@ namespace jw::panels {
 
 namespace {
 
-/// Entries of a matrix, row by row, in formula markup.
-struct BlockMatrix {
-    std::vector<std::vector<const char*>> rows;
-};
-
-/// A matrix of symbols between brackets. @return its right edge
-float draw_block_matrix(const Canvas& canvas, Point at, float line, const BlockMatrix& matrix) {
-    const FormulaFonts fonts = formula_fonts(canvas.fonts());
-    const float gap = canvas.px(10.0F);
-    const float foot = canvas.px(3.0F);
-    const float height = line * static_cast<float>(matrix.rows.size());
-    float x = at.x + canvas.px(5.0F);
-    for (std::size_t column = 0; column < matrix.rows.front().size(); ++column) {
-        float width = 0.0F;
-        for (const auto& row : matrix.rows) {
-            width = std::max(width, layout_formula(row[column], fonts).width);
-        }
-        for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
-            const Formula formula = layout_formula(matrix.rows[row][column], fonts);
-            const float y = at.y + line * static_cast<float>(row) + 0.72F * line;
-            draw_formula(canvas, {x + 0.5F * (width - formula.width), y}, formula, theme::kInk);
-        }
-        x += width + (column + 1 < matrix.rows.front().size() ? gap : canvas.px(5.0F));
-    }
-    const float thick = hairline(canvas);
-    for (const auto& [edge, inward] : {std::pair{at.x, 1.0F}, std::pair{x, -1.0F}}) {
-        canvas.fill({edge - 0.5F * thick, at.y, thick, height}, theme::kInk);
-        const float from = inward > 0.0F ? edge : edge - foot;
-        canvas.fill({from, at.y, foot, thick}, theme::kInk);
-        canvas.fill({from, at.y + height - thick, foot, thick}, theme::kInk);
-    }
-    return x;
-}
-
-/// [M, Φqᵀ; Φq, 0] [q̈; −λ] = [Q; γ]
+/// The block equation of slide 24, and beside it what M and Q are where there is room.
 float draw_slide_24(const Canvas& canvas, const Box& box) {
-    const float line = canvas.line_height(canvas.fonts().normal) + canvas.px(4.0F);
-    const auto middle = [&](float x, const char* markup) {
-        const Formula formula = layout_formula(markup, formula_fonts(canvas.fonts()));
-        const float y = box.y + line + 0.25F * canvas.line_height(canvas.fonts().normal);
-        draw_formula(canvas, {x, y}, formula, theme::kInk);
-        return x + formula.width;
-    };
-    const float gap = canvas.px(6.0F);
-    float x = draw_block_matrix(canvas, {box.x, box.y}, line, {{{"@M", "@Φ_q^T"}, {"@Φ_q", "@0"}}});
-    x = draw_block_matrix(canvas, {x + gap, box.y}, line, {{{"¨q"}, {"−@λ"}}});
-    x = middle(x + gap, "=");
-    x = draw_block_matrix(canvas, {x + gap, box.y}, line, {{{"@Q"}, {"@γ"}}});
-    x += 3.0F * gap;
-    const FormulaFonts fonts = small_formula_fonts(canvas.fonts());
-    float y = box.y + 0.72F * line;
-    for (const char* const markup : {"@M = diag(m @I, @J′)", "@Q = [@f; @n′ − ~ω′@J′@ω′]"}) {
-        const Formula formula = layout_formula(markup, fonts);
+    const Formula equation = layout_formula(
+        R"(\begin{bmatrix} \mathbf{M} & \boldsymbol{\Phi}_q^T \\ \boldsymbol{\Phi}_q & \mathbf{0} \end{bmatrix}
+           \begin{bmatrix} \ddot{\mathbf{q}} \\ -\boldsymbol{\lambda} \end{bmatrix} =
+           \begin{bmatrix} \mathbf{Q} \\ \boldsymbol{\gamma} \end{bmatrix})",
+        formula_fonts(canvas.fonts()));
+    const float baseline = box.y + std::ceil(equation.ascent);
+    draw_formula(canvas, {box.x, baseline}, equation, theme::kInk);
+    const float x = box.x + equation.width + canvas.px(18.0F);
+    const float height = std::ceil(equation.ascent) + std::ceil(equation.descent);
+    float y = box.y + 0.38F * height;
+    for (
+        const char* const latex :
+        {R"(\mathbf{M} = \operatorname{diag}(m \mathbf{I}, \mathbf{J}'))",
+         R"(\mathbf{Q} = [\mathbf{f}; \mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}'])"}) {
+        const Formula formula = layout_formula(latex, small_formula_fonts(canvas.fonts()));
         if (x + formula.width <= box.right()) { draw_formula(canvas, {x, y}, formula, theme::kSoft); }
-        y += line;
+        y += 0.46F * height;
     }
-    return 2.0F * line + canvas.px(4.0F);
+    return height + canvas.px(4.0F);
 }
 
-constexpr std::array kHeads{"m", "@J′", "@f", "@n′ − ~ω′@J′@ω′"};
+constexpr std::array kHeads{
+    "m", R"(\mathbf{J}')", R"(\mathbf{f})",
+    R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')"};
 constexpr std::array kUnits{"kg", "xx, yy, zz in kg m²", "N", "N m"};
 constexpr std::array kEnds{0.12F, 0.42F, 0.71F, 1.0F};  // of the columns, in parts of the width
 
@@ -153,7 +119,7 @@ std::string multipliers_line(const DynamicsView& dynamics, std::size_t& first) {
 float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
     if (dynamics.multipliers.empty()) { return 0.0F; }
     const render::Fonts& fonts = canvas.fonts();
-    const Formula lambda = layout_formula("@λ", formula_fonts(fonts));
+    const Formula lambda = layout_formula(R"(\boldsymbol{\lambda})", formula_fonts(fonts));
     draw_formula(canvas, {box.x, box.y + std::round(fonts.small->Ascent)}, lambda, theme::kInk);
     const std::string about = dynamics.unique() ? "of the rows of Φq, joint by joint"
                                                 : "of the rows of Φq; in brackets those that repeat others";

@@ -20,7 +20,7 @@ void Story::ask(Question::Place place, const Addition* added, Step::Kind kind) {
     for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
         const Question& question = lesson_->questions[k];
         const bool here = question.place == place && (added == nullptr || question.addition == *added);
-        if (!here) { continue; }
+        if (!here || !applies(question, *lesson_)) { continue; }
         Step step = steps_.back();
         step.kind = kind;
         step.question = static_cast<int>(k);

@@ -92,7 +92,7 @@ std::optional<DynamicsView> dynamics_view_of(
 }
 
 std::optional<DynamicsView> dynamics_view_of(const Step& step) {
-    if (!step.centroidal) { return std::nullopt; }
+    if (!step.centroidal || step.kind != Step::Kind::motion) { return std::nullopt; }
     return dynamics_view_of(*step.centroidal, step.t, step.state, step.velocity, step.energy);
 }
 

@@ -182,11 +182,12 @@ TEST_CASE(
         const auto of_joint = [&](const Annotation& a) {
             return a.link == Pointable::vector(index, Pointable::kVectorI);
         };
-        // the two share s_i, which is named once
+        // a vector that two of them share is named once
         const auto first = static_cast<int>(
             std::ranges::find(lesson.mechanism.joints, wanted.front(), &Joint::name) -
             lesson.mechanism.joints.begin());
-        CHECK(std::ranges::count_if(picture.annotations, of_joint) == (index == first ? 1 : 0));
+        const auto named = std::ranges::count_if(picture.annotations, of_joint);
+        CHECK((index == first ? named == 1 : named <= 1));
         const auto is_drawn = [&](const render::Arrow& arrow) {
             return arrow.id == picture_id(Pointable::vector(index, Pointable::kVectorI));
         };
