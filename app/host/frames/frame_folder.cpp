@@ -95,8 +95,8 @@ FrameFolder::FrameFolder(fs::path folder, std::set<std::string> names, const fs:
     }
     before_ = named_in(folder_ / kManifest, true);
     before_.merge(named_in(folder_ / kUnfinished, false));
-    refuse_strangers();
     if (!keep.empty()) { protect(keep); }
+    refuse_strangers();
 }
 
 FrameFolder::~FrameFolder() {
