@@ -26,8 +26,8 @@ struct RenderOptions {
 };
 
 // below this the panels have no room; above it the letters do not fit into one texture
-constexpr PixelSize kSmallest{960, 540};
-constexpr PixelSize kLargest{3840, 2160};
+constexpr PixelSize kSmallestFrame{960, 540};
+constexpr PixelSize kLargestFrame{3840, 2160};
 constexpr double kMostFps = 240.0;
 constexpr double kMostFrames = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
 
@@ -90,7 +90,7 @@ void draw_frames(
 }
 
 Exit render_command(const RenderOptions& options, const Streams& streams) {
-    const PixelSize size = size_option(options.size, kSmallest, kLargest);
+    const PixelSize size = size_option(options.size, kSmallestFrame, kLargestFrame);
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     const Lesson& lesson = changed.lesson;
     streams.err << done_text(changed.done);

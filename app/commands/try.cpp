@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 
+#include <optional>
+
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
@@ -16,18 +18,31 @@ struct TryOptions {
     std::string format;
 };
 
+/// Writes each group as soon as its effects are known.
+void write_text(const Session& session, const std::vector<std::string>& done, const Streams& streams) {
+    std::optional<ExperimentsText> text;
+    const auto write = [&](const std::string& piece) { streams.out << piece << std::flush; };
+    const PossibleExperiments all = possible_experiments_of(
+        session, {[&](const PossibleExperiments& outline) {
+                      text.emplace(outline, session.as_written());
+                      write(done_text(done) + text->head());
+                  },
+                  [&](const ExperimentGroup& group) { write(text->group(group)); }});
+    write(text->rest(all));
+}
+
 Exit try_command(const TryOptions& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
-    Session session(lesson);
+    // nothing but an experiment leads into the motion
+    Session session(lesson, !options.experiments.empty());
     session.apply(GoTo{session.story().last_assembled()});
     const std::vector<std::string> done = carry_out_all(session, options.experiments);
-    const PossibleExperiments experiments = possible_experiments_of(session);
     if (options.format == "json") {
-        Json json = json_of(experiments, lesson);
+        Json json = json_of(possible_experiments_of(session), lesson);
         add_done(json, done);
         streams.out << json.dump(1) << '\n';
     } else {
-        streams.out << done_text(done) << describe(experiments, lesson);
+        write_text(session, done, streams);
     }
     return Exit::done;
 }

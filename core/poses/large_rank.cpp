@@ -1,6 +1,9 @@
 #include "core/poses/large_rank.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
 
 #include "core/numerics/sparse_rank.hpp"
 #include "core/poses/least_squares.hpp"
@@ -10,6 +13,10 @@ namespace jw {
 namespace {
 
 constexpr double kRounding = 1e-15;  // as in rank.cpp
+// up to ten bodies singular values are as soon there as sparse factors
+constexpr int kMostDenseColumnsOfVerdict = 60;
+// the squares of singular values lose twice their digits: 1e-16 · condition² of the last one
+constexpr double kMostConditionOfSquares = 1e4;
 
 /// Groups for dependence: the rows of one joint, or of one driver, stay together.
 std::vector<int> groups_in_order(const System& system) {
@@ -84,6 +91,28 @@ RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, 
         }
         report.redundant_rows.push_back(std::move(entry));
     }
+    return report;
+}
+
+RankReport analyse_rank_verdict(const System& system, const SparseRows& jacobian, const VectorX& phi) {
+    MatrixX dense(phi.size(), jacobian.columns);
+    if (jacobian.columns <= kMostDenseColumnsOfVerdict) {
+        jacobian.write(dense);
+        return analyse_rank(system, dense, phi, RankDetail::verdict);
+    }
+    RankReport report = analyse_large_rank(system, jacobian, phi);
+    const bool is_large = jacobian.columns > kMostColumnsWithSpectrum;
+    if (is_large || report.has_spectrum || report.rank == 0) { return report; }
+    jacobian.write(dense);
+    if (report.estimated_first > kMostConditionOfSquares * report.estimated_last) {
+        return analyse_rank(system, dense, phi, RankDetail::verdict);
+    }
+    const Scaling scaling = scaling_of<OmegaLocal>(system);
+    const MatrixX scaled = scaling.row.cwiseInverse().asDiagonal() * dense * scaling.column.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixX> squares(scaled.transpose() * scaled, Eigen::EigenvaluesOnly);
+    const VectorX& values = squares.eigenvalues();  // smallest first
+    report.estimated_first = std::sqrt(values(values.size() - 1));
+    report.estimated_last = std::sqrt(values(values.size() - report.rank));
     return report;
 }
 

@@ -17,6 +17,11 @@ inline constexpr int kMostColumnsWithSpectrum = 300;
 /// @param phi residuals at that state
 RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, const VectorX& phi);
 
+/// The verdict and the first and last singular value that counts, of many poses soon: no redundant rows, no
+/// free motions of more than ten bodies. Up to kMostColumnsWithSpectrum columns the two values are right to
+/// six digits, above as in analyse_large_rank.
+RankReport analyse_rank_verdict(const System& system, const SparseRows& jacobian, const VectorX& phi);
+
 /// Calls analyse_rank or analyse_large_rank depending on the number of columns.
 /// @param spectrum true: compute singular values and free motions at any size
 RankReport analyse_rank_of_any_size(

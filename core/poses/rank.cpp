@@ -216,7 +216,8 @@ void judge(RankReport& report, const Svd& svd) {
 
 VectorX singular_values_of(const MatrixX& matrix) { return svd_of(matrix).sigma; }
 
-RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi) {
+RankReport analyse_rank(
+    const System& system, const MatrixX& jacobian, const VectorX& phi, RankDetail detail) {
     RankReport report;
     report.rows = static_cast<int>(jacobian.rows());
     report.columns = static_cast<int>(jacobian.cols());
@@ -242,6 +243,7 @@ RankReport analyse_rank(const System& system, const MatrixX& jacobian, const Vec
     report.assembled = report.residual <= kAssembledResidual;
 
     judge(report, svd);
+    if (detail == RankDetail::verdict) { return report; }
 
     const VectorX& sigma = report.singular_values;
     const auto r = static_cast<Eigen::Index>(report.rank);

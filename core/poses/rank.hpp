@@ -79,10 +79,16 @@ struct RankReport {
     double last_value() const;
 };
 
-/// @param jacobian the (r, ω') matrix at a state [rows x columns], as Assembler<OmegaLocal> gives it
+/// What a report is wanted for: the redundant rows and the free motions take as long as the verdict.
+enum class RankDetail { everything, verdict };
+
 /// Determines rank, redundant rows and free motions at a state.
+/// @param jacobian the (r, ω') matrix at a state [rows x columns], as Assembler<OmegaLocal> gives it
 /// @param phi residuals at that state
-RankReport analyse_rank(const System& system, const MatrixX& jacobian, const VectorX& phi);
+/// @param detail verdict: redundant rows and free motions are left out
+RankReport analyse_rank(
+    const System& system, const MatrixX& jacobian, const VectorX& phi,
+    RankDetail detail = RankDetail::everything);
 
 /// Rows, ascending, any single one of which may be removed without a loss of rank: the redundant ones and all
 /// that they are combinations of. Removing two is another question.

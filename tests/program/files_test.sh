@@ -127,6 +127,12 @@ expect 0 "1 picture and manifest.json" "the run after a killed one" \
     "$program" render mine.toml --out killed --size 960x540 --frames 1
 [ "$(ls killed | paste -sd ' ')" = "frame_00001.png manifest.json" ] || fail "left there: $(ls killed | paste -sd ' ')"
 
+# ---- interrupted (Ctrl-C) in the middle: what was printed stays
+got=0
+timeout --preserve-status -s INT 2 "$program" try "$2/../benchmark/four-bar-16.toml" >out 2>err || got=$?
+[ "$got" -eq 130 ] || [ "$got" -eq 0 ] || fail "interrupted, try ends with status $got"
+[ "$(wc -l <out)" -ge 5 ] || fail "interrupted, try has printed $(wc -l <out) lines"
+
 # ---- fonts and lessons that are damaged
 mkdir fonts
 head -c 300000 /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf >fonts/DejaVuSans.ttf

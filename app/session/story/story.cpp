@@ -149,6 +149,12 @@ RankReport rank_of(const System& system, const State& state, double t, bool spec
     return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), spectrum);
 }
 
+RankReport rank_verdict_of(const System& system, const State& state, double t) {
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(state, t);
+    return analyse_rank_verdict(system, assembler.sparse_jacobian(), assembler.phi());
+}
+
 RankWhenAsked::RankWhenAsked(std::shared_ptr<const System> system, State state, double t)
     : pose_(std::make_shared<Pose>(Pose{std::move(system), std::move(state), t, std::nullopt})) {}
 

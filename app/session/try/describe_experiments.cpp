@@ -99,15 +99,25 @@ Json json_of(const ExperimentGroup& group) {
 
 }  // namespace
 
+ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson)
+    : widest_(widest_of(outline.coordinates)) {
+    for (const ExperimentGroup& group : outline.groups) { widest_ = std::max(widest_, widest_of(group)); }
+    head_ = lesson.title + '\n' + outline.moment + " (step " + std::to_string(outline.step) +
+            "): " + summary_of(outline.present) + "\n\n" +
+            text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest_));
+}
+
+std::string ExperimentsText::group(const ExperimentGroup& group) const { return group_text(group, widest_); }
+
+std::string ExperimentsText::rest(const PossibleExperiments& all) const {
+    return group(all.coordinates) + repeated_text(all) + motions_text(all);
+}
+
 std::string describe(const PossibleExperiments& all, const Lesson& lesson) {
-    std::string text = lesson.title + '\n' + all.moment + " (step " + std::to_string(all.step) +
-                       "): " + summary_of(all.present) + "\n\n";
-    int widest = widest_of(all.coordinates);
-    for (const ExperimentGroup& group : all.groups) { widest = std::max(widest, widest_of(group)); }
-    text += text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest));
-    for (const ExperimentGroup& group : all.groups) { text += group_text(group, widest); }
-    text += group_text(all.coordinates, widest);
-    return text + repeated_text(all) + motions_text(all);
+    const ExperimentsText pieces(all, lesson);
+    std::string text = pieces.head();
+    for (const ExperimentGroup& group : all.groups) { text += pieces.group(group); }
+    return text + pieces.rest(all);
 }
 
 Json json_of(const PossibleExperiments& all, const Lesson& lesson) {

@@ -38,9 +38,11 @@ public:
         present_.assign(order.begin(), order.begin() + step_.additions);
     }
 
-    PossibleExperiments all() const;
+    PossibleExperiments all(const ExperimentsListener& listener);
 
 private:
+    PossibleExperiments outline();
+    ExperimentGroup group_of(const Addition& part) const;
     PossibleExperiment judged(const Experiment& experiment, bool now) const;
     Effect effect_of_lesson(const Lesson& lesson) const;
     ExperimentGroup of_joint(int index) const;
@@ -57,6 +59,7 @@ private:
     const Step& step_;
     RankReport report_;
     std::vector<Addition> present_;
+    bool with_effects_ = true;
 };
 
 Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
@@ -67,13 +70,14 @@ Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
     });
     System system(part.mechanism, selection_of(part, static_cast<int>(part.order.size())));
     system.choose_rows(step_.state);
-    return effect_of(rank_of(system, step_.state, step_.t));
+    return effect_of(rank_verdict_of(system, step_.state, step_.t));
 }
 
 PossibleExperiment Laboratory::judged(const Experiment& experiment, bool now) const {
     PossibleExperiment e;
     e.text = text_of(experiment, session_);
     e.now = now;
+    if (!with_effects_) { return e; }
     if (now) {
         e.effect = effect_of(report_);
         return e;
@@ -179,6 +183,10 @@ ExperimentGroup Laboratory::coordinates() const {
     for (const auto& [choice, word, label] : kChoices) {
         PossibleExperiment e{
             text_of(SetCoordinates{choice}, session_), session_.lesson().coordinates == choice, false, {}};
+        if (!with_effects_) {
+            group.experiments.push_back(std::move(e));
+            continue;
+        }
         const Inspection inspection = inspect_step(session_.story(), step, choice);
         const auto rows = static_cast<int>(inspection.phi.size());
         // a row pᵀp - 1 per moving body is independent of all others
@@ -216,18 +224,36 @@ std::string Laboratory::moment() const {
     return "after " + (subject->kind == Addition::Kind::joint ? m.joints[k].name : m.drivers[k].name);
 }
 
-PossibleExperiments Laboratory::all() const {
-    PossibleExperiments all;
-    all.moment = moment();
-    all.step = closed_step(session_.story(), session_.index());
-    all.present = effect_of(report_);
-    for (const Addition& part : session_.as_written().order) {
-        const bool is_joint = part.kind == Addition::Kind::joint;
-        all.groups.push_back(is_joint ? of_joint(part.index) : of_driver(part.index));
+ExperimentGroup Laboratory::group_of(const Addition& part) const {
+    return part.kind == Addition::Kind::joint ? of_joint(part.index) : of_driver(part.index);
+}
+
+/// What is known without the rank of any experiment.
+PossibleExperiments Laboratory::outline() {
+    PossibleExperiments outline;
+    outline.moment = moment();
+    outline.step = closed_step(session_.story(), session_.index());
+    outline.present = effect_of(report_);
+    for (const int row : removable_rows(report_)) {
+        outline.removable.push_back(row_label(*step_.system, row));
     }
-    for (const int row : removable_rows(report_)) { all.removable.push_back(row_label(*step_.system, row)); }
     for (const RedundantRow& row : report_.redundant_rows) {
-        all.combinations.push_back(combination_text(*step_.system, row));
+        outline.combinations.push_back(combination_text(*step_.system, row));
+    }
+    with_effects_ = false;
+    for (const Addition& part : session_.as_written().order) { outline.groups.push_back(group_of(part)); }
+    outline.coordinates = coordinates();
+    with_effects_ = true;
+    return outline;
+}
+
+PossibleExperiments Laboratory::all(const ExperimentsListener& listener) {
+    PossibleExperiments all = outline();
+    if (listener.begin) { listener.begin(all); }
+    all.groups.clear();
+    for (const Addition& part : session_.as_written().order) {
+        all.groups.push_back(group_of(part));
+        if (listener.group) { listener.group(all.groups.back()); }
     }
     all.free_motions = free_motions();
     all.coordinates = coordinates();
@@ -236,6 +262,8 @@ PossibleExperiments Laboratory::all() const {
 
 }  // namespace
 
-PossibleExperiments possible_experiments_of(const Session& session) { return Laboratory(session).all(); }
+PossibleExperiments possible_experiments_of(const Session& session, const ExperimentsListener& listener) {
+    return Laboratory(session).all(listener);
+}
 
 }  // namespace jw

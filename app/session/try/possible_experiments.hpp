@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,11 +52,34 @@ struct PossibleExperiments {
     ExperimentGroup coordinates;
 };
 
+/// Who wants to know while it is being found: each effect is a rank.
+struct ExperimentsListener {
+    /// Everything that is known at once; experiments have no effects yet.
+    std::function<void(const PossibleExperiments& outline)> begin;
+    /// Each group with its effects, in the order of PossibleExperiments::groups.
+    std::function<void(const ExperimentGroup& group)> group;
+};
+
 /// Experiments possible at the step that `session` shows; while a joint is being closed, at the step before
 /// it.
-PossibleExperiments possible_experiments_of(const Session& session);
+PossibleExperiments possible_experiments_of(const Session& session, const ExperimentsListener& listener = {});
 
 std::string describe(const PossibleExperiments& experiments, const Lesson& lesson);
 Json json_of(const PossibleExperiments& experiments, const Lesson& lesson);
+
+/// The same text in pieces: the head, each group, what comes behind the groups.
+class ExperimentsText {
+public:
+    /// @param outline  with the texts of all experiments, of which the widest sets the columns
+    ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson);
+
+    const std::string& head() const { return head_; }
+    std::string group(const ExperimentGroup& group) const;
+    std::string rest(const PossibleExperiments& all) const;
+
+private:
+    int widest_ = 0;
+    std::string head_;
+};
 
 }  // namespace jw

@@ -105,11 +105,12 @@ struct Session::Cache {
     std::optional<PictureStyle> style;  ///< of the whole story
 };
 
-Session::Session(Lesson lesson)
+Session::Session(Lesson lesson, bool with_motion)
     : written_(std::make_shared<Lesson>(std::move(lesson))),
       lesson_(written_),
       cache_(std::make_unique<Cache>()) {
-    story_ = std::make_unique<Story>(*lesson_);
+    how_.with_motion = with_motion;
+    story_ = std::make_unique<Story>(*lesson_, how_);
     told_anew();
 }
 
@@ -226,7 +227,7 @@ Session::Past Session::present(std::string what) const {
 /// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     const Place place = place_of(*story_, index_);
-    auto story = std::make_unique<Story>(*lesson);
+    auto story = std::make_unique<Story>(*lesson, how_);
     if (story_->chosen_joint() < static_cast<int>(lesson->mechanism.joints.size())) {
         story->choose_joint(story_->chosen_joint());
     }

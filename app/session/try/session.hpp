@@ -16,7 +16,8 @@ namespace jw {
 
 class Session {
 public:
-    explicit Session(Lesson lesson);
+    /// @param with_motion  false: the story ends where everything is put together
+    explicit Session(Lesson lesson, bool with_motion = true);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -101,6 +102,7 @@ private:
     void told_anew();
     void changed();
 
+    StoryOptions how_;
     std::shared_ptr<const Lesson> written_;
     std::shared_ptr<const Lesson> lesson_;
     std::unique_ptr<Story> story_;
