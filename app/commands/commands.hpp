@@ -17,6 +17,7 @@ using Run = std::function<Exit()>;
 
 void add_open(CLI::App& app, const Streams& streams, Run& run);
 void add_list(CLI::App& app, const Streams& streams, Run& run);
+void add_new(CLI::App& app, const Streams& streams, Run& run);
 void add_check(CLI::App& app, const Streams& streams, Run& run);
 void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);

@@ -1,0 +1,80 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/new_lesson.hpp"
+#include "lessons/course.hpp"
+#include "lessons/diagnostics.hpp"
+#include "lessons/exact_text.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kTitleOfTemplate = "\"A new lesson\"";
+
+CommandError cannot_be_new(const std::string& what) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + what);
+}
+
+/// "slider-crank_2" -> "Slider crank 2"
+std::string title_of(const fs::path& file) {
+    std::string title = file.stem().string();
+    std::ranges::replace_if(
+        title, [](char c) { return c == '-' || c == '_'; }, ' ');
+    if (!title.empty() && title.front() >= 'a' && title.front() <= 'z') {
+        title.front() = static_cast<char>(title.front() - 'a' + 'A');
+    }
+    return title;
+}
+
+fs::path file_of(const std::string& name) {
+    const fs::path file = name.ends_with(".toml") ? name : name + ".toml";
+    const bool nameless = name.empty() || name.ends_with('/') || file.stem() == ".toml";
+    if (nameless || file.filename() == kCourseFile) {
+        throw cannot_be_new(in_quotes(name) + " cannot be the name of a lesson; expected one as 'my-lesson'");
+    }
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(file, error))) {
+        throw cannot_be_new(
+            in_quotes(file.string()) + " is there already, and stays as it is; expected another name");
+    }
+    return file;
+}
+
+Exit write_new(const std::string& name, const Streams& streams) {
+    const fs::path file = file_of(name);
+    std::string text = kNewLesson;
+    text.replace(text.find(kTitleOfTemplate), kTitleOfTemplate.size(), writing::string_text(title_of(file)));
+    // a name that no text file can hold is the only thing that can be wrong
+    if (const ReadResult read = read_lesson(text, file.string()); !read.lesson) {
+        throw cannot_be_new(
+            in_quotes(name) + " cannot be a title: " + read.diagnostics.front().message +
+            "; expected a name of letters in UTF-8");
+    }
+    std::string error;
+    if (!write_lesson_file(file, text, error)) { throw cannot_be_new(error); }
+    streams.err << file.string() << " is written; 'jointwise open " << file.string()
+                << "' shows it, 'jointwise check " << file.string() << "' proves its claims\n";
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("new", "write a small lesson to begin with");
+    auto name = std::make_shared<std::string>();
+    command->add_option("NAME", *name, "of the lesson; the file is NAME.toml")->required()->type_name("");
+    command->footer("Example: jointwise new my-lesson");
+    command->callback(
+        [name, &streams, &run] { run = [name, &streams] { return write_new(*name, streams); }; });
+}
+
+}  // namespace jw
