@@ -22,11 +22,10 @@ struct Wording {
     const char* ours;
 };
 
-const std::array<Wording, 5> kWordings{{
+const std::array<Wording, 4> kWordings{{
     {"A subcommand is required", "no command is given"},
     {"(.*): At Most 1 required but received (\\d+)", "$1 is given $2 times; expected once"},
     {"(.*): \\d+ required (.*) missing", "$1 has no value; expected $2"},
-    {"(.*) excludes (.*)", "$1 excludes $2"},
     {"(.*) was given a disallowed flag override", "$1 takes no value"},
 }};
 
@@ -117,6 +116,24 @@ std::optional<std::string> extra_fault(const CLI::App& command, const std::strin
     return "there is no option " + in_quotes(name) + (hint.empty() ? "" : "; " + hint);
 }
 
+/// "--format excludes ": the parser gives hidden options no name
+std::optional<std::string> excludes_fault(const CLI::App& command, const std::string& theirs) {
+    static const std::regex form("(.*) excludes (.*)");
+    std::smatch match;
+    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
+    std::vector<std::string> hidden;
+    for (const CLI::Option* option : command.get_options()) {
+        const bool given = option->count() > 0 && option->get_group().empty();
+        if (given) { hidden.push_back("--" + option->get_lnames().front()); }
+    }
+    auto next = hidden.begin();
+    const auto named = [&](const std::string& name) {
+        return name.empty() && next != hidden.end() ? *next++ : name;
+    };
+    const std::string one = named(match[1]);
+    return one + " excludes " + named(match[2]);
+}
+
 /// 0.750000 is 0.75
 std::string without_zeros(const std::string& text) {
     static const std::regex form("(\\d+\\.\\d*?)0+(?=\\D|$)");
@@ -141,7 +158,7 @@ std::string usage_fault(const CLI::App& command, const CLI::Error& error) {
     const std::string theirs = error.what();
     for (const auto& fault :
          {choice_fault(theirs), number_fault(command, theirs), range_fault(command, theirs),
-          extra_fault(command, theirs)}) {
+          extra_fault(command, theirs), excludes_fault(command, theirs)}) {
         if (fault) { return *fault; }
     }
     for (const Wording& wording : kWordings) {

@@ -52,7 +52,7 @@ TEST_CASE("help of every command has an example that works", "[app][commands]") 
     }
 }
 
-TEST_CASE("What is written is said by --format; --output and --json say the same", "[app][commands]") {
+TEST_CASE("What is written is said by --format, and --output and --json say the same", "[app][commands]") {
     const Folder folder;
     for (const auto& command : commands_with_json(folder.file("crank.toml", kCrank))) {
         CAPTURE(command);

@@ -107,6 +107,23 @@ TEST_CASE("Nothing is left marked as unfinished", "[architecture]") {
         unfinished));
 }
 
+TEST_CASE("No name of a test has a semicolon, where ctest would cut it in two", "[architecture]") {
+    const std::regex named(
+        R"re((TEST_CASE(_METHOD)?|TEST_CASE_SIG)\s*\(\s*((\w+\s*,\s*)?("([^"\\]|\\.)*"\s*)+))re");
+    int tests = 0;
+    for (const SourceFile& file : project_files()) {
+        if (!file.path.starts_with("tests/") || !file.path.ends_with(".cpp")) { continue; }
+        std::string text;
+        for (const std::string& line : file.lines) { text += line + '\n'; }
+        for (std::sregex_iterator it(text.begin(), text.end(), named), end; it != end; ++it) {
+            ++tests;
+            CAPTURE(file.path, (*it).str());
+            CHECK((*it)[3].str().find(';') == std::string::npos);
+        }
+    }
+    CHECK(tests > 500);  // an expression that finds nothing would pass
+}
+
 TEST_CASE("Every header is included once", "[architecture]") {
     for (const SourceFile& file : project_files()) {
         if (!file.path.ends_with(".hpp")) { continue; }

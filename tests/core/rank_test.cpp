@@ -159,7 +159,7 @@ TEST_CASE("Scaling all lengths from 1e-3 to 1e3 changes no verdict", "[core][ran
 }
 
 TEST_CASE(
-    "(r, p) without normalisation rows hides redundancy; with them it is the kinematic rank plus bodies",
+    "(r, p) without normalisation rows hides redundancy, with them it is the kinematic rank plus bodies",
     "[core][rank]") {
     const auto rank_of_matrix = [](const MatrixX& matrix) {
         const VectorX sigma = singular_values_of(matrix);

@@ -200,7 +200,7 @@ TEST_CASE("A driver can go on from the start pose", "[lessons][reading]") {
                  "harmonics = [{ amplitude = 1, frequency_hz = 1 }]") == Approx(3.0).margin(kRounding));
 }
 
-TEST_CASE("The order is the author's; what is not named follows", "[lessons][reading]") {
+TEST_CASE("The order is the author's, and what is not named follows", "[lessons][reading]") {
     std::string text = with_two_bodies(
         kHinge + "[[driver]]\nname = \"d\"\nquantity = \"angle\"\njoint = \"j\"\npolynomial_deg = [0]\n" +
         "[[joint]]\nname = \"k\"\ntype = \"n1\"\nbodies = [\"ground\", \"arm\"]\naxis_i = [1, 0, 0]\n" +

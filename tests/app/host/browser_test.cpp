@@ -118,7 +118,7 @@ TEST_CASE("Lessons opened before are kept, newest first, each once, twelve of th
     CHECK(std::ranges::count(recent.paths(), recent.paths()[0]) == 1);
 }
 
-TEST_CASE("A lesson of one's own stands first among those opened last; one with mistakes says so") {
+TEST_CASE("A lesson of one's own stands first among those opened last, and one with mistakes says so") {
     const TemporaryFolder folder;
     const auto good = folder.path() / "mine.toml";
     std::filesystem::copy_file(catalogue_folder() / "joints" / "revolute.toml", good);

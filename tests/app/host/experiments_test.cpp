@@ -129,7 +129,7 @@ TEST_CASE("A motor goes with its joint, and is refused before it") {
 }
 
 TEST_CASE(
-    "Without one repeated equation after the other the four-bar has full row rank; a needed one frees it") {
+    "Without one repeated equation after the other the four-bar has full row rank, a needed one frees it") {
     Person person(kFourBar);
     go_to_closed(person, "D");
     person.ask(Command::tab_experiments);

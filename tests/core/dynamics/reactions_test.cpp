@@ -150,7 +150,7 @@ TEST_CASE("A swinging rod pulls at its bearing as the closed form says", "[core]
 }
 
 TEST_CASE(
-    "Joint forces of a four-bar at rest are those of plane statics; across the plane they are a family",
+    "Joint forces of a four-bar at rest are those of plane statics, across the plane they are a family",
     "[core][dynamics][reactions]") {
     const double phi = 0.9;
     const double mass = 1.5;
