@@ -96,7 +96,7 @@ TEST_CASE("M q̈ − Φqᵀ λ − Q is zero to rounding in all lessons of dynam
     }
 }
 
-TEST_CASE("M is diag(m I, J′) and Q is [f; n′ − ω̃′J′ω′], body by body", "[app][dynamics]") {
+TEST_CASE("M is diag(m I, J′), and Q has f and n′ − ω̃′J′ω′, body by body", "[app][dynamics]") {
     const Lesson lesson = lesson_named("dynamics/spinning-top");
     const Story story(lesson);
     const Step& step = story.steps().back();
