@@ -22,6 +22,17 @@ constexpr int kSmallestHeight = 200;
 // between two looks at a measurement: fast enough to be watched, and it costs next to nothing
 constexpr double kMeasuring = 0.25;
 
+/// How far a key moves the list of keys, in parts of what is seen of it; 0: not at all.
+float way_of(Key key) {
+    switch (key) {
+        case Key::down: return 0.2F;
+        case Key::up: return -0.2F;
+        case Key::page_down: return 0.9F;
+        case Key::page_up: return -0.9F;
+        default: return 0.0F;
+    }
+}
+
 }  // namespace
 
 Host::Host(const HostSetup& setup)
@@ -130,6 +141,10 @@ void Host::act_on(const InputEvent& event) {
     const bool is_key = event.kind == InputEvent::Kind::key && event.down;
     if (!is_key && event.kind != InputEvent::Kind::text) { return; }
     if (state_.help) {
+        if (const float way = way_of(event.key); is_key && way != 0.0F) {
+            state_.sheet.wanted += way;
+            return;
+        }
         state_.help = false;
         return;
     }

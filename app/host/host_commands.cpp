@@ -19,6 +19,7 @@ namespace {
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
+constexpr float kPage = 0.5F;  // of what is seen, by one command
 
 bool needs_lesson(Command command) {
     constexpr std::array always{Command::dark,    Command::larger_text, Command::smaller_text,
@@ -120,6 +121,10 @@ void Host::carry_out(Command command) {
         case Command::tab_price: state_.tab = Tab::price; return;
         case Command::next_tab: state_.tab = tab_after(state_.tab); return;
         case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
+        case Command::panel_down: state_.column.wanted += kPage; return;
+        case Command::panel_up: state_.column.wanted -= kPage; return;
+        case Command::text_down: state_.caption.wanted += kPage; return;
+        case Command::text_up: state_.caption.wanted -= kPage; return;
         case Command::undo: return apply(Undo{});
         case Command::redo: return apply(Redo{});
         case Command::start_over: return apply(StartOver{});

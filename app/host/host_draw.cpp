@@ -5,6 +5,7 @@
 #include "app/host/parts/menu.hpp"
 #include "app/host/parts/pointed.hpp"
 #include "app/host/parts/timeline_bar.hpp"
+#include "app/host/ui/scrolled.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/text.hpp"
@@ -32,9 +33,19 @@ void Host::draw_interface() {
 
 void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots) {
     const View& view = session_->view();
+    // another step is read from its beginning; a motion goes on where it is
+    if (view.step != state_.scrolled_step) {
+        if (view.kind != Step::Kind::motion) { state_.column = state_.caption = {}; }
+        state_.scrolled_step = view.step;
+    }
     panels::draw_annotations(ui.canvas, picture(), hand_.camera(), layout_.scene);
     panels::draw_title(ui.canvas, layout_.title, view);
-    panels::draw_caption(ui.canvas, layout_.caption, view);
+    const float height = panels::caption_height(ui.canvas, layout_.caption, view);
+    scrolled(
+        ui, layout_.caption, height, state_.caption,
+        [&](const panels::Canvas& canvas, const panels::Box& box) {
+            panels::draw_caption(canvas, box, view);
+        });
     predictions_.draw(ui, panels::box_of(layout_.scene));
     if (session_->in_hand()) { draw_badge(ui, panels::box_of(layout_.scene)); }
     side_column(ui, layout_, tabs_);

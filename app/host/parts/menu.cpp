@@ -1,6 +1,8 @@
 #include "app/host/parts/menu.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <imgui.h>
 
@@ -14,6 +16,10 @@ namespace {
 
 using panels::Box;
 namespace theme = panels::theme;
+
+constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
+constexpr float kKeysWidth = 96.0F;
+constexpr float kMouseWidth = 190.0F;
 
 constexpr Group kGroups[] = {
     Group::timeline, Group::panels, Group::experiments, Group::picture, Group::files};
@@ -34,29 +40,76 @@ bool is_possible(const LessonUi& ui, Command command) {
     return true;
 }
 
-float draw_group(const panels::Canvas& canvas, const Box& column, float y, Group group) {
-    const render::Fonts& fonts = canvas.fonts();
-    canvas.text({column.x, y}, fonts.bold, theme::kInk, name_of(group));
-    y += canvas.line_height(fonts.bold) + canvas.px(2.0F);
-    for (const CommandInfo& info : command_table()) {
-        if (info.group != group) { continue; }
-        canvas.text({column.x, y}, fonts.normal, theme::kAccent, info.keys);
-        canvas.text({column.x + canvas.px(96.0F), y}, fonts.normal, theme::kInk, info.text);
-        y += canvas.line_height(fonts.normal);
+/// A line of the sheet: what to press, and what it does.
+struct Line {
+    const char* keys;
+    const char* text;
+};
+
+struct Section {
+    const char* title;
+    std::vector<Line> lines;
+    float keys_width = 0.0F;  ///< at 720
+};
+
+std::vector<Section> sections() {
+    std::vector<Section> all;
+    for (const Group group : kGroups) {
+        Section section{name_of(group), {}, kKeysWidth};
+        for (const CommandInfo& info : command_table()) {
+            if (info.group == group) { section.lines.push_back({info.keys, info.text}); }
+        }
+        all.push_back(std::move(section));
     }
-    return y + canvas.px(12.0F);
+    Section mouse{"Mouse", {}, kMouseWidth};
+    for (const auto& [what, does] : kMouse) { mouse.lines.push_back({what, does}); }
+    all.push_back(std::move(mouse));
+    return all;
 }
 
-float draw_mouse(const panels::Canvas& canvas, const Box& column, float y) {
+/// @return the height taken; a canvas that measures draws nothing
+float draw_section(const panels::Canvas& canvas, const Box& column, const Section& section) {
     const render::Fonts& fonts = canvas.fonts();
-    canvas.text({column.x, y}, fonts.bold, theme::kInk, "Mouse");
-    y += canvas.line_height(fonts.bold) + canvas.px(2.0F);
-    for (const auto& [what, does] : kMouse) {
-        canvas.text({column.x, y}, fonts.normal, theme::kAccent, what);
-        canvas.text({column.x + canvas.px(190.0F), y}, fonts.normal, theme::kInk, does);
-        y += canvas.line_height(fonts.normal);
+    canvas.text({column.x, column.y}, fonts.bold, theme::kInk, section.title);
+    float y = column.y + canvas.line_height(fonts.bold) + canvas.px(2.0F);
+    const float keys = canvas.px(section.keys_width);
+    for (const Line& line : section.lines) {
+        const Box left{column.x, y, keys - canvas.px(6.0F), 0.0F};
+        const Box right{column.x + keys, y, column.width - keys, 0.0F};
+        const float high = panels::paragraph(canvas, left, fonts.normal, theme::kAccent, line.keys);
+        y += std::max(high, panels::paragraph(canvas, right, fonts.normal, theme::kInk, line.text));
     }
-    return y;
+    return y + canvas.px(12.0F) - column.y;
+}
+
+/// The sections in columns of about the same height. @return the height of the highest
+float draw_sections(const panels::Canvas& canvas, const Box& box) {
+    const std::vector<Section> all = sections();
+    const float gap = canvas.px(20.0F);
+    const int count = std::clamp(static_cast<int>(box.width / canvas.px(kColumnWidth)), 1, 3);
+    const float width = (box.width - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    float total = 0.0F;
+    for (const Section& s : all) { total += draw_section(canvas.measuring(), {0.0F, 0.0F, width, 0.0F}, s); }
+    Box column{box.x, box.y, width, 0.0F};
+    float highest = 0.0F;
+    float left = total;
+    int columns_left = count;
+    for (const Section& section : all) {
+        const float needed = draw_section(canvas.measuring(), column, section);
+        const float used = column.y - box.y;
+        // half of it beyond the share of the column: it begins the next
+        if (used > 0.0F && columns_left > 1 &&
+            used + 0.5F * needed > (used + left) / static_cast<float>(columns_left)) {
+            column.x += width + gap;
+            column.y = box.y;
+            --columns_left;
+        }
+        draw_section(canvas, column, section);
+        column.y += needed;
+        left -= needed;
+        highest = std::max(highest, column.y - box.y);
+    }
+    return highest;
 }
 
 }  // namespace
@@ -76,6 +129,27 @@ void menu(const LessonUi& ui) {
     ImGui::EndPopup();
 }
 
+namespace {
+
+/// The list itself, which scrolls where it is higher than the sheet.
+void draw_list_of_keys(const Ui& ui, const Box& box) {
+    ImGui::SetCursorScreenPos({box.x, box.y});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, {0.0F, 0.0F, 0.0F, 0.0F});
+    ImGui::BeginChild("list of keys", {box.width, box.height});
+    const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Box place{at.x, at.y, ImGui::GetContentRegionAvail().x, 0.0F};
+    ImGui::Dummy({1.0F, draw_sections(canvas, place)});
+    if (ui.state.sheet.wanted != 0.0F) {
+        ImGui::SetScrollY(ImGui::GetScrollY() + ui.state.sheet.wanted * box.height);
+        ui.state.sheet.wanted = 0.0F;
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
 void help_overlay(const Ui& ui, const Box& window) {
     if (!ui.state.help) { return; }
     ImGui::SetNextWindowPos({window.x, window.y});
@@ -89,25 +163,18 @@ void help_overlay(const Ui& ui, const Box& window) {
     const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
     const float width = std::min(window.width - canvas.px(40.0F), canvas.px(1180.0F));
     const float height = std::min(window.height - canvas.px(40.0F), canvas.px(640.0F));
-    const Box sheet{window.centre().x - 0.5F * width, window.centre().y - 0.5F * height, width, height};
+    const Box sheet{
+        std::round(window.centre().x - 0.5F * width), std::round(window.centre().y - 0.5F * height), width,
+        height};
     canvas.fill(sheet, theme::kPaper, canvas.px(8.0F));
     canvas.outline(sheet, theme::kLine, panels::hairline(canvas), canvas.px(8.0F));
     Box inner = panels::shrunk(sheet, canvas.px(24.0F), canvas.px(18.0F));
     canvas.text({inner.x, inner.y}, canvas.fonts().title, theme::kInk, "Keys and mouse");
-    canvas.text(
-        {inner.right(), inner.y}, canvas.fonts().small, theme::kSoft, "any key or click closes this",
-        panels::Align::right);
+    const char* const note = "any other key or a click closes this";
+    canvas.text({inner.right(), inner.y}, canvas.fonts().small, theme::kSoft, note, panels::Align::right);
     panels::cut_top(inner, canvas.px(44.0F));
-    const Box first = panels::column_of(inner, 0, 3);
-    const Box second = panels::column_of(inner, 1, 3);
-    const Box third = panels::column_of(inner, 2, 3);
-    float y = draw_group(canvas, first, inner.y, Group::timeline);
-    y = draw_group(canvas, first, y, Group::panels);
-    draw_group(canvas, first, y, Group::experiments);
-    y = draw_group(canvas, second, inner.y, Group::picture);
-    draw_mouse(canvas, second, y);
-    draw_group(canvas, third, inner.y, Group::files);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) { ui.state.help = false; }
+    draw_list_of_keys(ui, inner);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) { ui.state.help = false; }
     ImGui::End();
     ImGui::PopStyleColor();
 }

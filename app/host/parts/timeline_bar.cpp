@@ -63,9 +63,13 @@ void draw_stretch(
         canvas.fill({left, box.y + canvas.px(4.0F), 1.0F, box.height - canvas.px(8.0F)}, theme::kLine);
     }
     const float room = right - left - canvas.px(8.0F);
-    canvas.text(
-        {left + canvas.px(5.0F), box.y + canvas.px(2.0F)}, small, here ? theme::kInk : theme::kSoft,
-        panels::shortened_name(*small, stretch.name, room));
+    const std::string name = panels::shortened_name(*small, stretch.name, room);
+    // of a name for which there is no room at all a tip tells
+    if (canvas.text_width(small, name) <= room) {
+        canvas.text(
+            {left + canvas.px(5.0F), box.y + canvas.px(2.0F)}, small, here ? theme::kInk : theme::kSoft,
+            name);
+    }
     if (stretch.kind == Step::Kind::motion) {
         const float thick = canvas.px(4.0F);
         const float from = scale.x_of(stretch.first);

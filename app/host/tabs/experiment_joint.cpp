@@ -29,7 +29,7 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
     note(ui, "Which of the three equations of p1 and p2?");
     int k = 0;
     for (const auto& [form, word, label] : kParallelForms) {
-        if (k % 3 != 0) { ImGui::SameLine(ui.px(12.0F + 156.0F * static_cast<float>(k % 3))); }
+        if (k > 0) { beside_if_it_fits(label, ui.px(156.0F)); }
         if (ImGui::RadioButton(label, joint.parallel_form == form)) {
             ui.requests.add(SetParallelForm{index, form});
         }
@@ -82,7 +82,7 @@ void screw_forms(const LessonUi& ui, int index, const Joint& joint) {
     note(ui, "Which equation ties θ to the angle? Play the motion through θ = 180° with each.");
     int k = 0;
     for (const auto& [form, word, label] : kAngleRows) {
-        if (k > 0) { ImGui::SameLine(ui.px(12.0F + 130.0F * static_cast<float>(k))); }
+        if (k > 0) { beside_if_it_fits(label, ui.px(130.0F)); }
         if (ImGui::RadioButton(label, joint.geometry.screw_angle_form == form)) {
             ui.requests.add(SetScrewAngleForm{index, form});
         }
@@ -134,7 +134,9 @@ bool sliders(const LessonUi& ui, const char* latex, Vec3& value, double reach) {
     bool moved = false;
     for (int k = 0; k < 3; ++k) {
         ImGui::SameLine(k == 0 ? ui.px(66.0F) : 0.0F, ui.px(6.0F));
-        ImGui::SetNextItemWidth(ui.px(116.0F));
+        // three and their gaps share what the symbol leaves
+        const float room = ImGui::GetWindowContentRegionMax().x - ui.px(66.0F);
+        ImGui::SetNextItemWidth(std::clamp((room - 2.0F * ui.px(6.0F)) / 3.0F, 1.0F, ui.px(116.0F)));
         auto number = static_cast<float>(value(k));
         const auto limit = static_cast<float>(reach);
         ImGui::PushID(k);
@@ -146,6 +148,13 @@ bool sliders(const LessonUi& ui, const char* latex, Vec3& value, double reach) {
     }
     ImGui::PopID();
     return moved;
+}
+
+/// The next slider leaves room for its label at the right.
+void slider_beside(const LessonUi& ui, const char* label) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x -
+                       ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::clamp(room, 1.0F, ui.px(230.0F)));
 }
 
 void geometry(const LessonUi& ui, int index, const Joint& joint) {
@@ -171,7 +180,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
     moved = sliders(ui, "\\mathbf{s}'_j^P", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {
         auto length = static_cast<float>(g.length);
-        ImGui::SetNextItemWidth(ui.px(200.0F));
+        slider_beside(ui, "length [m]");
         if (ImGui::SliderFloat("length [m]", &length, 0.001F, static_cast<float>(reach), "%.3f")) {
             g.length = std::max(1e-6, static_cast<double>(length));
             moved = true;
@@ -215,7 +224,7 @@ void experiment_drivers(const LessonUi& ui) {
             double& coefficient = function.polynomial[static_cast<std::size_t>(c)];
             auto number = static_cast<float>(coefficient / unit);
             const auto limit = static_cast<float>(reach);
-            ImGui::SetNextItemWidth(ui.px(230.0F));
+            slider_beside(ui, labels[c]);
             if (ImGui::SliderFloat(labels[c], &number, -limit, limit, "%.2f")) {
                 coefficient = static_cast<double>(number) * unit;
                 moved = true;
@@ -227,7 +236,7 @@ void experiment_drivers(const LessonUi& ui) {
     const std::optional<MotionPlan> motion = shown_motion(lesson);
     if (!motion) { return; }
     auto t = static_cast<float>(ui.session.step().t);
-    ImGui::SetNextItemWidth(ui.px(230.0F));
+    slider_beside(ui, "time [s]");
     if (ImGui::SliderFloat(
             "time [s]", &t, static_cast<float>(motion->from), static_cast<float>(motion->to), "%.3f")) {
         ui.requests.add(GoTo{ui.session.index_of_time(static_cast<double>(t))});

@@ -36,7 +36,9 @@ void verdict(const LessonUi& ui) {
     }
     if (rank.rows > rank.rank) { text += ", " + std::to_string(rank.rows - rank.rank) + " repeated"; }
     ImGui::PushFont(ui.canvas.fonts().bold);
+    ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     const std::vector<double>& sigma = rank.singular_values;
     if (rank.rank > 0 && static_cast<std::size_t>(rank.rank) <= sigma.size()) {
@@ -59,7 +61,7 @@ void history(const LessonUi& ui) {
     button(Command::undo, "Undo", !undo.empty());
     ImGui::SameLine();
     button(Command::redo, "Do again", !redo.empty());
-    ImGui::SameLine();
+    beside_if_it_fits("As it was written", 1.0F);
     button(Command::start_over, "As it was written", ui.session.is_changed());
     // there from the start, so that nothing moves below it
     note(ui, undo.empty() ? "no change yet" : "last change: " + undo);

@@ -18,6 +18,7 @@ using panels::Box;
 
 // more ghosts than this hide each other
 constexpr std::size_t kMostGhosts = 12;
+constexpr float kLeastHeight = 280.0F;  // of the comparison
 
 /// The step from which the joint or driver shown was closed; where none is, of the one that tells the most.
 /// -1 if nothing is added.
@@ -30,6 +31,11 @@ int start_of_solve(const Session& session) {
     }
     while (k > 0 && steps[static_cast<std::size_t>(k)].kind != Step::Kind::equations) { --k; }
     return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
+}
+
+/// Width of a list at the cursor: at most what is left of the line.
+float room_for_choice(const Ui& ui) {
+    return std::clamp(ImGui::GetContentRegionAvail().x, 1.0F, ui.px(210.0F));
 }
 
 void choose_method(float width, NewtonMethod& method) {
@@ -50,16 +56,16 @@ void NewtonTab::controls(const LessonUi& ui) {
         choice_ = ui.session.lesson().coordinates;
     }
     if (ImGui::RadioButton("methods, in", compared_ == Compared::methods)) { compared_ = Compared::methods; }
-    ImGui::SameLine(ui.px(150.0F));
+    ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::methods);
-    choose_coordinates("##choice", ui.px(210.0F), choice_);
+    choose_coordinates("##choice", room_for_choice(ui), choice_);
     ImGui::EndDisabled();
     if (ImGui::RadioButton("coordinates, by", compared_ == Compared::coordinates)) {
         compared_ = Compared::coordinates;
     }
-    ImGui::SameLine(ui.px(150.0F));
+    ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::coordinates);
-    choose_method(ui.px(210.0F), method_);
+    choose_method(room_for_choice(ui), method_);
     ImGui::EndDisabled();
     ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
 }
@@ -84,7 +90,7 @@ void NewtonTab::choose(int run) {
 }
 
 void NewtonTab::draw(const LessonUi& ui, const Box& box) {
-    Area area(ui, "newton", box);
+    Area area(ui, "newton", box, true);
     const int start = start_of_solve(ui.session);
     if (start < 0) {
         forget_ghosts();
@@ -105,8 +111,8 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     for (int run = 0; run < static_cast<int>(runs_.comparison.rows.size()); ++run) {
         const auto way = static_cast<std::size_t>(run);
         const char* const text = key_.plan.by_method ? kNewtonMethods[way].label : kChoices[way].label;
+        if (run > 0) { beside_if_it_fits(text, ui.px(228.0F)); }
         if (ImGui::RadioButton(text, chosen_ == run)) { choose(run); }
-        if (run % 2 == 0) { ImGui::SameLine(ui.px(240.0F)); }
     }
     const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
     const bool iterates =
@@ -117,9 +123,16 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
             "It is already closed at the start estimate: there is nothing to iterate. Pull a body "
             "away at the step before and come back.");
     }
-    const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
+    // in a low window it is scrolled to
+    const float height = std::max(ui.px(kLeastHeight), box.bottom() - top - ui.px(10.0F));
+    const Box place{
+        ImGui::GetCursorScreenPos().x + ui.px(2.0F), top, ImGui::GetContentRegionAvail().x - ui.px(6.0F),
+        height};
     plot_.hovered = chosen_;
-    panels::newton_comparison_panel(ui.canvas, place, runs_.comparison, plot_);
+    const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+    panels::newton_comparison_panel(canvas, place, runs_.comparison, plot_);
+    ImGui::SetCursorScreenPos({place.x, place.y});
+    if (box.bottom() - top - ui.px(10.0F) < height) { ImGui::Dummy({1.0F, height}); }
 }
 
 }  // namespace jw::host

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/host/tabs/experiment_tab.hpp"
+#include "app/host/ui/scrolled.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/column/column.hpp"
 #include "app/panels/parts/parts.hpp"
@@ -74,8 +75,11 @@ void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& ta
     tab_strip(ui, layout.tabs);
     if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
     if (ui.state.tab == Tab::step) {
-        panels::draw_column(ui.canvas, layout.column, ui.session.view());
-        return;
+        const View& view = ui.session.view();
+        const float height = panels::column_height(ui.canvas, layout.column, view);
+        return scrolled(ui, layout.column, height, ui.state.column, [&](const auto& canvas, const Box& box) {
+            panels::draw_column(canvas, box, view);
+        });
     }
     ui.canvas.fill(layout.column, theme::kPaper);
     ui.canvas.fill(

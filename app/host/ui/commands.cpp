@@ -27,6 +27,10 @@ constexpr std::array kCommands{
     CommandInfo{Command::tab_price, Group::panels, "Price: what a digit costs", "5", Key::none, '5'},
     CommandInfo{Command::next_tab, Group::panels, "Next of these", "Tab", Key::tab},
     CommandInfo{Command::panel_keys, Group::panels, "Arrows move in the panel", "w", Key::none, 'w'},
+    CommandInfo{Command::panel_down, Group::panels, "Scroll the panel down", "]", Key::none, ']'},
+    CommandInfo{Command::panel_up, Group::panels, "Scroll the panel up", "[", Key::none, '['},
+    CommandInfo{Command::text_down, Group::panels, "Scroll the text down", "}", Key::none, '}'},
+    CommandInfo{Command::text_up, Group::panels, "Scroll the text up", "{", Key::none, '{'},
 
     CommandInfo{Command::undo, Group::experiments, "Undo", "Ctrl+Z, u", Key::none, 'u', Key::z},
     CommandInfo{Command::redo, Group::experiments, "Do again", "Ctrl+Y, U", Key::none, 'U', Key::y},

@@ -30,6 +30,10 @@ enum class Command {
     tab_price,
     next_tab,
     panel_keys,
+    panel_down,
+    panel_up,
+    text_down,
+    text_up,
     // experiments
     undo,
     redo,

@@ -22,6 +22,13 @@ inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
     EnumWord<Tab>{Tab::price, "price", "Price"}};
 
+/// How far a part of the window is scrolled.
+struct Scroll {
+    float offset = 0.0F;  ///< pixels above it
+    float wanted = 0.0F;  ///< by a command, in parts of its height; taken at the next frame
+    bool held = false;    ///< the pointer drags its bar
+};
+
 /// State of the screen beyond the lesson itself.
 struct UiState {
     Tab tab = Tab::step;
@@ -38,6 +45,11 @@ struct UiState {
         pointed_at = {};
         lit_rows.clear();
     }
+
+    Scroll column;           ///< of the step's panels
+    Scroll caption;          ///< of the words below the picture
+    Scroll sheet;            ///< of the list of keys: `wanted` only
+    int scrolled_step = -1;  ///< the step that column and caption are scrolled at
 
     bool panel_keys = false;  ///< the keyboard moves among the widgets of the panel
 

@@ -1,6 +1,7 @@
 #include "app/host/ui/widgets.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <imgui.h>
 
@@ -100,7 +101,9 @@ bool toggle_button(const Ui& ui, const char* label, bool on, float width) {
 void section(const Ui& ui, const char* title) {
     ImGui::Dummy({0.0F, ui.px(4.0F)});
     ImGui::PushFont(ui.canvas.fonts().bold);
+    ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(title);
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::Separator();
 }
@@ -119,6 +122,16 @@ void note(const Ui& ui, const std::string& text) {
     ImGui::TextUnformatted(lines.c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
+}
+
+void beside_if_it_fits(const char* label, float step) {
+    const float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                        ImGui::CalcTextSize(label, nullptr, true).x;
+    const float begin = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
+    const float after = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x - begin;
+    const float left = std::ceil(after / step) * step;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (begin + left + width <= right) { ImGui::SameLine(begin - ImGui::GetWindowPos().x + left); }
 }
 
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice) {

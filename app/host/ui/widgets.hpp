@@ -35,6 +35,10 @@ void section(const Ui& ui, const char* title);
 void note(const Ui& ui, const std::string& text);
 
 /// A list of the four coordinate choices, to choose one from.
+/// Puts the next radio button or tick beside the last one, at a multiple of `step` from the left, where its
+/// text fits there; else it begins a line.
+void beside_if_it_fits(const char* label, float step);
+
 /// @return true if another one was chosen
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice);
 

@@ -17,7 +17,8 @@ WindowLayout window_layout(int width, int height, float scale) {
     panels::Box frame = whole;
     frame.height -= bar;
     return {
-        panels::layout_in(frame, scale, std::round(kTabsHeight * scale)),
+        panels::layout_in(
+            frame, scale, std::round(kTabsHeight * scale), scale / panels::scale_of(width, height)),
         width,
         height,
         whole,

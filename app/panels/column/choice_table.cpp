@@ -23,24 +23,29 @@ void draw_size(const Canvas& canvas, const Box& cell, int component, double size
     const float baseline = cell.y + std::round(small->Ascent);
     draw_formula(canvas, {cell.x, baseline}, name, theme::kInk);
 
+    const std::string number = fixed_text(size, 3);
     const float left = cell.x + canvas.px(34.0F);
-    const float width = canvas.px(58.0F);
+    // large text in a narrow column leaves a short bar
+    const float room = cell.right() - left - canvas.text_width(small, number) - canvas.px(12.0F);
+    const float width = std::clamp(room, 0.0F, canvas.px(58.0F));
     const float height = canvas.px(9.0F);
     const float top = std::round(cell.y + 0.5F * (canvas.line_height(small) - height));
     const auto filled = static_cast<float>(std::min(1.0, size)) * width;
     canvas.fill({left, top, width, height}, theme::kShade);
     canvas.fill({left, top, std::round(filled), height}, dropped ? theme::kAccent : theme::kFaint);
-    canvas.outline({left, top, width, height}, theme::kLine);
+    if (width > 0.0F) { canvas.outline({left, top, width, height}, theme::kLine); }
     canvas.text(
-        {left + width + canvas.px(6.0F), cell.y}, small, dropped ? theme::kInk : theme::kSoft,
-        fixed_text(size, 3));
+        {left + width + canvas.px(width > 0.0F ? 6.0F : 0.0F), cell.y}, small,
+        dropped ? theme::kInk : theme::kSoft, number);
 }
 
 /// "without x: κ = 1.15"
 void draw_condition(const Canvas& canvas, const Box& cell, int component, double condition, bool dropped) {
-    const std::string text = std::string("without ") + kAxisNames[component] +
-                             ": κ = " + (condition > kInfinite ? "∞" : number_text(condition, 3));
-    canvas.text({cell.x, cell.y}, canvas.fonts().small, dropped ? theme::kInk : theme::kSoft, text);
+    const ImFont* const small = canvas.fonts().small;
+    const std::string value = "κ = " + (condition > kInfinite ? std::string("∞") : number_text(condition, 3));
+    const std::string whole = std::string("without ") + kAxisNames[component] + ": " + value;
+    const bool fits = canvas.text_width(small, whole) < cell.width - canvas.px(6.0F);
+    canvas.text({cell.x, cell.y}, small, dropped ? theme::kInk : theme::kSoft, fits ? whole : value);
 }
 
 }  // namespace

@@ -241,10 +241,29 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
         plot};
 }
 
+namespace {
+
+Box inside_column(const Canvas& canvas, const Box& box) {
+    return shrunk(box, canvas.px(theme::kMargin), canvas.px(14.0F));
+}
+
+}  // namespace
+
+float column_height(const Canvas& canvas, const Box& box, const View& view) {
+    const Box inner = inside_column(canvas, box);
+    const std::vector<Block> blocks = blocks_of(canvas, view);
+    const auto needed = [&](Density density) {
+        const float gap = canvas.px(theme::kGap);
+        return std::ceil(total_of(heights_at(canvas, inner, blocks, density, 0), gap));
+    };
+    if (needed(Density::tight) <= inner.height) { return box.height; }
+    return needed(Density::compact) + 2.0F * canvas.px(14.0F);
+}
+
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {
     canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
-    const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(14.0F));
+    const Box inner = inside_column(canvas, box);
     const std::vector<Block> blocks = blocks_of(canvas, view);
     const Arrangement arrangement = arrange(canvas, inner, blocks);
     for (std::size_t k = 0; k < blocks.size(); ++k) {

@@ -33,6 +33,9 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
 /// The panels that a step of this kind asks for, from the top.
 std::vector<Block> blocks_of(const Canvas& canvas, const View& view);
 
+/// Height that a column of this width needs to show everything, `box.height` if that is enough.
+float column_height(const Canvas& canvas, const Box& box, const View& view);
+
 void draw_column(const Canvas& canvas, const Box& box, const View& view);
 
 }  // namespace jw::panels

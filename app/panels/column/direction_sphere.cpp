@@ -146,6 +146,8 @@ void draw_axes_behind(const Canvas& canvas, const SphereView& view, Labels& labe
     }
 }
 
+constexpr float kClearOfPresent = 9.0F;  // the present direction may lie on the foot of an axis
+
 /// Axes that point at the eye, and the other ends of those that do not.
 void draw_axes_before(const Canvas& canvas, const SphereView& view, Labels& labels) {
     const float line = canvas.line_height(canvas.fonts().bold);
@@ -157,7 +159,8 @@ void draw_axes_before(const Canvas& canvas, const SphereView& view, Labels& labe
         canvas.disc(foot, canvas.px(3.0F), colour);
         if (!front) {
             draw_letter(
-                canvas, {foot.x, foot.y - 0.7F * line}, colour, std::string("−") + axis_name(k), labels);
+                canvas, {foot.x, foot.y - 0.5F * line - canvas.px(kClearOfPresent)}, colour,
+                std::string("−") + axis_name(k), labels);
             continue;
         }
         const Point tip = view.pixel(d, kAxisLength);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <imgui.h>
 
@@ -38,11 +39,20 @@ float draw_slide_24(const Canvas& canvas, const Box& box) {
     return height + canvas.px(4.0F);
 }
 
-constexpr std::array kHeads{
-    "m", R"(\mathbf{J}')", R"(\mathbf{f})",
-    R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')"};
-constexpr std::array kUnits{"kg", "xx, yy, zz in kg m²", "N", "N m"};
-constexpr std::array kEnds{0.12F, 0.42F, 0.71F, 1.0F};  // of the columns, in parts of the width
+struct Heading {
+    const char* symbol;
+    const char* unit;
+    float end;  ///< of the column, in parts of the width
+};
+constexpr std::array kOneTable{
+    Heading{"m", "kg", 0.12F}, Heading{R"(\mathbf{J}')", "xx, yy, zz in kg m²", 0.42F},
+    Heading{R"(\mathbf{f})", "N", 0.71F},
+    Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
+/// The same in two tables, one below the other: large text in a narrow column.
+constexpr std::array kOfM{Heading{"m", "kg", 0.25F}, Heading{R"(\mathbf{J}')", "xx, yy, zz in kg m²", 1.0F}};
+constexpr std::array kOfQ{
+    Heading{R"(\mathbf{f})", "N", 0.5F},
+    Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
 
 /// Up to four digits, whatever the size: masses may be decades apart.
 std::string short_number(double value) {
@@ -72,27 +82,28 @@ void draw_head(const Canvas& canvas, const Box& cell, const char* symbol, const 
     draw_formula(canvas, {cell.right() - width - formula.width, baseline}, formula, theme::kInk);
 }
 
-/// M and Q, one row a body.
-float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
+/// One row a body; `draw` fills the cells of one.
+template <class DrawBody>
+float draw_table(
+    const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most,
+    std::span<const Heading> heads, const DrawBody& draw) {
     const ImFont* const small = canvas.fonts().small;
     const float line = canvas.line_height(small) + canvas.px(2.0F);
     const float name = 0.15F * box.width;
     const auto cell = [&](std::size_t column, float y) {
         const float width = box.width - name;
-        const float from = column == 0 ? 0.0F : kEnds[column - 1];
-        return Box{box.x + name + from * width, y, (kEnds[column] - from) * width, line};
+        const float from = column == 0 ? 0.0F : heads[column - 1].end;
+        return Box{box.x + name + from * width, y, (heads[column].end - from) * width, line};
     };
     float y = box.y;
-    for (std::size_t k = 0; k < kHeads.size(); ++k) { draw_head(canvas, cell(k, y), kHeads[k], kUnits[k]); }
+    for (std::size_t k = 0; k < heads.size(); ++k) {
+        draw_head(canvas, cell(k, y), heads[k].symbol, heads[k].unit);
+    }
     y += line;
     for (std::size_t b = 0; b < std::min(most, dynamics.bodies.size()); ++b) {
         const DynamicsView::Body& body = dynamics.bodies[b];
         canvas.text({box.x, y}, small, theme::kInk, shortened_name(*small, body.name, name));
-        const Box mass = cell(0, y);
-        canvas.text({mass.right(), y}, small, theme::kInk, short_number(body.mass), Align::right);
-        draw_triple(canvas, cell(1, y), body.J_local.diagonal());
-        draw_triple(canvas, cell(2, y), body.f);
-        draw_triple(canvas, cell(3, y), body.n_local);
+        draw(body, [&](std::size_t column) { return cell(column, y); });
         y += line;
     }
     if (dynamics.bodies.size() > most) {
@@ -101,6 +112,36 @@ float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dyna
         y += line;
     }
     return y - box.y;
+}
+
+void draw_mass(const Canvas& canvas, const Box& cell, double mass) {
+    canvas.text({cell.right(), cell.y}, canvas.fonts().small, theme::kInk, short_number(mass), Align::right);
+}
+
+/// M and Q, one row a body.
+float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
+    const float number = canvas.text_width(canvas.fonts().small, "−0.0123") + canvas.px(2.0F);
+    if (0.29F * 0.85F * box.width >= 3.0F * number) {
+        return draw_table(
+            canvas, box, dynamics, most, kOneTable, [&](const DynamicsView::Body& body, const auto& cell) {
+                draw_mass(canvas, cell(0), body.mass);
+                draw_triple(canvas, cell(1), body.J_local.diagonal());
+                draw_triple(canvas, cell(2), body.f);
+                draw_triple(canvas, cell(3), body.n_local);
+            });
+    }
+    const float height =
+        draw_table(canvas, box, dynamics, most, kOfM, [&](const DynamicsView::Body& body, const auto& cell) {
+            draw_mass(canvas, cell(0), body.mass);
+            draw_triple(canvas, cell(1), body.J_local.diagonal());
+        });
+    const Box below{box.x, box.y + height, box.width, 0.0F};
+    return height +
+           draw_table(
+               canvas, below, dynamics, most, kOfQ, [&](const DynamicsView::Body& body, const auto& cell) {
+                   draw_triple(canvas, cell(0), body.f);
+                   draw_triple(canvas, cell(1), body.n_local);
+               });
 }
 
 /// "A  s x −1.2, s y 0.4, p1 x (0)": λ of one joint, those that repeat others in brackets.

@@ -57,18 +57,44 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status);
     canvas.text({cell.x + canvas.px(15.0F), cell.y}, font, text_ink, row.component);
 
-    const float right = cell.x + canvas.px(98.0F);
+    const float right = cell.x + std::min(canvas.px(98.0F), cell.width - canvas.px(6.0F));
     const std::string value = live_text(row.value);
     canvas.text({right, cell.y}, font, text_ink, value, Align::right);
     const float drop = std::round(font->Ascent) - std::round(small->Ascent);
     const Colour word_ink = row.status == Status::redundant ? theme::kRedundant : theme::kSoft;
-    canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word_of(row.status));
+    // the mark says it too
+    const char* const word = word_of(row.status);
+    const bool fits = right + canvas.px(6.0F) + canvas.text_width(small, word) <= cell.right();
+    if (fits) { canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word); }
 }
 
 /// "p1 · in m": whose the equation is where those of several are shown, and its unit.
 std::string aside_of(const EquationGroup& group) {
     const std::string unit = group.unit.empty() || group.unit == "-" ? "" : "in " + group.unit;
     return group.owner + (group.owner.empty() || unit.empty() ? "" : " · ") + unit;
+}
+
+/// A formula in at most two lines: what is wider than the column is broken behind "≡".
+struct FormulaLines {
+    Formula first;
+    Formula second;  ///< of no width where one line is enough
+};
+
+FormulaLines formula_lines(const FormulaFonts& fonts, const std::string& markup, float width) {
+    static const std::string sign = "≡";
+    FormulaLines lines{layout_formula(markup, fonts), {}};
+    const std::size_t at = markup.find(sign);
+    if (lines.first.width <= width || at == std::string::npos) { return lines; }
+    lines.first = layout_formula(markup.substr(0, at + sign.size()), fonts);
+    lines.second = layout_formula(markup.substr(at + sign.size()), fonts);
+    return lines;
+}
+
+float draw_formula_at(const Canvas& canvas, Point at, const Formula& formula, const EquationGroup& group) {
+    const float baseline = at.y + std::ceil(formula.ascent) + canvas.px(1.0F);
+    if (group.joint >= 0) { link_formula(canvas, {at.x, baseline}, formula, group.joint); }
+    draw_formula(canvas, {at.x, baseline}, formula, theme::kInk, true);
+    return std::ceil(formula.ascent + formula.descent);
 }
 
 float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {
@@ -83,12 +109,21 @@ float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGrou
     if (formula.width > box.width - unit_room) {
         formula = layout_formula(group.formula, small_formula_fonts(fonts));
     }
-    const float baseline = box.y + std::ceil(formula.ascent) + canvas.px(1.0F);
-    if (group.joint >= 0) { link_formula(canvas, {box.x, baseline}, formula, group.joint); }
-    draw_formula(canvas, {box.x, baseline}, formula, theme::kInk, true);
-    const float top = baseline - std::round(fonts.small->Ascent);
+    FormulaLines lines{formula, {}};
+    if (formula.width > box.width) {
+        lines = formula_lines(small_formula_fonts(fonts), group.formula, box.width);
+    }
+    float height = draw_formula_at(canvas, {box.x, box.y}, lines.first, group);
+    const float baseline = box.y + std::ceil(lines.first.ascent) + canvas.px(1.0F);
+    const bool beside = lines.first.width <= box.width - unit_room;
+    const float top = beside ? baseline - std::round(fonts.small->Ascent) : box.y + height;
     canvas.text({box.right(), top}, fonts.small, theme::kSoft, aside, Align::right);
-    return std::ceil(formula.ascent + formula.descent) + canvas.px(density == Density::tight ? 3.0F : 5.0F);
+    if (!beside && !aside.empty()) { height += canvas.line_height(fonts.small); }
+    if (lines.second.width > 0.0F) {
+        height += canvas.px(2.0F);
+        height += draw_formula_at(canvas, {box.x + canvas.px(10.0F), box.y + height}, lines.second, group);
+    }
+    return height + canvas.px(density == Density::tight ? 3.0F : 5.0F);
 }
 
 float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {

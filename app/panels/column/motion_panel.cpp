@@ -1,5 +1,7 @@
 #include "app/panels/column/motion_panel.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <imgui.h>
@@ -23,23 +25,69 @@ struct Symbol {
 
 float row_height(const Canvas& canvas) { return canvas.line_height(canvas.fonts().small) + canvas.px(2.0F); }
 
-void draw_quantity(const Canvas& canvas, const Box& row, const QuantityMotion& quantity) {
-    const ImFont* const small = canvas.fonts().small;
+/// Value, rate and acceleration of a quantity, with their units.
+std::array<std::string, 3> numbers_of(const QuantityMotion& quantity, int decimals) {
     const bool plain = quantity.unit == "-";
     const std::string unit = quantity.unit == "deg" ? "°" : (plain ? "" : " " + quantity.unit);
     const std::string per = plain ? " 1" : unit;
-    const int decimals = quantity.unit == "deg" ? 2 : 4;
+    const int least = quantity.unit == "deg" ? decimals - 2 : decimals;
+    return {
+        column_text(quantity.value, std::max(1, least)) + unit,
+        column_text(quantity.rate, std::max(1, least)) + per + "/s",
+        column_text(quantity.acceleration, std::max(1, least)) + per + "/s²"};
+}
+
+/// How the quantities are set: with large text in a narrow column fewer decimals, then two lines each.
+struct QuantityStyle {
+    int decimals = 4;
+    bool two_lines = false;
+};
+
+constexpr float kQuantityName = 0.34F;  // of the width
+constexpr float kQuantityEnds[] = {0.57F, 0.78F, 1.0F};
+constexpr float kQuantityEndsAlone[] = {0.32F, 0.64F, 1.0F};
+
+bool fits(const Canvas& canvas, float width, const QuantityMotion& quantity, const QuantityStyle& style) {
+    const auto& ends = style.two_lines ? kQuantityEndsAlone : kQuantityEnds;
+    float from = style.two_lines ? 0.0F : kQuantityName;
+    const auto numbers = numbers_of(quantity, style.decimals);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::string text = with_minus_signs(numbers[k]);
+        if (canvas.text_width(canvas.fonts().small, text) + canvas.px(10.0F) > (ends[k] - from) * width) {
+            return false;
+        }
+        from = ends[k];
+    }
+    return true;
+}
+
+QuantityStyle quantity_style(
+    const Canvas& canvas, float width, const std::vector<QuantityMotion>& quantities) {
+    for (const bool two_lines : {false, true}) {
+        for (int decimals = 4; decimals >= 2; --decimals) {
+            const QuantityStyle style{decimals, two_lines};
+            const auto fit = [&](const QuantityMotion& q) { return fits(canvas, width, q, style); };
+            if (std::ranges::all_of(quantities, fit)) { return style; }
+        }
+    }
+    return {2, true};
+}
+
+void draw_quantity(
+    const Canvas& canvas, const Box& row, const QuantityMotion& quantity, const QuantityStyle& style) {
+    const ImFont* const small = canvas.fonts().small;
     canvas.square(
         {row.x + canvas.px(5.0F), row.y + 0.5F * canvas.line_height(small)}, canvas.px(8.0F), theme::kAccent,
         quantity.driven);
     const float left = row.x + canvas.px(16.0F);
-    canvas.text({left, row.y}, small, theme::kInk, shortened(*small, quantity.name, 0.34F * row.width));
-    const auto number = [&](float part, const std::string& text) {
-        canvas.text({row.x + part * row.width, row.y}, small, theme::kInk, text, Align::right);
-    };
-    number(0.57F, column_text(quantity.value, decimals) + unit);
-    number(0.78F, column_text(quantity.rate, decimals) + per + "/s");
-    number(1.0F, column_text(quantity.acceleration, decimals) + per + "/s²");
+    const float room = (style.two_lines ? 1.0F : kQuantityName) * row.width - canvas.px(16.0F);
+    canvas.text({left, row.y}, small, theme::kInk, shortened(*small, quantity.name, room));
+    const auto numbers = numbers_of(quantity, style.decimals);
+    const auto& ends = style.two_lines ? kQuantityEndsAlone : kQuantityEnds;
+    const float y = row.y + (style.two_lines ? canvas.line_height(small) : 0.0F);
+    for (std::size_t k = 0; k < 3; ++k) {
+        canvas.text({row.x + ends[k] * row.width, y}, small, theme::kInk, numbers[k], Align::right);
+    }
 }
 
 /// Numbers one after the other, each right-aligned in a column of its own.
@@ -132,9 +180,10 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
     float height = heading(canvas, box, "Joints", "■ driven   □ follows");
     const std::size_t most = density == Density::roomy ? 8 : (density == Density::compact ? 6 : 4);
     const float line = row_height(canvas);
+    const QuantityStyle style = quantity_style(canvas, box.width, view.quantities);
     for (std::size_t k = 0; k < std::min(most, view.quantities.size()); ++k) {
-        draw_quantity(canvas, {box.x, box.y + height, box.width, line}, view.quantities[k]);
-        height += line;
+        draw_quantity(canvas, {box.x, box.y + height, box.width, line}, view.quantities[k], style);
+        height += style.two_lines ? 2.0F * line : line;
     }
     if (view.quantities.size() > most) {
         const std::string more = "and " + std::to_string(view.quantities.size() - most) + " more";

@@ -23,8 +23,41 @@ struct Places {
     float fraction = 0.92F;
     float rank = 1.0F;
 };
-constexpr Places kPlaces;
 constexpr float kNoteGap = 0.03F;
+constexpr float kLeastLabel = 0.2F;  // of the width, for the name of an equation
+
+/// Places of the columns for this width. With large text in a narrow column they follow from the widths of
+/// the numbers, and what is needed least is left out: a place of 0.
+Places places_of(const Canvas& canvas, const Box& box) {
+    const auto part = [&](const char* text) {
+        return (canvas.text_width(canvas.fonts().small, text) + canvas.px(6.0F)) / box.width;
+    };
+    const Places usual;
+    const float number = part("−1.9e−01");
+    if (usual.phi - usual.k >= number && usual.delta - usual.value >= number &&
+        usual.turn - usual.delta >= part("206.1°")) {
+        return usual;
+    }
+    Places places;
+    places.k = part("100");
+    places.phi = places.k + number;
+    places.label = places.phi + part(" ");
+    for (int left_out = 0; left_out < 4; ++left_out) {
+        float right = 1.0F;
+        const auto next = [&](bool shown, float width) {
+            const float place = shown ? right : 0.0F;
+            right -= shown ? width : 0.0F;
+            return place;
+        };
+        places.rank = next(left_out < 2, part("rank"));
+        places.fraction = next(left_out < 1, part("part"));
+        places.turn = next(left_out < 3, part("206.1°"));
+        places.delta = next(true, number);
+        places.value = right;
+        if (places.value - number - places.label >= kLeastLabel) { break; }
+    }
+    return places;
+}
 
 // the part taken says it already
 constexpr const char* kStepLimited = "step limited";
@@ -34,8 +67,10 @@ struct Line {
     const Box& box;
     float y;
     Colour ink;
+    Places places;
 
     void number(float part, std::string_view text) const {
+        if (part <= 0.0F) { return; }
         canvas.text({box.x + part * box.width, y}, canvas.fonts().small, ink, text, Align::right);
     }
     void words(float from, float to, std::string_view text) const {
@@ -46,20 +81,20 @@ struct Line {
 };
 
 void draw_head(const Canvas& canvas, const Box& box) {
-    const Line line{canvas, box, box.y, theme::kSoft};
-    line.number(kPlaces.k, "k");
-    line.number(kPlaces.phi, "‖Φ‖");
-    line.words(kPlaces.label, kPlaces.value, "largest equation");
-    line.number(kPlaces.delta, "‖Δq‖");
-    line.number(kPlaces.turn, "turn");
-    line.number(kPlaces.fraction, "part");
-    line.number(kPlaces.rank, "rank");
+    const Line line{canvas, box, box.y, theme::kSoft, places_of(canvas, box)};
+    line.number(line.places.k, "k");
+    line.number(line.places.phi, "‖Φ‖");
+    line.words(line.places.label, line.places.value, "largest equation");
+    line.number(line.places.delta, "‖Δq‖");
+    line.number(line.places.turn, "turn");
+    line.number(line.places.fraction, "part");
+    line.number(line.places.rank, "rank");
 }
 
 bool is_worth_a_line(const Canvas& canvas, const Box& box, const NewtonRow& row) {
     if (row.note.empty()) { return false; }
     if (row.stepped) { return row.note != kStepLimited; }
-    const float room = (kPlaces.rank - kPlaces.value - kNoteGap) * box.width;
+    const float room = (1.0F - places_of(canvas, box).value - kNoteGap) * box.width;
     return canvas.text_width(canvas.fonts().small, row.note) > room;
 }
 
@@ -70,10 +105,10 @@ void draw_current_mark(const Canvas& canvas, const Box& row) {
 }
 
 void draw_step(const Line& line, const NewtonRow& row) {
-    line.number(kPlaces.delta, small_text(row.delta_norm));
-    line.number(kPlaces.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
-    line.number(kPlaces.fraction, number_text(row.fraction, 2));
-    line.number(kPlaces.rank, std::to_string(row.rank));
+    line.number(line.places.delta, small_text(row.delta_norm));
+    line.number(line.places.turn, fixed_text(row.turn_deg, row.turn_deg < 10.0 ? 2 : 1) + "°");
+    line.number(line.places.fraction, number_text(row.fraction, 2));
+    line.number(line.places.rank, std::to_string(row.rank));
 }
 
 /// @return height taken
@@ -84,19 +119,19 @@ float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool 
     const float total = height + (second_line ? canvas.line_height(small) : 0.0F);
     if (current) { draw_current_mark(canvas, {box.x, box.y, box.width, total}); }
 
-    const Line line{canvas, box, box.y, theme::kInk};
+    const Line line{canvas, box, box.y, theme::kInk, places_of(canvas, box)};
     const std::string value = small_text(row.largest_value);
     const float value_room = canvas.text_width(small, value) + canvas.px(8.0F);
-    line.number(kPlaces.k, std::to_string(row.iteration));
-    line.number(kPlaces.phi, small_text(row.phi_norm));
-    line.words(kPlaces.label, kPlaces.value - value_room / box.width, row.largest_row);
-    line.number(kPlaces.value, value);
+    line.number(line.places.k, std::to_string(row.iteration));
+    line.number(line.places.phi, small_text(row.phi_norm));
+    line.words(line.places.label, line.places.value - value_room / box.width, row.largest_row);
+    line.number(line.places.value, value);
     if (row.stepped) { draw_step(line, row); }
     if (second_line) {
-        const Line below{canvas, box, box.y + height - canvas.px(2.0F), theme::kWarning};
-        below.words(kPlaces.label, kPlaces.rank, row.note);
+        const Line below{canvas, box, box.y + height - canvas.px(2.0F), theme::kWarning, line.places};
+        below.words(line.places.label, 1.0F, row.note);
     } else if (!row.stepped) {
-        line.words(kPlaces.value + kNoteGap, kPlaces.rank, row.note);
+        line.words(line.places.value + kNoteGap, 1.0F, row.note);
     }
     return total;
 }

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "app/panels/parts/rich_text.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -36,6 +37,16 @@ float draw_position(const Canvas& canvas, const Box& box, const View& view) {
            std::max(canvas.text_width(fonts.small, source), canvas.text_width(fonts.normal, text));
 }
 
+Box inside_caption(const Canvas& canvas, const Box& box) {
+    return shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
+}
+
+/// Large type while three lines are enough.
+const ImFont* font_of_sentence(const Canvas& canvas, const Box& inner, const View& view) {
+    const render::Fonts& fonts = canvas.fonts();
+    return wrapped(*fonts.normal, view.sentence, inner.width).size() > 3 ? fonts.small : fonts.normal;
+}
+
 std::string trimmed(std::string text) {
     const auto first = text.find_first_not_of(" \n");
     if (first == std::string::npos) { return {}; }
@@ -51,7 +62,7 @@ struct Asked {
 std::vector<Asked> paragraphs_of(const QuestionView& question) {
     std::vector<Asked> list{{typeset(run_on(question.ask)), question.answered}};
     if (question.answered) {
-        list.push_back({typeset(run_on(question.answer))});
+        list.push_back({"Answer:  " + typeset(run_on(question.answer))});
         if (!question.why.empty()) { list.push_back({typeset(run_on(question.why)), true}); }
         return list;
     }
@@ -61,16 +72,22 @@ std::vector<Asked> paragraphs_of(const QuestionView& question) {
     return list;
 }
 
+constexpr float kBetweenParagraphs = 4.0F;
+
+float question_height(const Canvas& canvas, const ImFont* font, float width, const QuestionView& question) {
+    float height = 0.0F;
+    for (const Asked& asked : paragraphs_of(question)) {
+        height += paragraph_height(canvas, font, asked.text, width) + canvas.px(kBetweenParagraphs);
+    }
+    return height;
+}
+
 void draw_question(const Canvas& canvas, Box box, const QuestionView& question) {
     const render::Fonts& fonts = canvas.fonts();
-    const std::vector<Asked> list = paragraphs_of(question);
-    const float gap = canvas.px(4.0F);
-    float height = -gap;
-    for (const Asked& asked : list) {
-        height += gap + paragraph_height(canvas, fonts.normal, asked.text, box.width);
-    }
-    const ImFont* const font = height <= box.height ? fonts.normal : fonts.small;
-    for (const Asked& asked : list) {
+    const float gap = canvas.px(kBetweenParagraphs);
+    const bool fits = question_height(canvas, fonts.normal, box.width, question) <= box.height;
+    const ImFont* const font = fits ? fonts.normal : fonts.small;
+    for (const Asked& asked : paragraphs_of(question)) {
         const Colour colour = asked.soft ? theme::kSoft : theme::kInk;
         const float used = paragraph(canvas, box, font, colour, asked.text) + gap;
         box.y += used;
@@ -105,16 +122,27 @@ void draw_title(const Canvas& canvas, const Box& box, const View& view) {
     canvas.text({inner.x, y}, fonts.title, theme::kInk, shortened(*fonts.title, view.title, room));
 }
 
+float caption_height(const Canvas& canvas, const Box& box, const View& view) {
+    const Box inner = inside_caption(canvas, box);
+    const auto height_of = [&](const ImFont* font, const std::string& text) {
+        return paragraph_height(canvas, font, text, inner.width);
+    };
+    float height = height_of(font_of_sentence(canvas, inner, view), view.sentence);
+    const std::string text = typeset(run_on(view.author_text));
+    if (!text.empty()) { height += canvas.px(8.0F) + height_of(canvas.fonts().small, text); }
+    if (view.question) {
+        height = question_height(canvas, canvas.fonts().small, inner.width, *view.question);
+    }
+    return std::max(box.height, std::ceil(height) + box.height - inner.height);
+}
+
 void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.y, box.width, std::max(1.0F, canvas.px(1.0F))}, theme::kLine);
-    const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
-    if (view.question) { return draw_question(canvas, inner, *view.question); }
-
-    // large type while three lines are enough
-    const bool is_long = wrapped(*fonts.normal, view.sentence, inner.width).size() > 3;
-    const ImFont* const font = is_long ? fonts.small : fonts.normal;
+    if (view.question) { return draw_question(canvas, inside_caption(canvas, box), *view.question); }
+    const Box inner = inside_caption(canvas, box);
+    const ImFont* const font = font_of_sentence(canvas, inner, view);
     const auto lines_of = [&](const ImFont* f, float room) {
         return static_cast<std::size_t>(std::max(0.0F, std::floor(room / canvas.line_height(f))));
     };
@@ -126,6 +154,10 @@ void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     const Box below{inner.x, inner.y + height, inner.width, inner.height - height};
     const bool fits = paragraph_height(canvas, fonts.normal, text, below.width) <= below.height;
     const ImFont* const author = fits ? fonts.normal : fonts.small;
+    if (math::has_formulas(text)) {
+        const RichText rich = layout_rich_to(fonts, *author, text, below.width, below.height + 0.5F);
+        return draw_rich(canvas, {below.x, below.y}, author, theme::kSoft, rich);
+    }
     paragraph(canvas, below, author, theme::kSoft, text, lines_of(author, below.height));
 }
 

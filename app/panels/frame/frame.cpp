@@ -18,6 +18,7 @@ namespace {
 constexpr float kTitleHeight = 62.0F;
 constexpr float kColumnPart = 0.4F;
 constexpr float kCaptionPart = 0.225F;
+constexpr float kMostCaptionGrowth = 1.5F;
 
 }  // namespace
 
@@ -30,14 +31,15 @@ FrameLayout layout_of(int width, int height) {
     return layout_in(frame, scale_of(width, height), 0.0F);
 }
 
-FrameLayout layout_in(const Box& frame, float scale, float tabs_height) {
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float text) {
     Box rest = frame;
     FrameLayout layout;
     layout.title = cut_top(rest, std::round(kTitleHeight * scale));
     Box left = cut_left(rest, std::round((1.0F - kColumnPart) * frame.width));
     layout.tabs = cut_top(rest, tabs_height);
     layout.column = rest;
-    const Box scene = cut_top(left, left.height - std::round(kCaptionPart * frame.height));
+    const float caption = kCaptionPart * std::clamp(text, 1.0F, kMostCaptionGrowth);
+    const Box scene = cut_top(left, left.height - std::round(caption * frame.height));
     layout.caption = left;
     layout.scene = rect_of(scene);
     layout.scene_safe = rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));

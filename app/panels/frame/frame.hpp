@@ -27,7 +27,8 @@ FrameLayout layout_of(int width, int height);
 /// Layout of a frame in a part of a window.
 /// @param scale  of text, see scale_of
 /// @param tabs_height  left free above the column of panels
-FrameLayout layout_in(const Box& frame, float scale, float tabs_height);
+/// @param text  size of text beside that of a frame of this size: the caption grows with it
+FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float text = 1.0F);
 
 /// Issues everything but the 3D picture itself into the background draw list of the current ImGui context,
 /// between NewFrame and Render.

@@ -31,6 +31,15 @@ inline bool overlap(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
+/// The part of both; of no width or height where there is none.
+inline Box common(const Box& a, const Box& b) {
+    const float left = std::max(a.x, b.x);
+    const float top = std::max(a.y, b.y);
+    return {
+        left, top, std::max(0.0F, std::min(a.right(), b.right()) - left),
+        std::max(0.0F, std::min(a.bottom(), b.bottom()) - top)};
+}
+
 inline Box shrunk(const Box& box, float dx, float dy) {
     return {
         box.x + dx, box.y + dy, std::max(0.0F, box.width - 2.0F * dx),

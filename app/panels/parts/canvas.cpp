@@ -35,6 +35,12 @@ Canvas Canvas::in(render::Tone tone) const {
     return canvas;
 }
 
+Canvas Canvas::within(const Box& box) const {
+    Canvas canvas = *this;
+    canvas.seen_ = box;
+    return canvas;
+}
+
 unsigned Canvas::packed(const Colour& colour) const {
     if (tone_ == render::Tone::light) { return packed_as_it_is(colour); }
     if (last_packed_ == 0 || !(last_ == colour)) {
@@ -45,7 +51,9 @@ unsigned Canvas::packed(const Colour& colour) const {
 }
 
 void Canvas::spot(const Box& box, const Pointable& link) const {
-    if (spots_ != nullptr && list_ != nullptr && link) { spots_->push_back({box, link}); }
+    if (spots_ == nullptr || list_ == nullptr || !link) { return; }
+    const Box seen = seen_ ? common(box, *seen_) : box;
+    if (seen.width > 0.0F && seen.height > 0.0F) { spots_->push_back({seen, link}); }
 }
 
 float Canvas::px(float at_720) const { return std::round(at_720 * fonts_->scale); }

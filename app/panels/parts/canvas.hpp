@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,9 @@ public:
     /// Canvas that draws every colour in its variant for that tone.
     Canvas in(render::Tone tone) const;
 
+    /// Canvas of which only what lies in `box` is seen: places outside cannot be pointed at.
+    Canvas within(const Box& box) const;
+
     /// `box` stands for `link`.
     void spot(const Box& box, const Pointable& link) const;
     bool lit(const Pointable& link) const { return lit_ != nullptr && lit_->contains(link); }
@@ -86,6 +90,7 @@ private:
     mutable unsigned last_packed_ = 0;
     const Emphasis* lit_ = nullptr;
     std::vector<HotSpot>* spots_ = nullptr;
+    std::optional<Box> seen_;
 };
 
 }  // namespace jw::panels

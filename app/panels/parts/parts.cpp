@@ -14,6 +14,8 @@ namespace jw::panels {
 
 namespace {
 
+constexpr float kLeastNote = 48.0F;
+
 float heading_line(const Canvas& canvas, const Box& box) {
     return box.y + canvas.line_height(canvas.fonts().bold) + canvas.px(2.0F);
 }
@@ -41,10 +43,13 @@ float heading(
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note) {
     const ImFont* const bold = canvas.fonts().bold;
     const ImFont* const small = canvas.fonts().small;
-    const float room = box.width - canvas.text_width(small, note) - canvas.px(note.empty() ? 0.0F : 12.0F);
-    canvas.text({box.x, box.y}, bold, theme::kInk, shortened(*bold, title, room));
+    // the title first; a note of which little would be left is left out
+    const std::string name = shortened(*bold, title, box.width);
+    const float room = box.width - canvas.text_width(bold, name) - canvas.px(12.0F);
+    const std::string aside = room > canvas.px(kLeastNote) ? shortened(*small, note, room) : "";
+    canvas.text({box.x, box.y}, bold, theme::kInk, name);
     const float drop = std::round(bold->Ascent) - std::round(small->Ascent);
-    canvas.text({box.right(), box.y + drop}, small, theme::kSoft, note, Align::right);
+    canvas.text({box.right(), box.y + drop}, small, theme::kSoft, aside, Align::right);
     canvas.fill({box.x, heading_line(canvas, box), box.width, hairline(canvas)}, theme::kLine);
     return heading_height(canvas);
 }

@@ -26,7 +26,20 @@ struct Columns {
 };
 
 Columns columns_of(const Canvas& canvas, const Box& row) {
-    if (row.width < canvas.px(kRoomForTurns)) { return {}; }
+    const auto part = [&](const char* text) {
+        return (canvas.text_width(canvas.fonts().small, text) + canvas.px(8.0F)) / row.width;
+    };
+    if (row.width < canvas.px(kRoomForTurns)) {
+        const Columns usual;
+        if (usual.phi - usual.iterations >= part("last ‖Φ‖")) { return usual; }
+        // large text in a narrow column: as wide as their numbers, the names get the rest
+        Columns narrow;
+        narrow.verdict = 1.0F - part("✓ closed");
+        narrow.order = narrow.verdict - part(" ");
+        narrow.phi = narrow.order - part("order");
+        narrow.iterations = narrow.phi - part("last ‖Φ‖");
+        return narrow;
+    }
     return {0.42F, 0.55F, 0.64F, 0.74F, 0.77F};
 }
 

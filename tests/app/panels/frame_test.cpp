@@ -74,6 +74,46 @@ TEST_CASE("every part keeps to its place, however long its texts are", "[panels]
     }
 }
 
+TEST_CASE("a caption as high as it asks for leaves no sentence out", "[panels][frame]") {
+    Surface surface;
+    const Box place = layout_of(1280, 720).caption;
+    const auto letters = [&](const View& view, float height) {
+        surface.clear();
+        draw_caption(surface.canvas(), {place.x, place.y, place.width, height}, view);
+        return surface.vertices();
+    };
+    for (const Kind kind : kKinds) {
+        for (const View& view : views_of(kind)) {
+            const float height = caption_height(surface.canvas(), place, view);
+            CAPTURE(static_cast<int>(kind), height);
+            CHECK(height >= place.height);
+            CHECK(letters(view, height) == letters(view, height + 5000.0F));
+        }
+    }
+    const View long_one = overlong(Kind::motion);
+    CHECK(letters(long_one, place.height) < letters(long_one, 5000.0F));
+}
+
+TEST_CASE("a column as high as it asks for shows every panel", "[panels][frame]") {
+    const auto size = GENERATE(Size{1280, 720}, Size{960, 540});
+    const Surface surface(size);
+    const Canvas canvas = surface.canvas();
+    const Box place = layout_of(size.width, size.height).column;
+    for (const Kind kind : kKinds) {
+        for (const View& view : views_of(kind)) {
+            const float height = column_height(canvas, place, view);
+            const std::vector<Block> blocks = blocks_of(canvas, view);
+            const Box inner = shrunk({0.0F, 0.0F, place.width, height}, canvas.px(16.0F), canvas.px(14.0F));
+            const Arrangement whole = arrange(canvas, inner, blocks);
+            for (std::size_t k = 0; k < blocks.size(); ++k) {
+                const float least = blocks[k].fills ? blocks[k].least[2] : 0.0F;
+                CAPTURE(size.width, static_cast<int>(kind), k);
+                CHECK(whole.boxes[k].height >= least);
+            }
+        }
+    }
+}
+
 TEST_CASE("labels of the picture stay in it", "[panels][frame]") {
     Surface surface;
     const FrameLayout layout = layout_of(1280, 720);

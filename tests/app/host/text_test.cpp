@@ -1,0 +1,161 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "app/host/lesson/timeline.hpp"
+#include "tests/app/host/overprint.hpp"
+#include "tests/app/host/person.hpp"
+
+namespace jw::test {
+namespace {
+
+using host::Key;
+
+struct Size {
+    int width;
+    int height;
+};
+
+constexpr Size kSizes[] = {{900, 600}, {1280, 720}};
+constexpr float kTexts[] = {1.0F, 1.25F, 1.5F};
+
+/// A lesson of every chapter, those with the longest texts and the largest matrices among them.
+const std::vector<std::string>& lessons_looked_at() {
+    static const std::vector<std::string> names{
+        "vectors/perpendicular-vectors",
+        "parallel/parallel-vectors",
+        "joints/screw",
+        "links/universal-spherical",
+        "loops/four-bar",
+        "loops/rssr",
+        "loops/double-scott-russell",
+        "hard/anti-parallel",
+        "hard/cannot-close",
+        "dynamics/four-bar-4",
+        "dynamics/governor"};
+    return names;
+}
+
+/// The first step of every kind, the last assembled one, and the middle of the motion.
+std::vector<int> steps_looked_at(const Story& story) {
+    std::vector<int> steps;
+    std::vector<Step::Kind> seen;
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        const Step::Kind kind = story.steps()[static_cast<std::size_t>(k)].kind;
+        if (std::ranges::find(seen, kind) != seen.end()) { continue; }
+        seen.push_back(kind);
+        steps.push_back(k);
+    }
+    steps.push_back(story.last_assembled());
+    steps.push_back((story.last_assembled() + host::last_step(story)) / 2);
+    return steps;
+}
+
+/// All that is wrong with the frame, in one text; empty if everything can be read.
+std::string unreadable(Person& person) {
+    // messages and a camera that turns are gone
+    person.rest();
+    std::string text;
+    std::size_t told = 0;
+    for (const std::string& fault : unreadable_letters()) {
+        if (++told <= 4) { text += fault + "\n"; }
+    }
+    return told > 4 ? text + std::to_string(told) + " letters in all\n" : text;
+}
+
+}  // namespace
+
+TEST_CASE("Every letter of every lesson can be read, at any size of text and of the window", "[text]") {
+    for (const std::string& name : lessons_looked_at()) {
+        for (const Size& size : kSizes) {
+            for (const float text : kTexts) {
+                Person person(name + ".toml", Person::Pictures::none, size.width, size.height, false, text);
+                for (const int step : steps_looked_at(person.session().story())) {
+                    person.go_to(step);
+                    CAPTURE(name, size.width, text, step);
+                    CHECK(unreadable(person) == "");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Every letter beside the picture can be read, at any size of text and of the window", "[text]") {
+    for (const std::string name : {"loops/four-bar", "joints/screw", "dynamics/governor"}) {
+        for (const Size& size : kSizes) {
+            for (const float text : kTexts) {
+                Person person(name + ".toml", Person::Pictures::none, size.width, size.height, false, text);
+                person.go_to(person.session().story().last_assembled() + 2);
+                for (const char tab : {'2', '3', '4', '5'}) {
+                    person.type(std::string_view(&tab, 1));
+                    CAPTURE(name, size.width, text, tab);
+                    CHECK(unreadable(person) == "");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Every letter of the list, of the keys and of the menu can be read", "[text]") {
+    for (const Size& size : kSizes) {
+        for (const float text : kTexts) {
+            Person person(
+                "loops/four-bar.toml", Person::Pictures::none, size.width, size.height, false, text);
+            CAPTURE(size.width, text);
+            person.type("?");
+            CHECK(unreadable(person) == "");
+            person.press(Key::escape);
+            person.type("g");
+            CHECK(unreadable(person) == "");
+            person.press(Key::escape);
+            const auto right = static_cast<float>(size.width);
+            const float y = static_cast<float>(size.height) - 0.6F * person.host().layout().bar.height;
+            person.click(right - 0.6F * person.host().layout().bar.height - 30.0F, y);
+            CHECK(unreadable(person) == "");
+        }
+    }
+}
+
+TEST_CASE(
+    "What is higher than its place scrolls by wheel, bar and keys, and begins anew at another step",
+    "[text]") {
+    Person person("dynamics/governor.toml", Person::Pictures::none, 900, 600, false, 1.5F);
+    person.go_to(1);
+    const panels::Box column = person.host().layout().column;
+    const auto offset = [&] { return person.host().state().column.offset; };
+    REQUIRE(offset() == 0.0F);
+    person.point(column.centre().x, column.centre().y);
+    person.wheel(-1.0F);
+    const float notch = offset();
+    CHECK(notch > 0.0F);
+    person.wheel(-100.0F);
+    const float most = offset();
+    CHECK(most > notch);
+    person.wheel(100.0F);
+    CHECK(offset() == 0.0F);
+    person.type("]");
+    CHECK(offset() > 0.0F);
+    person.type("[");
+    CHECK(offset() == 0.0F);
+    const float bar = column.right() - 5.0F;
+    person.drag(bar, column.y + 20.0F, bar, column.bottom() - 2.0F);
+    CHECK(offset() == most);
+    // the picture has not been turned by it, and no step was left
+    CHECK(person.session().index() == 1);
+    person.go_to(2);
+    CHECK(offset() == 0.0F);
+}
+
+TEST_CASE("The list of keys scrolls where the window is low, and any other key closes it", "[text]") {
+    Person person("loops/four-bar.toml", Person::Pictures::none, 900, 600, false, 1.5F);
+    person.type("?");
+    REQUIRE(person.host().state().help);
+    person.press(Key::down);
+    person.press(Key::page_down);
+    CHECK(person.host().state().help);
+    CHECK(unreadable(person) == "");
+    person.press(Key::right);
+    CHECK_FALSE(person.host().state().help);
+}
+
+}  // namespace jw::test
