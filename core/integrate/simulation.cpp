@@ -347,8 +347,12 @@ Motion Simulation::acceleration(double t, const std::vector<double>& y) {
 }
 
 Motion Simulation::acceleration_as_given(double t, const std::vector<double>& y) {
+    return acceleration_as_given(y, acceleration(t, y));
+}
+
+Motion Simulation::acceleration_as_given(const std::vector<double>& y, const Motion& centroidal) const {
     const auto [state, motion] = unpacked(y);
-    return scene_.acceleration_as_given(state, motion, acceleration(t, y));
+    return scene_.acceleration_as_given(state, motion, centroidal);
 }
 
 }  // namespace jw

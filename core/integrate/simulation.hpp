@@ -114,6 +114,8 @@ public:
     Motion acceleration(double t, const std::vector<double>& y);
     /// Accelerations r̈, ω̇' of the frames as given.
     Motion acceleration_as_given(double t, const std::vector<double>& y);
+    /// The same from the accelerations of the centroidal frames at `y`, where they are known.
+    Motion acceleration_as_given(const std::vector<double>& y, const Motion& centroidal) const;
     const Centroidal& scene() const { return scene_; }
     /// Block-sparse equations, in flat states, whatever the simulation integrates.
     MotionEquations& equations() const { return *block_; }

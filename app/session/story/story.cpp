@@ -374,12 +374,12 @@ void Story::tell_dynamics(const MotionPlan& plan, const StoryOptions& options) {
         step.t = t;
         step.state = snapshot.state;
         step.velocity = snapshot.velocity;
-        step.acceleration = simulation.acceleration_as_given(t, y);
+        step.centroidal_acceleration = simulation.acceleration(t, y);
+        step.acceleration = simulation.acceleration_as_given(y, step.centroidal_acceleration);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
         // springs that have been wound up know their turns from the run alone
         if (counts_turns) { centroidal = std::make_shared<const Centroidal>(simulation.scene()); }
         step.centroidal = centroidal;
-        step.centroidal_acceleration = simulation.acceleration(t, y);
         step.energy = Energy{snapshot.kinetic, snapshot.potential};
         if (between > 1) { curve_.push_back(step); }
         if (moment++ % between != 0) { return; }
