@@ -38,7 +38,9 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
         if (view.kind != Step::Kind::motion) { state_.column = state_.caption = {}; }
         state_.scrolled_step = view.step;
     }
-    panels::draw_annotations(ui.canvas, picture(), hand_.camera(), layout_.scene);
+    panels::draw_annotations(
+        ui.canvas, picture(), hand_.camera(), layout_.scene,
+        predictions_.height(ui, panels::box_of(layout_.scene)));
     panels::draw_title(ui.canvas, layout_.title, view);
     const float height = panels::caption_height(ui.canvas, layout_.caption, view);
     scrolled(

@@ -30,6 +30,10 @@ void draw_sheet(const Canvas& canvas, const Box& sheet, render::Colour shade, re
     canvas.outline(sheet, edge, panels::hairline(canvas), canvas.px(5.0F));
 }
 
+std::string verdict_text(const GivenAnswer& answer) {
+    return math::plain_words(answer.note) + (answer.right ? "   Right." : "   Not so.");
+}
+
 /// The right answer to a question, which the story may reach or not.
 RightAnswer right_answer_to(const Session& session, int index) {
     const Story& story = session.story();
@@ -47,6 +51,21 @@ RightAnswer right_answer_to(const Session& session, int index) {
 const GivenAnswer* Predictions::given(int question) const {
     const auto found = given_.find(question);
     return found == given_.end() ? nullptr : &found->second;
+}
+
+float Predictions::height(const LessonUi& ui, const Box& scene) const {
+    const Step& step = ui.session.step();
+    if (!is_asked(step.kind) || ui.session.in_hand()) { return 0.0F; }
+    const float margin = 2.0F * ui.px(kSheetMargin);
+    if (step.kind == Step::Kind::question) {
+        return ImGui::GetFrameHeightWithSpacing() * (objection_.empty() ? 1.0F : 2.0F) + ui.px(16.0F) +
+               margin;
+    }
+    const GivenAnswer* const answer = given(step.question);
+    if (answer == nullptr) { return 0.0F; }
+    const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
+    return panels::paragraph_height(ui.canvas, ui.canvas.fonts().normal, verdict_text(*answer), inner) +
+           ui.px(16.0F) + margin;
 }
 
 void Predictions::draw(const LessonUi& ui, const Box& scene) {
@@ -68,9 +87,7 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
 
 void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     const QuestionView& question = *ui.session.view().question;
-    const float line = ImGui::GetFrameHeightWithSpacing();
-    const float height = line * (objection_.empty() ? 1.0F : 2.0F) + ui.px(16.0F);
-    const Box sheet = sheet_of(ui, scene, height);
+    const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
     draw_sheet(ui.canvas, sheet, theme::kPaper, theme::kAccent);
     const Area area(ui, "prediction", sheet);
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
@@ -120,15 +137,15 @@ void Predictions::compare(const LessonUi& ui, const Box& scene, const Step& step
     if (answer == nullptr) { return; }
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
-    const std::string text = math::plain_words(answer->note) + (answer->right ? "   Right." : "   Not so.");
+    const std::string text = verdict_text(*answer);
     const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
-    const float height = panels::paragraph_height(canvas, font, text, inner) + ui.px(16.0F);
-    const Box sheet = sheet_of(ui, scene, height);
+    const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
     draw_sheet(
         canvas, sheet, answer->right ? theme::kPaper : theme::kWarningShade,
         answer->right ? theme::kAccent : theme::kSubjectMark);
     panels::paragraph(
-        canvas, {sheet.x + ui.px(12.0F), sheet.y + ui.px(8.0F), inner, height}, font, theme::kInk, text);
+        canvas, {sheet.x + ui.px(12.0F), sheet.y + ui.px(8.0F), inner, sheet.height}, font, theme::kInk,
+        text);
 }
 
 }  // namespace jw::host

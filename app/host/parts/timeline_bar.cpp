@@ -38,12 +38,9 @@ void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
             canvas.line({at.x - half, at.y + half}, {at.x + half, at.y - half}, theme::kRedundant, thick);
             break;
         }
-        case Step::Kind::question:
-        case Step::Kind::answer: {
-            const Point corner{at.x - 0.25F * size, at.y - canvas.line_height(canvas.fonts().small) / 2.0F};
-            canvas.text(corner, canvas.fonts().small, ink, kind == Step::Kind::question ? "?" : "!");
-            break;
-        }
+        // no letters: marks stand close together
+        case Step::Kind::question: canvas.square(at, size, ink, false); break;
+        case Step::Kind::answer: canvas.disc(at, 0.5F * size, ink); break;
         case Step::Kind::motion: break;
     }
 }

@@ -252,12 +252,13 @@ Box inside_column(const Canvas& canvas, const Box& box) {
 float column_height(const Canvas& canvas, const Box& box, const View& view) {
     const Box inner = inside_column(canvas, box);
     const std::vector<Block> blocks = blocks_of(canvas, view);
-    const auto needed = [&](Density density) {
+    const auto needed = [&](Density density, int given_up) {
         const float gap = canvas.px(theme::kGap);
-        return std::ceil(total_of(heights_at(canvas, inner, blocks, density, 0), gap));
+        return std::ceil(total_of(heights_at(canvas, inner, blocks, density, given_up), gap));
     };
-    if (needed(Density::tight) <= inner.height) { return box.height; }
-    return needed(Density::compact) + 2.0F * canvas.px(14.0F);
+    // what is shown only if there is plenty of room is no reason to scroll
+    if (needed(Density::tight, 1) <= inner.height) { return box.height; }
+    return needed(Density::roomy, 0) + 2.0F * canvas.px(14.0F);
 }
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {

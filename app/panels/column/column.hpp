@@ -33,7 +33,8 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
 /// The panels that a step of this kind asks for, from the top.
 std::vector<Block> blocks_of(const Canvas& canvas, const View& view);
 
-/// Height that a column of this width needs to show everything, `box.height` if that is enough.
+/// Height that a column of this width needs to show everything; `box.height` if that is enough for all but
+/// what is shown only if there is plenty of room.
 float column_height(const Canvas& canvas, const Box& box, const View& view);
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view);

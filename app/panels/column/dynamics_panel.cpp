@@ -60,11 +60,13 @@ std::string short_number(double value) {
     return with_minus_signs(number_text(std::abs(value) < nothing ? 0.0 : value, 3));
 }
 
-void draw_triple(const Canvas& canvas, const Box& cell, const Vec3& v) {
+/// @param nothing  what is smaller is rounding, shown as 0
+void draw_triple(const Canvas& canvas, const Box& cell, const Vec3& v, double nothing = 0.0) {
     const ImFont* const small = canvas.fonts().small;
     for (int k = 0; k < 3; ++k) {
         const Box column = column_of(cell, k, 3);
-        const std::string text = shortened(*small, short_number(v(k)), column.width - canvas.px(2.0F));
+        const std::string text = shortened(
+            *small, short_number(std::abs(v(k)) < nothing ? 0.0 : v(k)), column.width - canvas.px(2.0F));
         canvas.text({column.right(), column.y}, small, theme::kInk, text, Align::right);
     }
 }
@@ -121,13 +123,14 @@ void draw_mass(const Canvas& canvas, const Box& cell, double mass) {
 /// M and Q, one row a body.
 float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
     const float number = canvas.text_width(canvas.fonts().small, "−0.0123") + canvas.px(2.0F);
+    const double nothing = 1e-9 * dynamics.Q.cwiseAbs().maxCoeff();
     if (0.29F * 0.85F * box.width >= 3.0F * number) {
         return draw_table(
             canvas, box, dynamics, most, kOneTable, [&](const DynamicsView::Body& body, const auto& cell) {
                 draw_mass(canvas, cell(0), body.mass);
                 draw_triple(canvas, cell(1), body.J_local.diagonal());
-                draw_triple(canvas, cell(2), body.f);
-                draw_triple(canvas, cell(3), body.n_local);
+                draw_triple(canvas, cell(2), body.f, nothing);
+                draw_triple(canvas, cell(3), body.n_local, nothing);
             });
     }
     const float height =
@@ -139,8 +142,8 @@ float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dyna
     return height +
            draw_table(
                canvas, below, dynamics, most, kOfQ, [&](const DynamicsView::Body& body, const auto& cell) {
-                   draw_triple(canvas, cell(0), body.f);
-                   draw_triple(canvas, cell(1), body.n_local);
+                   draw_triple(canvas, cell(0), body.f, nothing);
+                   draw_triple(canvas, cell(1), body.n_local, nothing);
                });
 }
 

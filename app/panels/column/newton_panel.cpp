@@ -34,8 +34,9 @@ Places places_of(const Canvas& canvas, const Box& box) {
     };
     const Places usual;
     const float number = part("−1.9e−01");
-    if (usual.phi - usual.k >= number && usual.delta - usual.value >= number &&
-        usual.turn - usual.delta >= part("206.1°")) {
+    const float margin = canvas.px(6.0F) / box.width;
+    if (usual.phi - usual.k >= number - margin && usual.delta - usual.value >= number - margin &&
+        usual.turn - usual.delta >= part("53.6°")) {
         return usual;
     }
     Places places;

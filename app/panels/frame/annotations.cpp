@@ -97,8 +97,8 @@ void draw_leader(const Canvas& canvas, const Label& label, const Box& box, Colou
 }  // namespace
 
 void draw_annotations(
-    const Canvas& canvas, const Picture& picture, const render::Camera& camera,
-    const render::Rect& viewport) {
+    const Canvas& canvas, const Picture& picture, const render::Camera& camera, const render::Rect& viewport,
+    float foot) {
     std::vector<Drawn> drawn;
     for (const Annotation& annotation : picture.annotations) {
         if (render::project(camera, viewport, annotation.at).visible) {
@@ -108,7 +108,8 @@ void draw_annotations(
     std::vector<Label> labels;
     for (const Drawn& d : drawn) { labels.push_back(d.label); }
 
-    const Box area = shrunk(box_of(viewport), canvas.px(6.0F), canvas.px(6.0F));
+    Box area = shrunk(box_of(viewport), canvas.px(6.0F), canvas.px(6.0F));
+    area.height = std::max(0.0F, area.height - foot);
     const std::vector<PlacedLabel> placed =
         place_labels(labels, arrows_on_picture(picture.scene, camera, viewport), area, canvas.px(kGap));
     for (std::size_t k = 0; k < drawn.size(); ++k) {

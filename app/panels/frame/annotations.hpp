@@ -39,7 +39,9 @@ std::vector<PlacedLabel> place_labels(
 /// Does the segment meet the box?
 bool crosses(const Segment& segment, const Box& box);
 
+/// @param foot  height at the foot of the picture that something else covers
 void draw_annotations(
-    const Canvas& canvas, const Picture& picture, const render::Camera& camera, const render::Rect& viewport);
+    const Canvas& canvas, const Picture& picture, const render::Camera& camera, const render::Rect& viewport,
+    float foot = 0.0F);
 
 }  // namespace jw::panels
