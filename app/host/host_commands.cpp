@@ -32,6 +32,13 @@ Tab tab_after(Tab tab) {
     return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
 }
 
+/// @return what there is to say, mostly nothing
+std::string scroll_by(Scroll& scroll, float part) {
+    if (scroll.most <= 0.0F) { return "All of it is in sight: there is nothing to scroll."; }
+    scroll.wanted += part;
+    return {};
+}
+
 /// Puts a text into the clipboard. @return `said`
 std::string copied(const std::string& text, std::string said) {
     ImGui::SetClipboardText(text.c_str());
@@ -121,10 +128,10 @@ void Host::carry_out(Command command) {
         case Command::tab_price: state_.tab = Tab::price; return;
         case Command::next_tab: state_.tab = tab_after(state_.tab); return;
         case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
-        case Command::panel_down: state_.column.wanted += kPage; return;
-        case Command::panel_up: state_.column.wanted -= kPage; return;
-        case Command::text_down: state_.caption.wanted += kPage; return;
-        case Command::text_up: state_.caption.wanted -= kPage; return;
+        case Command::panel_down: return say(scroll_by(state_.column, kPage));
+        case Command::panel_up: return say(scroll_by(state_.column, -kPage));
+        case Command::text_down: return say(scroll_by(state_.caption, kPage));
+        case Command::text_up: return say(scroll_by(state_.caption, -kPage));
         case Command::undo: return apply(Undo{});
         case Command::redo: return apply(Redo{});
         case Command::start_over: return apply(StartOver{});

@@ -60,6 +60,7 @@ void scrolled(
         scroll = {};
         return draw(ui.canvas, box);
     }
+    scroll.most = height - box.height;
     scroll.offset += scroll.wanted * box.height;
     scroll.wanted = 0.0F;
     handle(ui, box, height, scroll);

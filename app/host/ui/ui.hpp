@@ -25,6 +25,7 @@ inline constexpr std::array kTabs{
 /// How far a part of the window is scrolled.
 struct Scroll {
     float offset = 0.0F;  ///< pixels above it
+    float most = 0.0F;    ///< largest offset; 0: all of it is in sight
     float wanted = 0.0F;  ///< by a command, in parts of its height; taken at the next frame
     bool held = false;    ///< the pointer drags its bar
 };

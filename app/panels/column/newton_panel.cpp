@@ -34,14 +34,14 @@ Places places_of(const Canvas& canvas, const Box& box) {
     };
     const Places usual;
     const float number = part("−1.9e−01");
-    const float margin = canvas.px(6.0F) / box.width;
-    if (usual.phi - usual.k >= number - margin && usual.delta - usual.value >= number - margin &&
+    const float size = part("1.9e−01");  // of what is never negative
+    if (usual.phi - usual.k >= size && usual.delta - usual.value >= size &&
         usual.turn - usual.delta >= part("53.6°")) {
         return usual;
     }
     Places places;
     places.k = part("100");
-    places.phi = places.k + number;
+    places.phi = places.k + size;
     places.label = places.phi + part(" ");
     for (int left_out = 0; left_out < 4; ++left_out) {
         float right = 1.0F;
@@ -53,7 +53,7 @@ Places places_of(const Canvas& canvas, const Box& box) {
         places.rank = next(left_out < 2, part("rank"));
         places.fraction = next(left_out < 1, part("part"));
         places.turn = next(left_out < 3, part("206.1°"));
-        places.delta = next(true, number);
+        places.delta = next(true, size);
         places.value = right;
         if (places.value - number - places.label >= kLeastLabel) { break; }
     }

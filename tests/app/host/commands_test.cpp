@@ -42,17 +42,6 @@ std::string all_of(Person& person) {
 void prepare(Person& person, Command command) {
     person.go_to(4);
     switch (command) {
-        case Command::panel_down:
-        case Command::panel_up:
-        case Command::text_down:
-        case Command::text_up:
-            // large text in a small window has to be scrolled
-            person.host().resize(960, 540);
-            if (command == Command::text_down || command == Command::text_up) { person.go_to(0); }
-            for (int k = 0; k < 4; ++k) { person.ask(Command::larger_text); }
-            if (command == Command::panel_up) { person.ask(Command::panel_down); }
-            if (command == Command::text_up) { person.ask(Command::text_down); }
-            break;
         case Command::undo:
         case Command::start_over:
         case Command::redo:
@@ -143,9 +132,6 @@ void choose_in_menu(Person& person, host::Group group, int entry) {
 TEST_CASE("Every key that the table names does what its command does") {
     for (const char* lesson : kLessons) {
         for (const CommandInfo& info : host::command_table()) {
-            // only the first lesson has more words than a small window shows
-            const bool of_text = info.command == Command::text_down || info.command == Command::text_up;
-            if (of_text && lesson != kLessons[0]) { continue; }
             std::string first;
             for (const std::string& key : keys_of(info)) {
                 const auto person = somebody_at(lesson);
