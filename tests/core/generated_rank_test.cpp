@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/poses/large_rank.hpp"
 #include "core/poses/least_squares.hpp"
 #include "core/poses/position.hpp"
 #include "tests/support/long_double_svd.hpp"
@@ -30,6 +31,24 @@ double miss_of(const test::MatrixL& J, const RedundantRow& redundant) {
     return static_cast<double>(rest.norm() / size);
 }
 
+/// Puts a mechanism beside another, on a fixed body of its own.
+void add_beside(Mechanism& all, const Mechanism& more) {
+    const int bodies = static_cast<int>(all.bodies.size());
+    const int joints = static_cast<int>(all.joints.size());
+    all.bodies.insert(all.bodies.end(), more.bodies.begin(), more.bodies.end());
+    for (Joint joint : more.joints) {
+        joint.body_i = bodies + joint.body_i;
+        joint.body_j = bodies + joint.body_j;
+        all.joints.push_back(joint);
+    }
+    for (Driver driver : more.drivers) {
+        driver.body_i = bodies + driver.body_i;
+        driver.body_j = bodies + driver.body_j;
+        if (driver.joint >= 0) { driver.joint += joints; }
+        all.drivers.push_back(driver);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("The rank of generated mechanisms is that of a long double Jacobi", "[core][rank]") {
@@ -56,6 +75,34 @@ TEST_CASE("The rank of generated mechanisms is that of a long double Jacobi", "[
     // into the root of its residual
     CHECK(decided > kMechanisms * 98 / 100);
     CHECK(redundant > kMechanisms / 4);
+}
+
+TEST_CASE(
+    "The verdict alone on many generated mechanisms at once is that of the whole analysis", "[core][rank]") {
+    int squares = 0;
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        CAPTURE(seed);
+        test::Random random(seed);
+        Mechanism all = test::random_net(random);
+        // more columns than singular values are taken for
+        while (System(all, everything(all)).columns(3) <= 66) { add_beside(all, test::random_net(random)); }
+        System system(all, everything(all));
+        const State state = start_state(all);
+        system.choose_rows(state);
+        Assembler<OmegaLocal> assembler(system);
+        assembler.assemble_phi_and_jacobian(state, 0.0);
+        const RankReport whole = analyse_rank(system, assembler.jacobian(), assembler.phi());
+        const RankReport verdict = analyse_rank_verdict(system, assembler.sparse_jacobian(), assembler.phi());
+        squares += verdict.has_spectrum ? 0 : 1;
+        if (!whole.decided || !verdict.decided) { continue; }
+        CHECK(verdict.rank == whole.rank);
+        CHECK(verdict.dof == whole.dof);
+        CHECK(verdict.redundant() == whole.redundant());
+        CHECK(verdict.assembled == whole.assembled);
+        CHECK(verdict.first_value() == Approx(whole.first_value()).epsilon(1e-6));
+        CHECK(verdict.last_value() == Approx(whole.last_value()).epsilon(1e-6));
+    }
+    CHECK(squares > 50);
 }
 
 TEST_CASE("Combinations and free motions of generated mechanisms hold in long double", "[core][rank]") {
