@@ -9,7 +9,7 @@ namespace jw::host {
 
 namespace {
 
-/// What a step is part of. A question belongs to what it asks about, not to what was there before.
+/// Stretch that a step is part of. A question belongs to what it asks about, not to what was there before.
 struct Part {
     bool moves = false;
     int additions = 0;
@@ -97,7 +97,14 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
         return nearest;
     }
     for (const Stretch& stretch : stretches_of(story)) {
-        if (stretch.name == at) { return stretch.first; }
+        if (stretch.name != at) { continue; }
+        // at the thing itself, not at the questions before it
+        int step = stretch.first;
+        while (step < stretch.last &&
+               story.steps()[static_cast<std::size_t>(step)].kind == Step::Kind::question) {
+            ++step;
+        }
+        return step;
     }
     return std::nullopt;
 }
