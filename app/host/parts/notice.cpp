@@ -28,9 +28,9 @@ float draw_sheet(
     const float height = panels::paragraph(canvas.measuring(), inner, font, theme::kInk, text, most);
     const Box sheet{
         room.x, bottom - height - 2.0F * canvas.px(8.0F), room.width, height + 2.0F * canvas.px(8.0F)};
-    canvas.fill(sheet, is_error ? theme::kFailureShade : theme::kWarningShade, canvas.px(5.0F));
-    canvas.outline(
-        sheet, is_error ? theme::kRedundant : theme::kSubjectMark, panels::hairline(canvas), canvas.px(5.0F));
+    panels::sheet(
+        canvas, sheet, is_error ? theme::kFailureShade : theme::kWarningShade,
+        is_error ? theme::kRedundant : theme::kSubjectMark);
     panels::paragraph(
         canvas, {inner.x, sheet.y + canvas.px(8.0F), inner.width, height}, font, theme::kInk, text, most);
     return sheet.y - canvas.px(6.0F);
@@ -72,8 +72,7 @@ void draw_badge(const Ui& ui, const Box& scene) {
     const Box badge{
         scene.x + canvas.px(12.0F), scene.y + canvas.px(12.0F),
         canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};
-    canvas.fill(badge, theme::kWarningShade, canvas.px(5.0F));
-    canvas.outline(badge, theme::kSubjectMark, panels::hairline(canvas), canvas.px(5.0F));
+    panels::sheet(canvas, badge, theme::kWarningShade, theme::kSubjectMark);
     canvas.text({badge.x + canvas.px(10.0F), badge.y + canvas.px(4.0F)}, font, theme::kInk, text);
 }
 

@@ -25,11 +25,6 @@ Box sheet_of(const Ui& ui, const Box& scene, float height) {
     return {scene.x + margin, scene.bottom() - height - margin, scene.width - 2.0F * margin, height};
 }
 
-void draw_sheet(const Canvas& canvas, const Box& sheet, render::Colour shade, render::Colour edge) {
-    canvas.fill(sheet, shade, canvas.px(5.0F));
-    canvas.outline(sheet, edge, panels::hairline(canvas), canvas.px(5.0F));
-}
-
 std::string verdict_text(const GivenAnswer& answer) {
     return math::plain_words(answer.note) + (answer.right ? "   Right." : "   Not so.");
 }
@@ -88,7 +83,7 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
 void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     const QuestionView& question = *ui.session.view().question;
     const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
-    draw_sheet(ui.canvas, sheet, theme::kPaper, theme::kAccent);
+    panels::sheet(ui.canvas, sheet, theme::kPaper, theme::kAccent);
     const Area area(ui, "prediction", sheet);
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
         const std::string number = std::to_string(k + 1);
@@ -140,7 +135,7 @@ void Predictions::compare(const LessonUi& ui, const Box& scene, const Step& step
     const std::string text = verdict_text(*answer);
     const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
     const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
-    draw_sheet(
+    panels::sheet(
         canvas, sheet, answer->right ? theme::kPaper : theme::kWarningShade,
         answer->right ? theme::kAccent : theme::kSubjectMark);
     panels::paragraph(

@@ -13,7 +13,7 @@ class Predictions {
 public:
     /// The keyboard goes to the field for the answer, if a question is asked here.
     void focus() { wants_focus_ = true; }
-    /// Of what `draw` covers at the foot of `scene`; 0 where nothing is asked or answered.
+    /// Height that `draw` covers at the foot of `scene`; 0 where nothing is asked or answered.
     float height(const LessonUi& ui, const panels::Box& scene) const;
     /// At the foot of `scene`: choices or a field at a question, what was said at its answer.
     void draw(const LessonUi& ui, const panels::Box& scene);

@@ -24,6 +24,12 @@ float heading_line(const Canvas& canvas, const Box& box) {
 
 float hairline(const Canvas& canvas) { return std::max(1.0F, std::floor(canvas.fonts().scale)); }
 
+void sheet(const Canvas& canvas, const Box& box, Colour shade, Colour edge) {
+    const float rounding = canvas.px(5.0F);
+    canvas.fill(box, shade, rounding);
+    canvas.outline(box, edge, hairline(canvas), rounding);
+}
+
 float heading_height(const Canvas& canvas) {
     return canvas.line_height(canvas.fonts().bold) + canvas.px(8.0F);
 }

@@ -20,6 +20,9 @@ float heading(
     std::string_view note);
 float heading_height(const Canvas& canvas);
 
+/// Sheet with round corners over something else.
+void sheet(const Canvas& canvas, const Box& box, Colour shade, Colour edge);
+
 /// Width of the thinnest line.
 float hairline(const Canvas& canvas);
 
