@@ -38,6 +38,16 @@ std::string numbers(const MatrixX& values) {
     return text + ")";
 }
 
+/// Entry of a value, which may be 0 or I.
+double entry_of(const formula::Value& value, int row, int column) {
+    switch (value.kind) {
+        case formula::Value::Kind::zero: return 0.0;
+        case formula::Value::Kind::identity: return row == column ? value.d[0](0, 0) : 0.0;
+        case formula::Value::Kind::matrix: break;
+    }
+    return value.d[0](row, column);
+}
+
 /// Vectors in a formula, each once: their source and their value.
 void collect_vectors(
     const math::Row& row, const formula::Meanings& meanings, std::vector<std::string>& lines) {
@@ -97,6 +107,8 @@ std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coord
         formula::evaluate_expression(math::own_math(formula::block_name(block)), meanings);
     if (value.kind == formula::Value::Kind::matrix && origin.component < value.rows()) {
         constexpr const char* axes[] = {"x", "y", "z"};
+        derivation.entry =
+            entry_of(formula::evaluate_expression(right, meanings), origin.component, place->offset);
         derivation.row = (value.rows() == 3 ? std::string("row ") + axes[origin.component] + ": " : "row: ") +
                          numbers(value.d[0].row(origin.component));
     }

@@ -13,6 +13,7 @@ namespace jw {
 struct Derivation {
     std::string formula;               ///< "\Phi_{...} = ...", as docs/mathematics.md says
     std::vector<std::string> symbols;  ///< "sᵢ = (0, −0.6, 0.8)", one line each
+    double entry = 0.0;                ///< as the formula gives it
     std::string row;                   ///< the row of the block with the entry: "x: (0, 0.8, 0.6)"
 };
 
