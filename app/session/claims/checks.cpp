@@ -55,18 +55,6 @@ bool rank_grows_nearby(const Pose& pose, const RankReport& report) {
     return false;
 }
 
-int count_of(const RankReport& report, Count count) {
-    switch (count) {
-        case Count::rank: return report.rank;
-        case Count::rows: return report.rows;
-        case Count::columns: return report.columns;
-        case Count::dof: return report.dof;
-        case Count::redundant: return report.redundant();
-        case Count::mobility_by_counting: break;
-    }
-    return report.mobility_by_counting;
-}
-
 const char* name_of(Count count) {
     switch (count) {
         case Count::rank: return "rank";

@@ -12,10 +12,6 @@ namespace jw {
 
 namespace {
 
-// tolerances of the trusted run, and of the one that shows how far it can be trusted
-constexpr double kTight = 1e-10;
-constexpr double kLoose = 1e-8;
-
 /// Options of a story that adds only the joints and drivers that the claims need.
 StoryOptions what_claims_need(const Lesson& lesson) {
     StoryOptions options = poses_only();
@@ -125,26 +121,6 @@ void ClaimPoses::follow_motion() {
     }
 }
 
-std::string ClaimPoses::run(
-    double tolerance, const std::vector<double>& times, std::map<double, Instant>& found) const {
-    const DynamicsPlan& plan = *lesson_->dynamics;
-    SimulationSettings settings;
-    const MethodName& method = entry_of(plan.method);
-    settings.method = method.kind == MethodKind::radau ? plan.method : Method::explicit_8;
-    settings.tolerance = tolerance;
-    settings.most_steps = kMostStepsUnasked;
-    Simulation simulation(lesson_->mechanism, plan.loads, settings);
-    System system(lesson_->mechanism, selection_of(*lesson_, static_cast<int>(lesson_->order.size())));
-    const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
-        const Snapshot now = simulation.snapshot(t, y);
-        system.choose_rows(now.state);
-        found[t] = instant_of(
-            simulation, now, y, std::make_shared<const Centroidal>(simulation.scene()),
-            std::make_shared<const System>(system), true);
-    });
-    return outcome.failure ? failure_text(*outcome.failure, settings, lesson_->mechanism) : std::string();
-}
-
 /// Follows the motion by two runs over the whole duration, whatever times are claimed: what is found at one
 /// of them must not depend on the others.
 void ClaimPoses::follow_forces() {
@@ -154,8 +130,11 @@ void ClaimPoses::follow_forces() {
     times.erase(std::unique(times.begin(), times.end()), times.end());
     std::map<double, Instant> rough;
     std::map<double, Instant> found;
-    std::string failure = run(kLoose, times, rough);
-    if (failure.empty()) { failure = run(kTight, times, found); }
+    const auto run = [&](double tolerance, std::map<double, Instant>& instants) {
+        return instants_by_forces(*lesson_, {tolerance, kMostStepsUnasked}, times, instants);
+    };
+    std::string failure = run(kLooseRun, rough);
+    if (failure.empty()) { failure = run(kTightRun, found); }
     for (const double t : times) {
         Pose& pose = by_forces_[t];
         // moments reached before the run ended count

@@ -35,9 +35,6 @@ private:
     std::vector<double> claimed_times(bool by_forces) const;
     void follow_motion();
     void follow_forces();
-    /// One run. @return why it ended early, or nothing
-    std::string run(
-        double tolerance, const std::vector<double>& times, std::map<double, Instant>& found) const;
 
     const Lesson* lesson_;
     Story story_;

@@ -1,5 +1,7 @@
 #include "app/session/story/dynamics_rows.hpp"
 
+#include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/story.hpp"
 #include "core/numerics/linear.hpp"
 
 namespace jw {
@@ -47,6 +49,27 @@ Instant instant_of(
     }
     instant.system = std::move(system);
     return instant;
+}
+
+std::string instants_by_forces(
+    const Lesson& lesson, const RunLimits& limits, const std::vector<double>& times,
+    std::map<double, Instant>& found) {
+    const DynamicsPlan& plan = *lesson.dynamics;
+    SimulationSettings settings;
+    const MethodName& method = entry_of(plan.method);
+    settings.method = method.kind == MethodKind::radau ? plan.method : Method::explicit_8;
+    settings.tolerance = limits.tolerance;
+    settings.most_steps = limits.most_steps;
+    Simulation simulation(lesson.mechanism, plan.loads, settings);
+    System system(lesson.mechanism, selection_of(lesson, static_cast<int>(lesson.order.size())));
+    const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+        const Snapshot now = simulation.snapshot(t, y);
+        system.choose_rows(now.state);
+        found[t] = instant_of(
+            simulation, now, y, std::make_shared<const Centroidal>(simulation.scene()),
+            std::make_shared<const System>(system), true);
+    });
+    return outcome.failure ? failure_text(*outcome.failure, settings, lesson.mechanism) : std::string();
 }
 
 DynamicsRows::DynamicsRows(

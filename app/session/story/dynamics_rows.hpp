@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "core/integrate/simulation.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
@@ -14,6 +16,21 @@ namespace jw {
 Instant instant_of(
     Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
     std::shared_ptr<const Centroidal> scene, std::shared_ptr<const System> system, bool with_accelerations);
+
+// tolerances of the run that is trusted, and of the one that shows how far it can be trusted
+inline constexpr double kTightRun = 1e-10;
+inline constexpr double kLooseRun = 1e-8;
+
+struct RunLimits {
+    double tolerance = kTightRun;
+    long most_steps = 0;
+};
+/// Instants at `times`, which ascend, of the lesson's motion by masses and forces: by explicit-8 or the
+/// implicit method of the lesson.
+/// @return why the run ended early, or nothing
+std::string instants_by_forces(
+    const Lesson& lesson, const RunLimits& limits, const std::vector<double>& times,
+    std::map<double, Instant>& found);
 
 /// The rows of `simulate`, one after the other.
 class DynamicsRows {

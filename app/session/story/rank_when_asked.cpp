@@ -11,6 +11,18 @@ RankReport rank_of(const System& system, const State& state, double t, bool spec
     return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), spectrum);
 }
 
+int count_of(const RankReport& report, Count count) {
+    switch (count) {
+        case Count::rank: return report.rank;
+        case Count::rows: return report.rows;
+        case Count::columns: return report.columns;
+        case Count::dof: return report.dof;
+        case Count::redundant: return report.redundant();
+        case Count::mobility_by_counting: break;
+    }
+    return report.mobility_by_counting;
+}
+
 RankReport rank_verdict_of(const System& system, const State& state, double t) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);

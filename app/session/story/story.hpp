@@ -181,6 +181,8 @@ private:
 
 /// Verdict on a pose. @param spectrum singular values and free motions of large systems, too: takes long
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);
+/// Number of a report that a claim or a question names.
+int count_of(const RankReport& report, Count count);
 /// The same without redundant rows and free motions, and sooner without singular values: for many poses.
 RankReport rank_verdict_of(const System& system, const State& state, double t);
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 
-#include "app/session/view/quantities.hpp"
+#include "app/session/story/dynamics_rows.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
@@ -18,6 +20,8 @@ namespace jw {
 namespace {
 
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+// the answer is found anew whenever the lesson is changed: a scene that was made stiff or endless has none
+constexpr long kMostStepsOfAnswer = 100'000;
 
 std::vector<std::string> choices_of(const Question& question) {
     return std::visit(
@@ -36,22 +40,10 @@ std::string unit_of_answer(const Question& question) {
     return unit_text(dimension_of(quantity->quantity), quantity->derivative, quantity->in_degrees);
 }
 
-int count_in(const RankReport& report, Count count) {
-    switch (count) {
-        case Count::rank: return report.rank;
-        case Count::rows: return report.rows;
-        case Count::columns: return report.columns;
-        case Count::dof: return report.dof;
-        case Count::redundant: return report.redundant();
-        case Count::mobility_by_counting: break;
-    }
-    return report.mobility_by_counting;
-}
-
 RightAnswer right_count(const CountAnswer& answer, const Step& step) {
     const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
     RightAnswer right;
-    right.number = count_in(report, answer.count);
+    right.number = count_of(report, answer.count);
     right.known = report.decided;
     return right;
 }
@@ -65,39 +57,51 @@ RightAnswer right_axis(const DroppedAnswer& answer, const Step& step) {
     return right;
 }
 
-/// The instant at a time of the story's motion, which a driven motion reaches exactly.
-std::optional<Instant> instant_at(const Story& story, const AtTime& when) {
+/// The instant at a time of the motion that the lesson prescribes.
+std::optional<Instant> driven_instant(const Story& story, double t) {
     const Step& assembled = story.steps()[static_cast<std::size_t>(story.last_assembled())];
-    if (!when.by_forces && story.lesson().motion) {
-        System system = *assembled.system;
-        MotionTracker tracker(system, assembled.state, assembled.t);
-        bool switched = false;
-        if (!advance_along(tracker, story.lesson(), when.t, switched)) { return std::nullopt; }
-        Instant instant;
-        instant.t = when.t;
-        instant.system = std::make_shared<const System>(system);
-        instant.state = tracker.frame().state;
-        instant.velocity = tracker.frame().velocity;
-        instant.acceleration = tracker.frame().acceleration;
-        return instant;
-    }
-    const Step* nearest = nullptr;
-    for (const Step& step : story.steps()) {
-        if (step.kind != Step::Kind::motion) { continue; }
-        if (nearest == nullptr || std::abs(step.t - when.t) < std::abs(nearest->t - when.t)) {
-            nearest = &step;
-        }
-    }
-    return nearest != nullptr ? std::optional<Instant>(instant_of(*nearest)) : std::nullopt;
+    System system = *assembled.system;
+    MotionTracker tracker(system, assembled.state, assembled.t);
+    bool switched = false;
+    if (!advance_along(tracker, story.lesson(), t, switched)) { return std::nullopt; }
+    Instant instant;
+    instant.t = t;
+    instant.system = std::make_shared<const System>(system);
+    instant.state = tracker.frame().state;
+    instant.velocity = tracker.frame().velocity;
+    instant.acceleration = tracker.frame().acceleration;
+    return instant;
+}
+
+double value_at(const QuantityAnswer& answer, const Instant& instant) {
+    return evaluate(answer.quantity, instant, answer.derivative)
+        .derivatives[static_cast<std::size_t>(answer.derivative)];
+}
+
+/// By masses and forces, at exactly that time. NaN where two runs of different tolerance do not agree as well
+/// as the answer has to.
+double value_by_forces(const QuantityAnswer& answer, const Lesson& lesson) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto run = [&](double tolerance) {
+        std::map<double, Instant> found;
+        const RunLimits limits{tolerance, kMostStepsOfAnswer};
+        const std::string failure = instants_by_forces(lesson, limits, {answer.when.t}, found);
+        return failure.empty() && !found.empty() ? value_at(answer, found.rbegin()->second) : none;
+    };
+    const double value = run(kTightRun);
+    return std::abs(value - run(kLooseRun)) <= answer.tolerance ? value : none;
 }
 
 RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
     RightAnswer right;
-    const std::optional<Instant> instant = instant_at(story, answer.when);
-    if (!instant) { return right; }
-    const QuantityValue value = evaluate(answer.quantity, *instant, answer.derivative);
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (answer.when.by_forces) {
+        value = value_by_forces(answer, story.lesson());
+    } else if (const auto instant = driven_instant(story, answer.when.t)) {
+        value = value_at(answer, *instant);
+    }
     const double factor = answer.in_degrees ? kDegreesPerRadian : 1.0;
-    right.number = factor * value.derivatives[static_cast<std::size_t>(answer.derivative)];
+    right.number = factor * value;
     right.tolerance = factor * answer.tolerance;
     const bool modulo_turn = answer.derivative == 0 && is_modulo_turn(answer.quantity);
     right.turn = modulo_turn ? factor * 2.0 * std::numbers::pi : 0.0;
@@ -106,7 +110,7 @@ RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
 }
 
 std::string answer_text(const Question& question, const RightAnswer& right) {
-    if (!right.known) { return "This scene does not get there."; }
+    if (!right.known) { return "It cannot be told in this scene."; }
     if (right.choice >= 0) { return choices_of(question)[static_cast<std::size_t>(right.choice)]; }
     const std::string unit = unit_of_answer(question);
     // as many digits as the tolerance asks for, and two more

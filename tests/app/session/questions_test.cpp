@@ -2,6 +2,7 @@
 
 #include "app/session/output/describe.hpp"
 #include "app/session/view/view.hpp"
+#include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::test {
@@ -148,6 +149,62 @@ TEST_CASE("answers are understood with units, as fractions and by their number",
         CHECK(answer.right == given.right);
         CHECK_FALSE(answer.note.empty());
     }
+}
+
+TEST_CASE(
+    "an answer of dynamics is that of its own time, between the moments of the story", "[app][questions]") {
+    const Lesson lesson = lesson_of_text(R"(format = 1
+title = "A stone"
+
+[[body]]
+name = "stone"
+position = [0, 0, 100]
+velocity = [0, 0, 3]
+mass = 2
+inertia = [1, 1, 1]
+
+[dynamics]
+gravity = [0, 0, -10]
+duration = 4
+
+[[question]]
+at = "motion"
+ask = "How high?"
+quantity = "stone.z"
+at_s = 1.2345
+tolerance = 1e-6
+)");
+    StoryOptions few;
+    few.intervals = 3;
+    const Story story(lesson, few);
+    const int answered = steps_of(story, Step::Kind::answer, 0).at(0);
+    const RightAnswer right =
+        right_answer(story, lesson.questions[0], story.steps()[static_cast<std::size_t>(answered)]);
+    REQUIRE(right.known);
+    CHECK(right.number == Approx(100.0 + 3.0 * 1.2345 - 5.0 * 1.2345 * 1.2345).epsilon(1e-12));
+}
+
+TEST_CASE("every question of every shipped lesson has an answer", "[app][questions]") {
+    int questions = 0;
+    for (const auto& file : lessons_below(catalogue_folder())) {
+        const ReadResult read = read_lesson_file(file);
+        REQUIRE(read.lesson);
+        if (read.lesson->questions.empty()) { continue; }
+        const Story story(*read.lesson);
+        for (const Step& step : story.steps()) {
+            if (step.kind != Step::Kind::answer) { continue; }
+            const Question& question = read.lesson->questions[static_cast<std::size_t>(step.question)];
+            CAPTURE(file, question.ask);
+            const RightAnswer right = right_answer(story, question, step);
+            CHECK(right.known);
+            ++questions;
+            // what is right is judged to be right when it is typed
+            const QuestionView view = question_view_of(story, step);
+            const std::string typed = right.choice >= 0 ? std::to_string(right.choice + 1) : view.answer;
+            CHECK(judge_answer(view, right, typed).right);
+        }
+    }
+    CHECK(questions > 50);
 }
 
 TEST_CASE("a question about a joint goes with it, and the others stay", "[app][questions]") {
