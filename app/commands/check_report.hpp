@@ -6,7 +6,7 @@
 
 #include "app/session/claims/checks.hpp"
 
-/// What `jointwise check` found, and its ways of writing it down: text, JSON, JUnit.
+/// Results of `jointwise check` and their forms: text, JSON, JUnit.
 namespace jw {
 
 /// Claims of one lesson, judged, or why there is nothing to judge.

@@ -22,7 +22,7 @@ struct ListOptions {
     std::string format;
 };
 
-/// What is listed: lessons of a folder that have all words.
+/// Request for the lessons of a folder that have all words.
 struct ListRequest {
     std::string folder;
     std::string words;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "lessons/reader.hpp"
 #include "lessons/search.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
+#include "tests/lessons/support.hpp"
 
 namespace jw::test {
 
@@ -19,13 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSlides = 25;
-
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 struct Row {
     int slide = 0;
@@ -61,7 +54,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::vector<Row> rows_of_map() {
     std::vector<Row> rows;
-    std::istringstream page(text_of(fs::path(JW_SOURCE_ROOT) / "docs/map.md"));
+    std::istringstream page(text_of_file("docs/map.md"));
     for (std::string line; std::getline(page, line);) {
         if (!std::regex_search(line, std::regex("^\\| [0-9]"))) { continue; }
         const std::vector<std::string> cells = cells_of(line);
@@ -88,7 +81,7 @@ std::string all_tests() {
     std::string all;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(JW_SOURCE_ROOT) / "tests")) {
         if (entry.path().extension() == ".cpp" && entry.path().filename() != "map_test.cpp") {
-            all += text_of(entry.path());
+            all += text_of_file(fs::relative(entry.path(), JW_SOURCE_ROOT).string());
         }
     }
     return all;
@@ -122,7 +115,7 @@ TEST_CASE("code and tests that docs/map.md names are there", "[app][docs]") {
     for (const Row& row : rows_of_map()) {
         for (const auto& [name, file] : row.code) {
             CAPTURE(row.slide, name, file);
-            const std::string text = text_of(fs::path(JW_SOURCE_ROOT) / file);
+            const std::string text = text_of_file(file);
             CHECK(std::regex_search(text, std::regex("\\b" + name + "\\b")));
         }
         for (const std::string& test : row.tests) {

@@ -130,7 +130,8 @@ void FrameFolder::remove(const std::string& name) const {
     if (error) { fail(folder_ / name, "cannot be removed: " + error.message()); }
 }
 
-/// What was drawn and is not in its place; other files in that folder stay, and the folder with them.
+/// Removes pictures that were drawn and are not in their place; other files in that folder stay, and the
+/// folder with them.
 void FrameFolder::clear_drawn() const {
     std::error_code ignored;
     if (fs::is_symlink(drawn_, ignored)) { return; }

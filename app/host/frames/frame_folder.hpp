@@ -30,7 +30,7 @@ public:
     /// @throws std::runtime_error if the manifest cannot be written
     void finish(const std::string& manifest);
 
-    /// Where pictures are written until then.
+    /// Folder that pictures are written into until then.
     const std::filesystem::path& drawn() const { return drawn_; }
 
 private:

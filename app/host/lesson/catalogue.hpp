@@ -27,7 +27,7 @@ std::vector<CatalogueEntry> catalogue_of(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
     const std::vector<std::filesystem::path>& unsaved = {});
 
-/// Which entries a search shows (lessons/search.hpp).
+/// Entries that a search shows (lessons/search.hpp).
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search);
 
 /// The lessons opened last, newest first, kept in a small text file.
