@@ -36,11 +36,12 @@ std::string name_in(Fields& fields, const Names& before) {
     fields.call("chapter " + in_quotes(name->value));
     if (!is_plain_name(name->value)) {
         fields.problems().add(
-            name->span,
+            Code::course_name, name->span,
             in_quotes(name->value) + " is no name of a folder; expected the folder beside this file");
     } else if (is_in(before, name->value)) {
         fields.problems().add(
-            name->span, "there are two chapters " + in_quotes(name->value) + "; expected each of them once");
+            Code::course_twice, name->span,
+            "there are two chapters " + in_quotes(name->value) + "; expected each of them once");
     }
     return name->value;
 }
@@ -52,7 +53,7 @@ Names needs_in(Fields& fields, const Names& before) {
     for (const auto& [name, span] : list->value) {
         if (!is_in(before, name)) {
             fields.problems().add(
-                span,
+                Code::course_needs, span,
                 "no chapter " + in_quotes(name) + " comes before this one; expected " +
                     (before.empty() ? "an empty list" : "some of " + comma_list(before)),
                 did_you_mean(name, before));
@@ -69,10 +70,12 @@ Names lessons_in(Fields& fields) {
     for (const auto& [name, span] : list->value) {
         if (!is_plain_name(name) || !name.ends_with(".toml")) {
             fields.problems().add(
-                span, in_quotes(name) + " is no name of a lesson file; expected one as 'four-bar.toml'");
+                Code::course_name, span,
+                in_quotes(name) + " is no name of a lesson file; expected one as 'four-bar.toml'");
         } else if (is_in(lessons, name)) {
             fields.problems().add(
-                span, "the lesson " + in_quotes(name) + " is named twice; expected each of them once");
+                Code::course_twice, span,
+                "the lesson " + in_quotes(name) + " is named twice; expected each of them once");
         }
         lessons.push_back(name);
     }
@@ -198,7 +201,7 @@ CourseRead read_course_of(const fs::path& folder) {
     if (file.problem.empty()) { return read_course(std::move(file.text), path.string()); }
     CourseRead read;
     const std::string message = file.problem + "; expected the order of a course";
-    read.diagnostics.push_back({path.string(), {}, message, {}, Severity::error});
+    read.diagnostics.push_back({path.string(), {}, Code::file_unreadable, message, {}, Severity::error});
     return read;
 }
 

@@ -101,7 +101,7 @@ std::string to_string(const Diagnostic& diagnostic, std::string_view source) {
         text += ':' + std::to_string(diagnostic.span.line) + ':' + std::to_string(diagnostic.span.column);
     }
     text += diagnostic.severity == Severity::error ? ": error: " : ": warning: ";
-    text += diagnostic.message + '\n';
+    text += diagnostic.message + " [" + std::string(entry_of(diagnostic.code).printed) + "]\n";
     const std::string_view line = line_of(source, diagnostic.span.line);
     if (diagnostic.span.line > 0 && !line.empty()) { text += underlined(line, diagnostic.span); }
     if (!diagnostic.hint.empty()) { text += "  hint: " + diagnostic.hint + '\n'; }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/codes.hpp"
 #include "lessons/source_span.hpp"
 
 /// Diagnostics of a lesson file: where something is wrong, what is wrong, what was expected and what to do.
@@ -19,14 +20,16 @@ enum class Severity { error, warning };
 struct Diagnostic {
     std::string file;
     SourceSpan span;
+    Code code{};          ///< of the cause
     std::string message;  ///< what is wrong; what was expected
     std::string hint;     ///< what to do, may be empty
     Severity severity = Severity::error;
 };
 
-/// Compiler style, with the line of `source` underlined; of a very long line only the part around it.
+/// Compiler style, with the line of `source` underlined; of a very long line only the part around it. The
+/// code stands at the end, where it keeps no editor from seeing "FILE:LINE:COLUMN: error: ".
 ///
-///   four-bar.toml:29:12: error: unknown body 'couper'; expected one of ground, crank, coupler
+///   four-bar.toml:29:12: error: unknown body 'couper'; expected one of ground, crank, coupler [JW301]
 ///     bodies = ["couper", "rocker"]
 ///               ^~~~~~~~
 ///     hint: did you mean 'coupler'?

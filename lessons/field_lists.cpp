@@ -24,22 +24,26 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
                                                : "a list of 1 to " + std::to_string(most) + " numbers";
     const toml::array* list = node.as_array();
     if (list == nullptr) {
-        problems_->add(span_of(node.source()), what + " is " + kind_of(node) + "; expected " + expected);
+        problems_->add(
+            Code::wrong_type, span_of(node.source()),
+            what + " is " + kind_of(node) + "; expected " + expected);
         return std::nullopt;
     }
     const bool wrong_count = count != 0 ? list->size() != count : list->empty() || list->size() > most;
     if (wrong_count) {
         problems_->add(
-            span_of(node.source()), what + " has " + std::to_string(list->size()) +
-                                        (list->size() == 1 ? " entry" : " entries") + "; expected " +
-                                        expected);
+            Code::wrong_count, span_of(node.source()),
+            what + " has " + std::to_string(list->size()) + (list->size() == 1 ? " entry" : " entries") +
+                "; expected " + expected);
         return std::nullopt;
     }
     Located<std::vector<double>> out{{}, span_of(node.source())};
     for (const toml::node& entry : *list) {
         const std::string which = "entry " + std::to_string(out.value.size() + 1) + " of " + what;
         if (!entry.is_number()) {
-            problems_->add(span_of(entry.source()), which + " is " + kind_of(entry) + "; expected a number");
+            problems_->add(
+                Code::wrong_type, span_of(entry.source()),
+                which + " is " + kind_of(entry) + "; expected a number");
             return std::nullopt;
         }
         const auto value = number_in(entry, which);
@@ -69,7 +73,8 @@ std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
     if (list == nullptr || list->size() != 3) {
         const std::string is = list == nullptr ? kind_of(*node) : std::to_string(list->size()) + " rows";
         problems_->add(
-            span_of(node->source()), in_quotes(key) + " is " + is + "; expected three rows of three numbers");
+            list == nullptr ? Code::wrong_type : Code::wrong_count, span_of(node->source()),
+            in_quotes(key) + " is " + is + "; expected three rows of three numbers");
         return std::nullopt;
     }
     Located<Mat3> out{Mat3::Zero(), span_of(node->source())};
@@ -93,10 +98,11 @@ std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
     if (v && v->value.stableNorm() < kShortestDirection) {
         const bool zero = v->value.isZero(0.0);
         problems_->add(
-            v->span, in_quotes(key) +
-                         (zero ? " has length 0; expected a direction, three numbers not all zero"
-                               : " is too short to be a direction, " + short_number(v->value.stableNorm()) +
-                                     "; expected a length of at least " + short_number(kShortestDirection)));
+            Code::zero_direction, v->span,
+            in_quotes(key) +
+                (zero ? " has length 0; expected a direction, three numbers not all zero"
+                      : " is too short to be a direction, " + short_number(v->value.stableNorm()) +
+                            "; expected a length of at least " + short_number(kShortestDirection)));
         return std::nullopt;
     }
     return v;
@@ -114,9 +120,9 @@ std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::str
     for (const toml::node& entry : *list) {
         if (!entry.is_string()) {
             problems_->add(
-                span_of(entry.source()), "entry " + std::to_string(out.value.size() + 1) + " of " +
-                                             in_quotes(key) + " is " + kind_of(entry) +
-                                             "; expected a name in quotes");
+                Code::wrong_type, span_of(entry.source()),
+                "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key) + " is " +
+                    kind_of(entry) + "; expected a name in quotes");
             return std::nullopt;
         }
         out.value.push_back({entry.as_string()->get(), span_of(entry.source())});

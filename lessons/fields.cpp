@@ -47,7 +47,7 @@ SourceSpan Fields::place_in(std::string_view key, std::size_t at) const {
 
 void Fields::wrong_type(std::string_view key, const toml::node& node, std::string_view expected) {
     problems_->add(
-        span_of(node.source()),
+        Code::wrong_type, span_of(node.source()),
         in_quotes(key) + " is " + kind_of(node) + "; expected " + std::string(expected));
 }
 
@@ -56,12 +56,13 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
         node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
     if (!std::isfinite(value)) {
         problems_->add(
-            span_of(node.source()), what + " is " + short_number(value) + "; expected a finite number");
+            Code::out_of_range, span_of(node.source()),
+            what + " is " + short_number(value) + "; expected a finite number");
         return std::nullopt;
     }
     if (std::abs(value) > kLargestNumber) {
         problems_->add(
-            span_of(node.source()),
+            Code::out_of_range, span_of(node.source()),
             what + " is " + short_number(value) + "; expected at most 1e9 in magnitude",
             "lengths are in m, masses in kg, times in s");
         return std::nullopt;
@@ -80,13 +81,15 @@ std::optional<Located<std::string>> Fields::text(std::string_view key) {
     std::string value = node->as_string()->get();
     if (value.size() > kLongestText) {
         problems_->add(
-            where, in_quotes(key) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
-                       std::to_string(kLongestText));
+            Code::too_much, where,
+            in_quotes(key) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
+                std::to_string(kLongestText));
         return std::nullopt;
     }
     if (std::ranges::any_of(value, is_control)) {
         problems_->add(
-            where, in_quotes(key) + " contains a control character; expected text that can be shown");
+            Code::character, where,
+            in_quotes(key) + " contains a control character; expected text that can be shown");
         return std::nullopt;
     }
     std::erase(value, '\r');
@@ -103,7 +106,7 @@ std::optional<Located<std::string>> Fields::words(std::string_view key) {
 void Fields::check_words(const Located<std::string>& words) {
     for (math::Problem& problem : math::text_parts(words.value).problems) {
         const SourceSpan place = place_in_text(problems_->source(), words.span, problem.at);
-        problems_->add(place, std::move(problem.message), std::move(problem.hint));
+        problems_->add(Code::unreadable_formula, place, std::move(problem.message), std::move(problem.hint));
     }
 }
 
@@ -111,7 +114,9 @@ std::optional<Located<std::string>> Fields::formula(std::string_view key) {
     auto source = text(key);
     if (!source) { return source; }
     if (auto problem = math::read_math(source->value).problem) {
-        problems_->add(place_in(key, problem->at), std::move(problem->message), std::move(problem->hint));
+        problems_->add(
+            Code::unreadable_formula, place_in(key, problem->at), std::move(problem->message),
+            std::move(problem->hint));
         return std::nullopt;
     }
     return source;
@@ -133,7 +138,7 @@ std::optional<Located<double>> Fields::positive(std::string_view key) {
     auto value = number(key);
     if (value && value->value <= 0.0) {
         problems_->add(
-            value->span,
+            Code::out_of_range, value->span,
             in_quotes(key) + " is " + short_number(value->value) + "; expected a number above 0");
         return std::nullopt;
     }
@@ -144,8 +149,9 @@ std::optional<Located<double>> Fields::not_negative(std::string_view key) {
     auto value = number(key);
     if (value && value->value < 0.0) {
         problems_->add(
-            value->span, in_quotes(key) + " is " + short_number(value->value) +
-                             "; expected a number that is not negative");
+            Code::out_of_range, value->span,
+            in_quotes(key) + " is " + short_number(value->value) +
+                "; expected a number that is not negative");
         return std::nullopt;
     }
     return value;
@@ -157,7 +163,7 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
     if (!node->is_integer()) {
         if (const auto* fraction = node->as_floating_point()) {
             problems_->add(
-                span_of(node->source()),
+                Code::wrong_type, span_of(node->source()),
                 in_quotes(key) + " is " + short_number(fraction->get()) + "; expected a whole number");
             return std::nullopt;
         }
@@ -167,8 +173,9 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
     const auto value = node->as_integer()->get();
     if (value < least || value > most) {
         problems_->add(
-            span_of(node->source()), in_quotes(key) + " is " + std::to_string(value) + "; expected " +
-                                         std::to_string(least) + " to " + std::to_string(most));
+            Code::out_of_range, span_of(node->source()),
+            in_quotes(key) + " is " + std::to_string(value) + "; expected " + std::to_string(least) + " to " +
+                std::to_string(most));
         return std::nullopt;
     }
     return Located<int>{static_cast<int>(value), span_of(node->source())};
@@ -206,14 +213,15 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
     std::vector<Fields> out;
     if (list->size() > most) {
         problems_->add(
-            span_of(node->source()), "there are " + std::to_string(list->size()) + " times " +
-                                         in_quotes(key) + "; expected at most " + std::to_string(most));
+            Code::too_much, span_of(node->source()),
+            "there are " + std::to_string(list->size()) + " times " + in_quotes(key) + "; expected at most " +
+                std::to_string(most));
         return out;
     }
     for (const toml::node& entry : *list) {
         if (!entry.is_table()) {
             problems_->add(
-                span_of(entry.source()),
+                Code::wrong_type, span_of(entry.source()),
                 "an entry of " + in_quotes(key) + " is " + kind_of(entry) + "; expected a table");
             continue;
         }
@@ -228,7 +236,7 @@ std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<
     const auto found = std::ranges::find(words, value->value);
     if (found == words.end()) {
         problems_->add(
-            value->span,
+            Code::unknown_word, value->span,
             "unknown " + std::string(key) + ' ' + in_quotes(value->value) + "; expected one of " +
                 comma_list(words),
             did_you_mean(value->value, words));
@@ -266,14 +274,16 @@ void Fields::missing(std::string_view key, std::string_view expected) {
         const std::size_t unit = in_radians.find("_deg");
         if (unit != std::string::npos) { in_radians.replace(unit, 4, "_rad"); }
         problems_->add(
-            span_of(other->source()),
+            Code::unknown_key, span_of(other->source()),
             "unknown key " + in_quotes(other->str()) + " in " + what_ + "; expected " + in_quotes(key) +
                 (in_radians != key && in_radians != other->str() ? " or " + in_quotes(in_radians) : ""),
             "did you mean " + in_quotes(key) + "?");
         known_.emplace(other->str());
         return;
     }
-    problems_->add(span(), what_ + " has no " + in_quotes(key) + "; expected " + std::string(expected));
+    problems_->add(
+        Code::missing_key, span(),
+        what_ + " has no " + in_quotes(key) + "; expected " + std::string(expected));
 }
 
 void Fields::require(std::string_view key, std::string_view expected) {
@@ -287,8 +297,9 @@ bool Fields::at_most_one(const std::vector<std::string>& keys) {
     }
     if (present.size() <= 1) { return true; }
     problems_->add(
-        span(present[1]), in_quotes(present[1]) + " beside " + in_quotes(present[0]) +
-                              "; expected only one of " + comma_list(keys));
+        Code::exclusive_keys, span(present[1]),
+        in_quotes(present[1]) + " beside " + in_quotes(present[0]) + "; expected only one of " +
+            comma_list(keys));
     return false;
 }
 
@@ -298,7 +309,7 @@ void Fields::finish() {
         if (known_.contains(key.str())) { continue; }
         if (problems_->is_full()) { return; }
         problems_->add(
-            span_of(key.source()),
+            Code::unknown_key, span_of(key.source()),
             "unknown key " + in_quotes(key.str()) + " in " + what_ + "; expected one of " + comma_list(names),
             did_you_mean(key.str(), names));
     }

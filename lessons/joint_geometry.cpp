@@ -53,7 +53,8 @@ void read_points(Fields& fields, const BodyPair& pair, const JointType& type, Jo
     if (!one_way(fields, "at", {"point_i", "point_j"}, "a point, three numbers in m")) { return; }
     if (needs.two_points && fields.has("to") && !fields.has("at")) {
         fields.problems().add(
-            fields.span("to"), "'to' without 'at'; expected both or 'point_i' and 'point_j'");
+            Code::lonely_key, fields.span("to"),
+            "'to' without 'at'; expected both or 'point_i' and 'point_j'");
         return;
     }
     if (at) {
@@ -72,7 +73,7 @@ void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, 
     g.s_j_local = pair.vector_j(axis2->value.normalized());
     if (!is_perpendicular(axis.value, axis2->value)) {
         fields.problems().add(
-            axis2->span,
+            Code::not_perpendicular, axis2->span,
             "'axis' and 'axis2' make an angle of " +
                 short_number(degrees_between(axis.value, axis2->value), 4) + " deg; expected 90 deg",
             "a start that is not assembled is given by 'axis_i' and 'axis_j'");
@@ -95,7 +96,8 @@ bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, Jo
         if (needs.arms) { read_arms(fields, pair, *axis, g); }
     } else if (needs.arms && !fields.has("axis") && fields.has("axis2")) {
         fields.problems().add(
-            fields.span("axis2"), "'axis2' without 'axis'; expected both or 'axis_i' and 'axis_j'");
+            Code::lonely_key, fields.span("axis2"),
+            "'axis2' without 'axis'; expected both or 'axis_i' and 'axis_j'");
     }
     if (axis_i) { g.s_i_local = axis_i->value; }
     if (axis_j) { g.s_j_local = axis_j->value; }
@@ -117,9 +119,9 @@ void check_side(
                                  : "perpendicular: " + key + " = [" + short_number(across.x()) + ", " +
                                        short_number(across.y()) + ", " + short_number(across.z()) + "]";
     if (must_be) {
-        fields.problems().add(side.span, message, hint);
+        fields.problems().add(Code::not_perpendicular, side.span, message, hint);
     } else {
-        fields.problems().warn(side.span, message, hint);
+        fields.problems().warn(Code::not_perpendicular, side.span, message, hint);
     }
 }
 
@@ -213,7 +215,8 @@ void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointG
     g.length = pair.d(g.P_i_local, g.P_j_local).norm();
     if (g.length < kSmallestLength) {
         fields.problems().add(
-            fields.span(), fields.what() + ": the two points coincide; expected a distance above 0",
+            Code::points_coincide, fields.span(),
+            fields.what() + ": the two points coincide; expected a distance above 0",
             "for a spherical joint use type = \"spherical\"");
     }
 }

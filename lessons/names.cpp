@@ -36,22 +36,23 @@ std::string Reading::declare(Fields& fields, Named::Kind kind, int index) {
     if (!name) { return {}; }
     if (const std::string fault = fault_of(name->value); !fault.empty()) {
         problems->add(
-            name->span, "the name " + in_quotes(name->value) + ' ' + fault +
-                            "; expected 1 to 80 characters without dots and quotes");
+            Code::faulty_name, name->span,
+            "the name " + in_quotes(name->value) + ' ' + fault +
+                "; expected 1 to 80 characters without dots and quotes");
         return {};
     }
     fields.call(word + ' ' + in_quotes(name->value));
     if (kind != Named::Kind::body && (name->value == "bodies" || name->value == "motion")) {
         problems->add(
-            name->span,
+            Code::taken_name, name->span,
             in_quotes(name->value) + " is the name of a step; expected another name for the " + word);
     }
     const auto [there, is_new] = names.try_emplace(name->value, Named{kind, index, name->span, true});
     if (!is_new) {
         problems->add(
-            name->span, "the name " + in_quotes(name->value) + " is taken by the " +
-                            word_for(there->second.kind) + " in line " +
-                            std::to_string(there->second.span.line) + "; expected a name of its own");
+            Code::taken_name, name->span,
+            "the name " + in_quotes(name->value) + " is taken by the " + word_for(there->second.kind) +
+                " in line " + std::to_string(there->second.span.line) + "; expected a name of its own");
     }
     return name->value;
 }
@@ -83,7 +84,7 @@ const Named* Reading::find(const Located<std::string>& name, const Kinds& kinds)
     const std::string message = found == names.end() ? "unknown " + wanted + ' ' + in_quotes(name.value)
                                                      : in_quotes(name.value) + " is a " +
                                                            word_for(found->second.kind) + ", not a " + wanted;
-    problems->add(name.span, message + expected, did_you_mean(name.value, candidates));
+    problems->add(Code::unknown_name, name.span, message + expected, did_you_mean(name.value, candidates));
     return nullptr;
 }
 

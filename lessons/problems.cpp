@@ -4,15 +4,15 @@
 
 namespace jw {
 
-void Problems::add(const SourceSpan& span, std::string message, std::string hint) {
+void Problems::add(Code code, const SourceSpan& span, std::string message, std::string hint) {
     ++errors_count_;
     if (is_full()) { return; }
-    list_.push_back({file_, span, std::move(message), std::move(hint), Severity::error});
+    list_.push_back({file_, span, code, std::move(message), std::move(hint), Severity::error});
 }
 
-void Problems::warn(const SourceSpan& span, std::string message, std::string hint) {
+void Problems::warn(Code code, const SourceSpan& span, std::string message, std::string hint) {
     if (is_full()) { return; }
-    list_.push_back({file_, span, std::move(message), std::move(hint), Severity::warning});
+    list_.push_back({file_, span, code, std::move(message), std::move(hint), Severity::warning});
 }
 
 std::vector<Diagnostic> Problems::take() {

@@ -26,9 +26,9 @@ public:
 
     const std::string& source() const { return *source_; }
 
-    void add(const SourceSpan& span, std::string message, std::string hint = {});
+    void add(Code code, const SourceSpan& span, std::string message, std::string hint = {});
     /// A warning does not keep the lesson from being read.
-    void warn(const SourceSpan& span, std::string message, std::string hint = {});
+    void warn(Code code, const SourceSpan& span, std::string message, std::string hint = {});
 
     int errors_count() const { return errors_count_; }
     /// Nobody reads so many: looking for more is not worth the time.

@@ -39,7 +39,8 @@ void refuse(Fields& fields, const Located<std::string>& text, const Named& named
         case Named::Kind::driver: possible = words_behind(owner, quantities_of_driver(m, named.index), m);
     }
     fields.problems().add(
-        text.span, in_quotes(text.value) + " is not a quantity of " + of + "; expected one of " + possible);
+        Code::unknown_quantity, text.span,
+        in_quotes(text.value) + " is not a quantity of " + of + "; expected one of " + possible);
 }
 
 /// Finds the owner in a quantity's name; reports it if there is none.
@@ -52,7 +53,7 @@ const Named* owner_of(Fields& fields, const Located<std::string>& text, const Re
     for (const auto& [name, named] : reading.names) { names.push_back(name); }
     names.emplace_back("energy");
     fields.problems().add(
-        text.span,
+        Code::unknown_quantity, text.span,
         in_quotes(text.value) + " is not a quantity; expected NAME.WHAT with NAME one of " +
             comma_list(names),
         has_word ? did_you_mean(owner, names) : "for example " + owner + ".x");
@@ -84,14 +85,16 @@ std::optional<NamedQuantity> read_quantity(
     }
     if (!read) {
         fields.problems().add(
-            text.span, in_quotes(text.value) +
-                           " is not a quantity; expected energy.kinetic, energy.potential, "
-                           "energy.sum or jacobian.smallest_singular_value");
+            Code::unknown_quantity, text.span,
+            in_quotes(text.value) +
+                " is not a quantity; expected energy.kinetic, energy.potential, "
+                "energy.sum or jacobian.smallest_singular_value");
         return std::nullopt;
     }
     if (!read->name_of_today.empty()) {
         fields.problems().warn(
-            text.span, in_quotes(text.value) + " is now called " + in_quotes(read->name_of_today),
+            Code::old_name, text.span,
+            in_quotes(text.value) + " is now called " + in_quotes(read->name_of_today),
             "the old name goes with the next version");
     }
     NamedQuantity out = read->named;
@@ -107,7 +110,8 @@ std::optional<NamedQuantity> read_quantity(
     }
     if (needs_masses(out.quantity) && !reading.lesson.dynamics) {
         fields.problems().add(
-            text.span, in_quotes(text.value) + " needs masses and forces; expected a table [dynamics]");
+            Code::needs_dynamics, text.span,
+            in_quotes(text.value) + " needs masses and forces; expected a table [dynamics]");
     }
     return out;
 }

@@ -26,8 +26,8 @@ void read_p(Fields& fields, Body& body) {
         hint += "]";
     }
     fields.problems().add(
-        list->span, "'p' has length " + short_number(length) + "; expected Euler parameters of length 1",
-        hint);
+        Code::not_unit, list->span,
+        "'p' has length " + short_number(length) + "; expected Euler parameters of length 1", hint);
 }
 
 void read_rotation(Fields& fields, Body& body) {
@@ -65,7 +65,8 @@ void read_velocities(Fields& fields, Body& body) {
 void read_ground(Fields& fields, const Body& body, const Look& look, const ReadMass& mass, Reading& reading) {
     Body& ground = reading.lesson.mechanism.bodies[0];
     if (fields.has("fixed") && !body.fixed) {
-        reading.problems->add(fields.span("fixed"), "the ground does not move; expected fixed = true");
+        reading.problems->add(
+            Code::moving_ground, fields.span("fixed"), "the ground does not move; expected fixed = true");
     }
     ground = body;
     ground.fixed = true;
@@ -119,7 +120,8 @@ void read_bodies(Fields& root, Reading& reading) {
         root.missing("body", "at least one [[body]] that moves");
     } else if (!tables.empty() && reading.lesson.mechanism.moving_bodies_count() == 0) {
         reading.problems->add(
-            tables.front().span(), "no body moves; expected at least one [[body]] that is not fixed");
+            Code::nothing_moves, tables.front().span(),
+            "no body moves; expected at least one [[body]] that is not fixed");
     }
 }
 

@@ -23,10 +23,10 @@ std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     const std::string none = "there is no motion at " + short_number(t->value) + " s; expected a time ";
     if (by_forces) {
         if (!lesson.dynamics || t->value < 0.0 || t->value > lesson.dynamics->duration) {
-            fields.problems().add(t->span, none + "from 0 to 'duration' of [dynamics]");
+            fields.problems().add(Code::no_motion, t->span, none + "from 0 to 'duration' of [dynamics]");
         }
     } else if (!motion || t->value < motion->from || t->value > motion->to) {
-        fields.problems().add(t->span, none + "between 'from_s' and 'to_s' of [motion]");
+        fields.problems().add(Code::no_motion, t->span, none + "between 'from_s' and 'to_s' of [motion]");
     }
     return AtTime{t->value, by_forces};
 }
@@ -89,7 +89,8 @@ void read_dropped(Fields& fields, const Reading& reading, const std::optional<Mo
     const bool is_p1 = ending.starts_with(" p1 ");
     if (component == std::string::npos || (!is_p1 && !ending.starts_with(" p2 "))) {
         fields.problems().add(
-            text->span, in_quotes(t) + " names no equation; expected \"JOINT p1 x\", p1 or p2 and x, y or z");
+            Code::unknown_equation, text->span,
+            in_quotes(t) + " names no equation; expected \"JOINT p1 x\", p1 or p2 and x, y or z");
         return;
     }
     const std::string name = t.substr(0, t.size() - 5);
@@ -99,13 +100,15 @@ void read_dropped(Fields& fields, const Reading& reading, const std::optional<Mo
     const JointType& type = *reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type;
     if (!type.uses(role)) {
         fields.problems().add(
-            text->span, "joint " + in_quotes(name) + " of type " + std::string(type.name) + " has no " +
-                            (is_p1 ? "p1" : "p2") + "; expected a primitive that it is made of");
+            Code::unknown_equation, text->span,
+            "joint " + in_quotes(name) + " of type " + std::string(type.name) + " has no " +
+                (is_p1 ? "p1" : "p2") + "; expected a primitive that it is made of");
     }
     const auto* after = when ? std::get_if<AfterAddition>(&*when) : nullptr;
     if (after != nullptr && reading.place_of(*joint) >= after->count) {
         fields.problems().add(
-            text->span, "joint " + in_quotes(name) + " has not been added by then; expected a later 'after'");
+            Code::not_added_yet, text->span,
+            "joint " + in_quotes(name) + " has not been added by then; expected a later 'after'");
     }
     facts.emplace_back(DroppedClaim{joint->index, role, static_cast<int>(component)}, text->span);
 }
@@ -143,14 +146,15 @@ int read_derivative(
     const bool is_rate = named > 0 || (derivative && derivative->value > 0);
     if (is_rate && !moves) {
         fields.problems().add(
-            derivative ? derivative->span : name,
+            Code::rate_at_rest, derivative ? derivative->span : name,
             std::string("nothing moves before the motion; expected 'at_s' beside ") +
                 (derivative ? "'derivative'" : "a rate"));
     }
     const bool of_forces =
         of && needs_masses(of->quantity) && !std::holds_alternative<EnergyQuantity>(of->quantity);
     if (of_forces && !moves) {
-        fields.problems().add(name, "reactions belong to a motion; expected 'at_s' beside them");
+        fields.problems().add(
+            Code::rate_at_rest, name, "reactions belong to a motion; expected 'at_s' beside them");
     }
     return derivative ? derivative->value : 0;
 }
@@ -194,13 +198,14 @@ void read_claim(Fields& fields, Reading& reading) {
     }
     if (!only_formulas && when && std::holds_alternative<AnyState>(*when)) {
         reading.problems->add(
-            fields.span("any_state"),
+            Code::only_formulas, fields.span("any_state"),
             "only a formula can hold in any state; expected another moment for the other claims");
     }
     static const std::vector<std::string> kFacts = keys_of_facts();
     if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
-            fields.span(), "the claim is empty; expected one or several of " + comma_list(kFacts));
+            Code::missing_key, fields.span(),
+            "the claim is empty; expected one or several of " + comma_list(kFacts));
     }
     fields.finish();
     if (!when) { return; }

@@ -20,9 +20,10 @@ bool place_on_joint(Fields& fields, const Reading& reading, What what, Driver& d
     const auto has = what == What::angle ? &JointType::has_angle : &JointType::has_displacement;
     if (!(joint.type->*has)()) {
         fields.problems().add(
-            name->span, "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
-                            " has no " + (what == What::angle ? "angle" : "displacement") +
-                            "; expected a joint of type " + types_with(has));
+            Code::no_such_freedom, name->span,
+            "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) + " has no " +
+                (what == What::angle ? "angle" : "displacement") + "; expected a joint of type " +
+                types_with(has));
         return false;
     }
     driver.joint = named->index;
@@ -59,7 +60,8 @@ bool place_between_points(Fields& fields, const Reading& reading, Driver& driver
 void check_moves(Fields& fields, const Reading& reading, int body, const SourceSpan& span) {
     const Body& driven = reading.lesson.mechanism.bodies[static_cast<std::size_t>(body)];
     if (!driven.fixed) { return; }
-    fields.problems().add(span, "body " + in_quotes(driven.name) + " is fixed; expected one that moves");
+    fields.problems().add(
+        Code::fixed_body, span, "body " + in_quotes(driven.name) + " is fixed; expected one that moves");
 }
 
 bool place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
@@ -98,7 +100,7 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
     const bool is_held = is_distance && (quantity->joint >= 0 || quantity->driver >= 0);
     if (quantity == nullptr || named->derivative != 0 || is_held) {
         fields.problems().add(
-            name.span,
+            Code::cannot_be_driven, name.span,
             "no driver can prescribe " + in_quotes(name.value) +
                 "; expected the angle or displacement of a joint, a coordinate of a body or the "
                 "distance of two points",
@@ -107,7 +109,7 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
     }
     if (is_distance && quantity->body_i == quantity->body_j) {
         fields.problems().add(
-            name.span,
+            Code::same_body, name.span,
             "both points of " + in_quotes(name.value) + " belong to one body; expected two bodies");
         return false;
     }

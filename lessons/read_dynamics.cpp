@@ -25,13 +25,14 @@ void read_method(Fields& fields, DynamicsPlan& plan) {
     const std::string_view unfit = why_not(plan.method, plan.treatment);
     if (fields.has("treatment") && !unfit.empty()) {
         fields.problems().warn(
-            fields.span("treatment"), std::string(unfit), "'simulate' takes another one with --method");
+            Code::unfit_treatment, fields.span("treatment"), std::string(unfit),
+            "'simulate' takes another one with --method");
     }
     if (const auto tolerance = fields.positive("tolerance")) {
         plan.tolerance = tolerance->value;
         if (!is_tolerance(plan.tolerance)) {
             fields.problems().add(
-                tolerance->span,
+                Code::out_of_range, tolerance->span,
                 "a tolerance of " + short_number(plan.tolerance) + "; " + std::string(kToleranceRange));
         }
     }
@@ -40,9 +41,9 @@ void read_method(Fields& fields, DynamicsPlan& plan) {
     plan.step = step->value;
     if (plan.duration / plan.step > kMostFixedSteps) {
         fields.problems().add(
-            step->span, "steps of " + short_number(plan.step) + " s are " +
-                            short_number(plan.duration / plan.step, 3) +
-                            " in 'duration'; expected at most ten million");
+            Code::too_much, step->span,
+            "steps of " + short_number(plan.step) + " s are " + short_number(plan.duration / plan.step, 3) +
+                " in 'duration'; expected at most ten million");
     }
 }
 
@@ -56,7 +57,8 @@ void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
     const auto at_end = fields.vector("point_at_end");
     if (at_end && !fields.has("point")) {
         fields.problems().add(
-            at_end->span, "'point_at_end' without 'point'; expected the point that it is the end of");
+            Code::lonely_key, at_end->span,
+            "'point_at_end' without 'point'; expected the point that it is the end of");
     } else if (at_end) {
         plan.point_at_end = at_end->value;
         plan.point_at_end_span = at_end->span;
@@ -68,7 +70,7 @@ void warn_of_masses(const Reading& reading) {
     const auto given = std::ranges::find_if(reading.masses, &ReadMass::given);
     if (given == reading.masses.end()) { return; }
     reading.problems->warn(
-        given->span, "masses have no effect in a lesson without [dynamics]",
+        Code::idle_mass, given->span, "masses have no effect in a lesson without [dynamics]",
         "[dynamics] needs a 'duration' in s");
 }
 
@@ -79,13 +81,13 @@ void take_masses(Reading& reading, DynamicsPlan& plan) {
         const auto named = reading.names.find(bodies[b].name);
         if (bodies[b].fixed && reading.masses[b].given) {
             reading.problems->warn(
-                reading.masses[b].span,
+                Code::idle_mass, reading.masses[b].span,
                 "body " + in_quotes(bodies[b].name) + " is fixed; its mass and inertia have no effect",
                 "leave them out, or 'fixed'");
         }
         if (bodies[b].fixed || reading.masses[b].given || named == reading.names.end()) { continue; }
         reading.problems->add(
-            named->second.span,
+            Code::no_mass, named->second.span,
             "body " + in_quotes(bodies[b].name) +
                 " has no mass; expected 'mass' and 'inertia' of every body that moves in a lesson of "
                 "dynamics",
@@ -106,7 +108,8 @@ std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& readi
     const Body& body = reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)];
     if (body.fixed) {
         fields.problems().add(
-            name->span, "body " + in_quotes(name->value) + " is fixed; expected one that moves");
+            Code::fixed_body, name->span,
+            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
         return std::nullopt;
     }
     ReadPoint out{named->index, std::nullopt};

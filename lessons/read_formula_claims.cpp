@@ -50,6 +50,7 @@ void try_out(Fields& fields, const Reading& reading, const formula::Formula& for
     if (!outcome.problem || (outcome.misfit && !holds)) { return; }
     const math::Problem& problem = *outcome.problem;
     reading.problems->add(
+        Code::formula_without_value,
         outcome.definition < 0 ? fields.place_in("formula", problem.at) : fields.span("where"),
         problem.message, problem.hint);
 }
@@ -66,6 +67,7 @@ std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& re
         for (const Located<std::string>& definition : where->value) {
             if (const auto problem = math::read_math(definition.value).problem) {
                 reading.problems->add(
+                    Code::unreadable_formula,
                     place_in_text(reading.problems->source(), definition.span, problem->at), problem->message,
                     problem->hint);
             }

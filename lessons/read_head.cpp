@@ -36,8 +36,9 @@ void read_motion(Fields& root, Lesson& lesson) {
         plan.to = to->value;
         if (plan.to <= plan.from) {
             root.problems().add(
-                to->span, "the motion ends at " + short_number(plan.to) + " s and starts at " +
-                              short_number(plan.from) + " s; expected 'to_s' above 'from_s'");
+                Code::ends_before_start, to->span,
+                "the motion ends at " + short_number(plan.to) + " s and starts at " +
+                    short_number(plan.from) + " s; expected 'to_s' above 'from_s'");
         }
     }
     plan.duration = plan.to - plan.from;
@@ -59,7 +60,8 @@ void read_camera(Fields& root, Lesson& lesson) {
     fields->finish();
     if (camera.from && camera.from->cross(camera.up.value_or(Vec3::UnitZ())).norm() < kAlongUp) {
         root.problems().add(
-            fields->span("from"), "the camera looks along 'up'; expected another direction",
+            Code::camera_along_up, fields->span("from"),
+            "the camera looks along 'up'; expected another direction",
             camera.up ? "" : "'up' is z; give another one, for example up = [0, 1, 0]");
     }
 }

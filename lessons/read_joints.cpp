@@ -44,13 +44,14 @@ void read_without(Fields& fields, Joint& joint) {
             std::vector<std::string> labels;
             for (const LabelledEquation& one : all) { labels.push_back(one.label); }
             fields.problems().add(
-                name.span,
+                Code::unknown_equation, name.span,
                 "a " + std::string(joint.type->name) + " joint has no equation " + in_quotes(name.value) +
                     "; expected one of " + comma_list(labels),
                 did_you_mean(name.value, labels));
         } else if (std::ranges::find(joint.without, found->equation) != joint.without.end()) {
             fields.problems().add(
-                name.span, in_quotes(name.value) + " is in 'without' twice; expected each equation once");
+                Code::named_twice, name.span,
+                in_quotes(name.value) + " is in 'without' twice; expected each equation once");
         } else {
             joint.without.push_back(found->equation);
         }
@@ -104,8 +105,9 @@ PairIndices read_pair(Fields& fields, const Reading& reading) {
     Problems& problems = fields.problems();
     if (names->value.size() != 2) {
         problems.add(
-            names->span, "'bodies' has " + std::to_string(names->value.size()) +
-                             (names->value.size() == 1 ? " entry" : " entries") + "; expected two names");
+            Code::wrong_count, names->span,
+            "'bodies' has " + std::to_string(names->value.size()) +
+                (names->value.size() == 1 ? " entry" : " entries") + "; expected two names");
         return {};
     }
     const Located<std::string>& second = names->value[1];
@@ -115,12 +117,14 @@ PairIndices read_pair(Fields& fields, const Reading& reading) {
     const PairIndices pair{i->index, j->index, i->sound && j->sound};
     if (pair.i == pair.j) {
         problems.add(
-            second.span, "both bodies are " + in_quotes(second.value) + "; expected two different ones");
+            Code::same_body, second.span,
+            "both bodies are " + in_quotes(second.value) + "; expected two different ones");
         return {};
     }
     const auto& bodies = reading.lesson.mechanism.bodies;
     if (bodies[static_cast<std::size_t>(pair.i)].fixed && bodies[static_cast<std::size_t>(pair.j)].fixed) {
-        problems.add(names->span, "both bodies are fixed; expected at least one that moves");
+        problems.add(
+            Code::fixed_body, names->span, "both bodies are fixed; expected at least one that moves");
     }
     return pair;
 }

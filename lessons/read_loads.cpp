@@ -61,7 +61,8 @@ void read_torque(Fields& fields, Reading& reading) {
     if (named == nullptr) { return; }
     if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)].fixed) {
         fields.problems().add(
-            name->span, "body " + in_quotes(name->value) + " is fixed; expected one that moves");
+            Code::fixed_body, name->span,
+            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
     }
     plan.loads.torques.push_back({named->index, vector.direction, vector.frame, vector.magnitude});
 }
@@ -109,7 +110,7 @@ void read_spring(Fields& fields, Reading& reading) {
     const double length = pair.d(spring.P_i_local, spring.P_j_local).norm();
     if (ends_known && bodies.sound && length < kShortestSpring) {
         fields.problems().add(
-            fields.span(),
+            Code::points_coincide, fields.span(),
             "the two points of the spring coincide at the start pose; expected a distance above 0",
             "a force along the line between them has no direction there");
     }
@@ -130,8 +131,9 @@ void read_rotational_spring(Fields& fields, Reading& reading) {
     const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
     if (!joint.type->has_angle()) {
         fields.problems().add(
-            name->span, "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
-                            " has no angle; expected a joint of type " + types_with(&JointType::has_angle));
+            Code::no_such_freedom, name->span,
+            "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
+                " has no angle; expected a joint of type " + types_with(&JointType::has_angle));
         return;
     }
     const BodyPair pair = pair_of(reading, {joint.body_i, joint.body_j, true});
@@ -159,7 +161,7 @@ void check_coordinate_drivers(const Reading& reading) {
         if (m == nullptr || m->coordinate >= 3 || !mass || mass->centre_local.isZero(0.0)) { continue; }
         if (named == reading.names.end()) { continue; }
         reading.problems->add(
-            named->second.span,
+            Code::driven_origin, named->second.span,
             "driver " + in_quotes(driver.name) +
                 " moves the origin of a body whose centre of mass is elsewhere; expected 'centre' at the "
                 "origin in a lesson of dynamics",
@@ -175,9 +177,9 @@ void read_loads(Fields& root, Reading& reading) {
         if (!root.has(kind.key) || dynamics_wrong) { continue; }
         if (!reading.lesson.dynamics) {
             reading.problems->add(
-                root.span(kind.key), in_quotes(kind.key) +
-                                         " in a lesson without [dynamics]; expected a table " +
-                                         "[dynamics] with the 'duration' in s");
+                Code::needs_dynamics, root.span(kind.key),
+                in_quotes(kind.key) + " in a lesson without [dynamics]; expected a table " +
+                    "[dynamics] with the 'duration' in s");
             continue;
         }
         for (Fields& fields : root.tables(kind.key, kMostLoads)) { kind.read(fields, reading); }

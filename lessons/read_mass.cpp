@@ -32,8 +32,9 @@ std::optional<Located<Mat3>> read_tensor(Fields& fields) {
         return Located<Mat3>{J, list->span};
     }
     fields.problems().add(
-        list->span, "'inertia' has " + std::to_string(n.size()) + (n.size() == 1 ? " entry" : " entries") +
-                        "; expected " + kTensor);
+        Code::wrong_count, list->span,
+        "'inertia' has " + std::to_string(n.size()) + (n.size() == 1 ? " entry" : " entries") +
+            "; expected " + kTensor);
     return std::nullopt;
 }
 
@@ -46,13 +47,14 @@ bool check_moments(Fields& fields, const Located<Mat3>& J) {
         short_number(moments(0)) + ", " + short_number(moments(1)) + ", " + short_number(moments(2));
     if (!(moments(0) > kNoMoment * moments(2)) || !(moments(2) > 0.0)) {
         fields.problems().add(
-            J.span, "'inertia' has the principal moments " + text + "; expected all of them above 0",
+            Code::impossible_inertia, J.span,
+            "'inertia' has the principal moments " + text + "; expected all of them above 0",
             "no body has zero thickness: a rod of radius r has m r²/2 about its axis");
         return false;
     }
     if (moments(2) > (1.0 + kTypedDigits) * (moments(0) + moments(1))) {
         fields.problems().add(
-            J.span,
+            Code::impossible_inertia, J.span,
             "'inertia' has the principal moments " + text +
                 "; expected each at most as large as the other two together",
             "a box of edges a, b, c has m/12 [b² + c², a² + c², a² + b²]");
@@ -67,7 +69,8 @@ std::optional<Mat3> read_inertia(Fields& fields) {
     const Mat3 skew = J->value - J->value.transpose();
     if (skew.cwiseAbs().maxCoeff() > kTypedDigits * J->value.cwiseAbs().maxCoeff()) {
         fields.problems().add(
-            J->span, "'inertia' is not symmetric; expected Jxy = Jyx, Jxz = Jzx and Jyz = Jzy");
+            Code::impossible_inertia, J->span,
+            "'inertia' is not symmetric; expected Jxy = Jyx, Jxz = Jzx and Jyz = Jzy");
         return std::nullopt;
     }
     J->value = 0.5 * (J->value + J->value.transpose()).eval();

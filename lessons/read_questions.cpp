@@ -20,7 +20,8 @@ bool read_place(Fields& fields, const Reading& reading, Question& question) {
         question.place = at->value == "bodies" ? Question::Place::bodies : Question::Place::motion;
         if (question.place == Question::Place::motion && !reading.lesson.motion && !reading.lesson.dynamics) {
             reading.problems->add(
-                at->span, "the lesson has no motion; expected a table [motion] or [dynamics]");
+                Code::no_motion, at->span,
+                "the lesson has no motion; expected a table [motion] or [dynamics]");
         }
         return true;
     }
@@ -46,7 +47,7 @@ std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
     const auto* const role = std::ranges::find_if(parallel, [&](Role r) { return word_of(r) == primitive; });
     if (role == parallel.end()) {
         reading.problems->add(
-            text->span,
+            Code::unknown_equation, text->span,
             in_quotes(text->value) + " names no pair of equations; expected \"JOINT p1\" or \"JOINT p2\"");
         return std::nullopt;
     }
@@ -54,7 +55,8 @@ std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
     if (joint == nullptr || !joint->sound) { return std::nullopt; }
     if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type->uses(*role)) {
         reading.problems->add(
-            text->span, "this joint has no " + primitive + "; expected a primitive that it is made of");
+            Code::unknown_equation, text->span,
+            "this joint has no " + primitive + "; expected a primitive that it is made of");
         return std::nullopt;
     }
     return DroppedAnswer{joint->index, *role};
@@ -90,8 +92,9 @@ std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
     const auto right = fields.integer("answer", 1, static_cast<int>(std::max<std::size_t>(1, count)));
     if (count < 2 || count > kMostChoices) {
         reading.problems->add(
-            choices->span, std::to_string(count) + (count == 1 ? " choice" : " choices") +
-                               "; expected 2 to " + std::to_string(kMostChoices));
+            Code::wrong_count, choices->span,
+            std::to_string(count) + (count == 1 ? " choice" : " choices") + "; expected 2 to " +
+                std::to_string(kMostChoices));
         return std::nullopt;
     }
     ChoiceAnswer answer;
@@ -118,7 +121,8 @@ void read_question(Fields& fields, Reading& reading) {
     fields.at_most_one(kinds);
     if (std::ranges::none_of(kinds, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
-            fields.span(), "the question has no answer; expected one of " + comma_list(kinds));
+            Code::missing_key, fields.span(),
+            "the question has no answer; expected one of " + comma_list(kinds));
     }
     std::optional<Answer> answer = read_count(fields);
     if (!answer) { answer = read_dropped(fields, reading); }
@@ -141,7 +145,8 @@ void read_trial(Fields& fields, Lesson& lesson) {
     if (const auto actions = fields.texts("do")) {
         if (actions->value.empty() || actions->value.size() > kMostActions) {
             fields.problems().add(
-                actions->span, "expected 1 to " + std::to_string(kMostActions) + " experiments");
+                Code::wrong_count, actions->span,
+                "expected 1 to " + std::to_string(kMostActions) + " experiments");
         }
         for (const Located<std::string>& action : actions->value) { trial.actions.push_back(action.value); }
     }

@@ -27,8 +27,9 @@ std::optional<Shape> read_box(Fields& fields) {
     box.size = size->value;
     if (box.size.minCoeff() < kSmallestSize) {
         fields.problems().add(
-            size->span, "'size' has an edge of " + short_number(box.size.minCoeff()) +
-                            "; expected three lengths above 0");
+            Code::out_of_range, size->span,
+            "'size' has an edge of " + short_number(box.size.minCoeff()) +
+                "; expected three lengths above 0");
     }
     return box;
 }
@@ -55,7 +56,8 @@ std::optional<Shape> read_bar(Fields& fields) {
     fields.finish();
     if (!from || !to || !radius) { return std::nullopt; }
     if ((from->value - to->value).norm() < kSmallestSize) {
-        fields.problems().add(to->span, "'to' equals 'from'; expected two different points");
+        fields.problems().add(
+            Code::points_coincide, to->span, "'to' equals 'from'; expected two different points");
     }
     return Bar{from->value, to->value, radius->value};
 }
@@ -73,7 +75,8 @@ std::optional<Shape> read_shape(Fields& fields) {
     // an unknown key has been reported as such: most likely it is the form, misspelt
     if (std::ranges::none_of(kShapeKinds, is_there) && fields.problems().errors_count() == errors) {
         fields.problems().add(
-            fields.span(), "the shape names no form; expected one of " + comma_list(kShapeKinds));
+            Code::missing_key, fields.span(),
+            "the shape names no form; expected one of " + comma_list(kShapeKinds));
     }
     return shape;
 }
@@ -114,7 +117,8 @@ std::optional<Mat3> read_frame(Fields& fields) {
     const auto count = std::ranges::count_if(given, [](const auto& axis) { return axis.has_value(); });
     if (count < 2) {
         fields.problems().add(
-            axes->span(), "'axes' has fewer than two axes; expected two or three of x, y, z");
+            Code::missing_key, axes->span(),
+            "'axes' has fewer than two axes; expected two or three of x, y, z");
         return std::nullopt;
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -128,13 +132,15 @@ std::optional<Mat3> read_frame(Fields& fields) {
     const double zx = A.col(2).dot(A.col(0));
     if (std::max({std::abs(xy), std::abs(yz), std::abs(zx)}) > kOrthonormal) {
         fields.problems().add(
-            axes->span(), "the axes are not perpendicular: x·y = " + short_number(xy, 4) +
-                              ", y·z = " + short_number(yz, 4) + ", z·x = " + short_number(zx, 4) +
-                              " for unit axes; expected at most 0.001");
+            Code::not_perpendicular, axes->span(),
+            "the axes are not perpendicular: x·y = " + short_number(xy, 4) +
+                ", y·z = " + short_number(yz, 4) + ", z·x = " + short_number(zx, 4) +
+                " for unit axes; expected at most 0.001");
         return std::nullopt;
     }
     if (A.determinant() < 0.0) {
-        fields.problems().add(axes->span(), "the axes are left-handed; expected x × y = z");
+        fields.problems().add(
+            Code::left_handed, axes->span(), "the axes are left-handed; expected x × y = z");
         return std::nullopt;
     }
     return made_exact(A);
@@ -156,7 +162,7 @@ std::optional<Colour> read_colour(Fields& fields) {
     std::vector<std::string> names;
     for (const NamedColour& colour : kNamedColours) { names.emplace_back(colour.name); }
     fields.problems().add(
-        text->span,
+        Code::unknown_word, text->span,
         "unknown colour " + in_quotes(t) + "; expected \"#rrggbb\" or one of " + comma_list(names),
         did_you_mean(t, names));
     return std::nullopt;

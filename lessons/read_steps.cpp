@@ -15,7 +15,8 @@ Addition addition_of(const Named& named) {
 void set_text(Fields& fields, const Located<std::string>& at, const std::string& words, std::string& text) {
     if (!text.empty()) {
         fields.problems().add(
-            at.span, "the step " + in_quotes(at.value) + " has a text already; expected one for each step");
+            Code::named_twice, at.span,
+            "the step " + in_quotes(at.value) + " has a text already; expected one for each step");
     }
     text = words;
 }
@@ -54,9 +55,10 @@ void read_step(Fields& fields, Reading& reading) {
     if (at_s) {
         if (!moves_at(reading.lesson, at_s->value)) {
             reading.problems->add(
-                at_s->span, "there is no motion at " + short_number(at_s->value) +
-                                " s; expected a time between 'from_s' and 'to_s' of [motion]" +
-                                (reading.lesson.dynamics ? " or within 'duration' of [dynamics]" : ""));
+                Code::no_motion, at_s->span,
+                "there is no motion at " + short_number(at_s->value) +
+                    " s; expected a time between 'from_s' and 'to_s' of [motion]" +
+                    (reading.lesson.dynamics ? " or within 'duration' of [dynamics]" : ""));
         }
         reading.lesson.step_texts.times.push_back({at_s->value, words});
     } else if (at) {
@@ -76,7 +78,8 @@ void read_order(Fields& root, Reading& reading) {
         if (named == nullptr) { continue; }
         if (std::ranges::find(order, addition_of(*named)) != order.end()) {
             root.problems().add(
-                name.span, in_quotes(name.value) + " is in 'order' twice; expected each name once");
+                Code::named_twice, name.span,
+                in_quotes(name.value) + " is in 'order' twice; expected each name once");
             continue;
         }
         order.push_back(addition_of(*named));
@@ -90,8 +93,9 @@ void read_order(Fields& root, Reading& reading) {
             std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), joint) ==
                 order.begin() + static_cast<std::ptrdiff_t>(k)) {
             root.problems().add(
-                names->span, "'order' adds the driver " + in_quotes(driver.name) +
-                                 " before its joint; expected the joint first");
+                Code::driver_before_joint, names->span,
+                "'order' adds the driver " + in_quotes(driver.name) +
+                    " before its joint; expected the joint first");
         }
     }
     for (const Addition& addition : all) {

@@ -72,8 +72,9 @@ void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     step.end = end->value;
     if (step.end - step.start < kShortestStep) {
         fields.problems().add(
-            end->span, "the step ends at " + short_number(step.end) + " s and starts at " +
-                           short_number(step.start) + " s; expected 'end_s' at least 1e-6 s after 'start_s'");
+            Code::ends_before_start, end->span,
+            "the step ends at " + short_number(step.end) + " s and starts at " + short_number(step.start) +
+                " s; expected 'end_s' at least 1e-6 s after 'start_s'");
         return;
     }
     function.steps.push_back(step);
@@ -112,11 +113,12 @@ void check_values(Fields& fields, const TimeFunction& function, double from, dou
         const std::string place = fields.what() + " reaches " + short_number(value.f) +
                                   " at t = " + short_number(t) + " s; expected ";
         if (!finite || std::abs(value.f) > kLargestNumber) {
-            fields.problems().add(fields.span(), place + "at most 1e9 in magnitude");
+            fields.problems().add(Code::beyond_all_values, fields.span(), place + "at most 1e9 in magnitude");
             return;
         }
         if (never_negative && value.f < 0.0) {
-            fields.problems().add(fields.span(), place + "a distance, which is never negative");
+            fields.problems().add(
+                Code::beyond_all_values, fields.span(), place + "a distance, which is never negative");
             return;
         }
     }

@@ -23,7 +23,8 @@ bool read_format(Fields& root, const toml::table& table) {
     if (!format) { return true; }
     if (format->value != kFormat) {
         root.problems().add(
-            format->span, "this is format " + std::to_string(format->value) + "; expected format = 1",
+            Code::other_format, format->span,
+            "this is format " + std::to_string(format->value) + "; expected format = 1",
             "a newer version of Jointwise may support it");
         return false;
     }
@@ -31,7 +32,9 @@ bool read_format(Fields& root, const toml::table& table) {
         return span_of(key.source()).line < format->span.line;
     };
     if (std::ranges::any_of(table, [&](const auto& entry) { return is_before(entry.first); })) {
-        root.problems().add(format->span, "'format' stands after other keys; expected it as the first key");
+        root.problems().add(
+            Code::format_not_first, format->span,
+            "'format' stands after other keys; expected it as the first key");
     }
     return true;
 }
@@ -54,7 +57,7 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
         const auto named = read.names.find(body.name);
         if (held[b] || body.fixed || named == read.names.end()) { continue; }
         problems.warn(
-            named->second.span, "no joint and no driver holds body " + in_quotes(body.name),
+            Code::loose_body, named->second.span, "no joint and no driver holds body " + in_quotes(body.name),
             "it keeps six freedoms");
     }
 }
@@ -64,7 +67,7 @@ ReadResult no_lesson_but_course(std::string source, const std::string& file_name
     CourseRead course = read_course(std::move(source), file_name);
     if (course.diagnostics.empty()) {
         const std::string message = "this is the order of a course; expected a lesson (.toml)";
-        course.diagnostics.push_back({file_name, {}, message, {}, Severity::error});
+        course.diagnostics.push_back({file_name, {}, Code::course_no_lesson, message, {}, Severity::error});
     }
     return {std::nullopt, std::move(course.diagnostics), std::move(course.source)};
 }
@@ -126,7 +129,7 @@ ReadResult read_lesson_file(const std::filesystem::path& path) {
         ReadResult result;
         const std::string name = path.empty() ? "''" : path.string();
         const std::string message = file.problem + "; expected a lesson (.toml)";
-        result.diagnostics.push_back({name, {}, message, {}, Severity::error});
+        result.diagnostics.push_back({name, {}, Code::file_unreadable, message, {}, Severity::error});
         return result;
     }
     if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path.string()); }

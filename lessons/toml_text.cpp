@@ -42,7 +42,8 @@ bool check_utf8(std::string& source, Problems& problems) {
             std::array<char, 8> hex{};
             std::snprintf(hex.data(), hex.size(), "0x%02X", static_cast<unsigned char>(source[k]));
             problems.add(
-                here, "the byte " + std::string(hex.data()) + " is not UTF-8; expected a text file in UTF-8",
+                Code::character, here,
+                "the byte " + std::string(hex.data()) + " is not UTF-8; expected a text file in UTF-8",
                 "save the file with the encoding UTF-8");
             good = false;
         }
@@ -94,8 +95,9 @@ bool check_depth(std::string_view source, Problems& problems) {
         if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) { dots = 0; }
         if (dots > kDeepestKey) {
             problems.add(
-                {line, 1, 1}, "a key has more than " + std::to_string(kDeepestKey) +
-                                  " dots; expected keys as in docs/writing-a-lesson.md");
+                Code::too_much, {line, 1, 1},
+                "a key has more than " + std::to_string(kDeepestKey) +
+                    " dots; expected keys as in docs/writing-a-lesson.md");
             return false;
         }
         ++k;
@@ -114,7 +116,7 @@ void report_syntax(const toml::parse_error& error, Problems& problems) {
     } else if (description.find("could not") != std::string::npos) {
         hint = "texts need quotes, numbers have a decimal point and no comma, true and false are lower case";
     }
-    problems.add(span_of(error.source()), "this is not TOML, in " + description, hint);
+    problems.add(Code::no_toml, span_of(error.source()), "this is not TOML, in " + description, hint);
 }
 
 }  // namespace
@@ -122,7 +124,8 @@ void report_syntax(const toml::parse_error& error, Problems& problems) {
 std::optional<toml::table> parse_toml(std::string& source, Problems& problems) {
     if (source.starts_with(kByteOrderMark)) { source.erase(0, kByteOrderMark.size()); }
     if (source.find_first_not_of(" \t\r\n") == std::string::npos) {
-        problems.add({}, "the file is empty; expected a lesson that begins with format = 1");
+        problems.add(
+            Code::file_empty, {}, "the file is empty; expected a lesson that begins with format = 1");
         return std::nullopt;
     }
     if (!check_utf8(source, problems) || !check_depth(source, problems)) { return std::nullopt; }

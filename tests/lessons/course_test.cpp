@@ -113,7 +113,7 @@ TEST_CASE("A course is no lesson", "[lessons][course]") {
     CHECK_FALSE(read.lesson);
     CHECK(
         read.report() ==
-        file.string() + ": error: this is the order of a course; expected a lesson (.toml)\n");
+        file.string() + ": error: this is the order of a course; expected a lesson (.toml) [JW804]\n");
     school.write("course.toml", "format = 1\nchapters = 3\n");
     CHECK_THAT(read_lesson_file(file).report(), Catch::Contains(":2:1: error: unknown key 'chapters'"));
 }

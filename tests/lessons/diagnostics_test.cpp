@@ -74,14 +74,15 @@ TEST_CASE("Line ends of other systems and a byte order mark change nothing", "[l
     const std::string report = read_lesson(lesson, "lesson.toml").report();
     CHECK(
         report ==
-        "lesson.toml:7:8: error: 'name' is a number; expected a text in quotes\n  name = 3\n         ^\n");
+        "lesson.toml:7:8: error: 'name' is a number; expected a text in quotes [JW203]\n  name = 3\n         "
+        "^\n");
     CHECK(read_lesson(other, "lesson.toml").report() == report);
 }
 
 TEST_CASE("Bytes that are not UTF-8 are named with their place", "[lessons][diagnostics]") {
     CHECK(
         read_lesson("format = 1\ntitle = \"\xCE\xA6 na\xEFve\"\n", "lesson.toml").report() ==
-        "lesson.toml:2:14: error: the byte 0xEF is not UTF-8; expected a text file in UTF-8\n"
+        "lesson.toml:2:14: error: the byte 0xEF is not UTF-8; expected a text file in UTF-8 [JW103]\n"
         "  title = \"Φ na\xEF\xBF\xBDve\"\n"
         "               ^\n"
         "  hint: save the file with the encoding UTF-8\n");
@@ -105,11 +106,13 @@ TEST_CASE("Absurd sizes are refused quickly", "[lessons][diagnostics]") {
     for (int k = 0; k < 501; ++k) { bodies += "[[body]]\nname = \"b" + std::to_string(k) + "\"\n"; }
     CHECK(read_lesson(bodies, "lesson.toml")
               .report()
-              .starts_with("lesson.toml:3:1: error: there are 501 times 'body'; expected at most 500\n"));
-    CHECK(read_lesson(
-              head + "text = \"" + std::string(20001, 'x') + "\"\n[[body]]\nname = \"b\"\n", "lesson.toml")
-              .report()
-              .starts_with("lesson.toml:3:8: error: 'text' has 20001 bytes; expected at most 20000\n"));
+              .starts_with(
+                  "lesson.toml:3:1: error: there are 501 times 'body'; expected at most 500 [JW209]\n"));
+    CHECK(
+        read_lesson(
+            head + "text = \"" + std::string(20001, 'x') + "\"\n[[body]]\nname = \"b\"\n", "lesson.toml")
+            .report()
+            .starts_with("lesson.toml:3:8: error: 'text' has 20001 bytes; expected at most 20000 [JW209]\n"));
     // a million levels would exhaust the stack of a parser that follows them
     std::string deep = "a";
     for (int k = 0; k < 1000000; ++k) { deep += ".'a'"; }
@@ -126,14 +129,17 @@ TEST_CASE("Files that cannot be lessons are refused with their name", "[lessons]
     const std::string name = folder.path().string();
     CHECK(
         report_of_file(folder.path() / "no.toml") ==
-        name + "/no.toml: error: there is no such file; expected a lesson (.toml)\n");
-    CHECK(report_of_file(folder.path()) == name + ": error: this is a folder; expected a lesson (.toml)\n");
+        name + "/no.toml: error: there is no such file; expected a lesson (.toml) [JW101]\n");
+    CHECK(
+        report_of_file(folder.path()) ==
+        name + ": error: this is a folder; expected a lesson (.toml) [JW101]\n");
     CHECK(
         report_of_file(folder.write("empty.toml", "")) ==
-        name + "/empty.toml: error: the file is empty; expected a lesson that begins with format = 1\n");
+        name +
+            "/empty.toml: error: the file is empty; expected a lesson that begins with format = 1 [JW102]\n");
     CHECK(
         report_of_file(folder.write("big.toml", std::string((10U << 20U) + 1, '#'))) ==
-        name + "/big.toml: error: the file is larger than 10 MB; expected a lesson (.toml)\n");
+        name + "/big.toml: error: the file is larger than 10 MB; expected a lesson (.toml) [JW101]\n");
     const ReadResult binary = read_lesson_file(folder.write("x.png", std::string("\x89PNG\0\0\x1A", 7)));
     CHECK(!binary.lesson);
     CHECK(has_error(binary));
