@@ -87,8 +87,8 @@ void check_names(const Mechanism& mechanism) {
 }
 
 /// Any motion through the start pose: rates are asked for wherever it leads.
-struct Path {
-    Path(const Lesson& lesson, unsigned seed) : start(start_state(lesson.mechanism)) {
+struct AnyPath {
+    AnyPath(const Lesson& lesson, unsigned seed) : start(start_state(lesson.mechanism)) {
         test::Random random(seed);
         velocity = zero_motion(lesson.mechanism);
         acceleration = velocity;
@@ -144,7 +144,7 @@ struct Path {
 bool has_derivatives(const Quantity& quantity) { return derivatives_of(quantity) > 0; }
 
 void check_derivatives(const Lesson& lesson, unsigned seed) {
-    const Path path(lesson, seed);
+    const AnyPath path(lesson, seed);
     for (const NamedQuantity& named : every_quantity(lesson.mechanism)) {
         if (named.derivative > 0 || !has_derivatives(named.quantity)) { continue; }
         if (needs_masses(named.quantity) && !path.scene) { continue; }
@@ -275,7 +275,7 @@ TEST_CASE("A quantity that no driver can prescribe is refused", "[lessons][quant
 
 TEST_CASE("Distances and angles between bodies are what geometry says", "[lessons][quantities]") {
     Lesson lesson = test::lesson_of(test::with_two_bodies(""));
-    const Path path(lesson, 1);
+    const AnyPath path(lesson, 1);
     const auto value_of = [&](const std::string& name) {
         return evaluate(read_name(name, lesson.mechanism)->named.quantity, path.at(0.0)).value();
     };
