@@ -85,6 +85,9 @@ public:
     /// A number under `key` + "_deg" or `key` + "_rad" [rad].
     std::optional<Located<double>> angle(std::string_view key);
 
+    /// The value as it stands, for those who copy it; nothing if the key is not there.
+    const toml::node* raw(std::string_view key) { return find(key); }
+
     /// Says that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
     /// Reports that a key is missing, unless it is there (right or wrong).

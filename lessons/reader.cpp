@@ -29,7 +29,9 @@ bool read_format(Fields& root, const toml::table& table) {
         return false;
     }
     const auto is_before = [&](const toml::key& key) {
-        return span_of(key.source()).line < format->span.line;
+        // a key that the program has put there has no line
+        const int line = span_of(key.source()).line;
+        return line > 0 && line < format->span.line;
     };
     if (std::ranges::any_of(table, [&](const auto& entry) { return is_before(entry.first); })) {
         root.problems().add(
@@ -87,9 +89,20 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_steps(root, read);
     reading::read_claims(root, read);
     reading::read_questions(root, read);
+    // read when they are asked for (lessons/exercise)
+    root.has("exercise");
     root.finish();
     if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }
     return std::move(read.lesson);
+}
+
+void read_table(
+    const toml::table& table, const std::string& file_name, Problems& problems, ReadResult& result) {
+    Fields root(table, "the lesson", problems);
+    if (!read_format(root, table)) { return; }
+    Lesson lesson = read_root(root, problems);
+    lesson.file_name = file_name;
+    if (problems.errors_count() == 0) { result.lesson = std::move(lesson); }
 }
 
 }  // namespace
@@ -112,12 +125,21 @@ ReadResult read_lesson(std::string source, std::string file_name) {
     result.source = std::move(source);
     Problems problems(file_name, result.source);
     if (const auto table = reading::parse_toml(result.source, problems)) {
-        Fields root(*table, "the lesson", problems);
-        if (read_format(root, *table)) {
-            Lesson lesson = read_root(root, problems);
-            lesson.file_name = std::move(file_name);
-            if (problems.errors_count() == 0) { result.lesson = std::move(lesson); }
-        }
+        read_table(*table, file_name, problems, result);
+    }
+    result.diagnostics = problems.take();
+    return result;
+}
+
+ReadResult read_lesson_with_claims(std::string source, std::string file_name, const std::string& claims) {
+    ReadResult result;
+    result.source = std::move(source);
+    Problems problems(file_name, result.source);
+    if (auto table = reading::parse_toml(result.source, problems)) {
+        for (const char* key : {"expect", "question", "try", "exercise"}) { table->erase(key); }
+        toml::table others = toml::parse(claims);
+        if (toml::node* const list = others.get("expect")) { table->insert("expect", std::move(*list)); }
+        read_table(*table, file_name, problems, result);
     }
     result.diagnostics = problems.take();
     return result;

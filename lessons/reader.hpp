@@ -23,6 +23,9 @@ struct ReadResult {
 
 /// Never throws for bad input.
 ReadResult read_lesson(std::string source, std::string file_name);
+/// The same with other claims than its own: those of `claims`, tables [[expect]] in TOML. Questions, trials
+/// and exercises of the lesson are left out. Mistakes in the claims are reported without a place.
+ReadResult read_lesson_with_claims(std::string source, std::string file_name, const std::string& claims);
 ReadResult read_lesson_file(const std::filesystem::path& path);
 
 /// "3.3.0", of the TOML parser.

@@ -7,10 +7,12 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/exercises/check_exercise.hpp"
 #include "app/session/claims/carried_claims.hpp"
 #include "app/session/try/trials.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/exercise/read_exercises.hpp"
 
 namespace jw {
 
@@ -35,9 +37,25 @@ Lesson changed_lesson(const Lesson& written, const CheckOptions& options, Checke
     return changed;
 }
 
+/// Students for whom variants of an exercise are drawn and solved.
+constexpr int kStudents = 5;
+
+/// The exercises of a lesson or of a file of exercises.
+void check_exercises_of(const std::string& file, CheckedLesson& checked) {
+    const ExercisesRead read = read_exercise_file(file);
+    if (!read.diagnostics.empty()) { throw CommandError(Exit::bad_input, read.report()); }
+    if (checked.title.empty()) { checked.title = read.title; }
+    std::ranges::move(check_exercises(read.exercises, kStudents), std::back_inserter(checked.claims));
+}
+
 CheckedLesson checked_lesson(const std::string& file, const CheckOptions& options, const Streams& streams) {
     CheckedLesson checked;
     checked.file = file;
+    const ExerciseTables tables = exercise_tables_in(file);
+    if (tables == ExerciseTables::alone) {
+        check_exercises_of(file, checked);
+        return checked;
+    }
     Lesson lesson = lesson_of(file, streams);
     checked.title = lesson.title;
     if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
@@ -45,6 +63,7 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     // experiments of one's own come in place of those that the author proposes
     if (options.experiments.empty()) {
         std::ranges::move(check_trials(lesson), std::back_inserter(checked.claims));
+        if (tables == ExerciseTables::in_lesson) { check_exercises_of(file, checked); }
     }
     return checked;
 }
@@ -101,6 +120,9 @@ private:
             checked.file = path;
             checked.error = error.what();
             while (checked.error.ends_with('\n')) { checked.error.pop_back(); }
+            if (const auto* faulty = dynamic_cast<const FaultyFile*>(&error)) {
+                checked.diagnostics = faulty->diagnostics();
+            }
             streams_.err << checked.error << '\n';
             exit_ = std::max(exit_, error.exit());
             add(std::move(checked));

@@ -14,18 +14,6 @@ using math::SignKind;
 
 bool is_equality(const Node& node) { return is_sign(node, "=") || is_sign(node, "≡"); }
 
-std::vector<Row> sides_of(const Row& equation) {
-    std::vector<Row> sides(1);
-    for (const Node& node : equation) {
-        if (is_equality(node)) {
-            sides.emplace_back();
-        } else {
-            sides.back().push_back(node);
-        }
-    }
-    return sides;
-}
-
 std::string text_of(const Value& value) {
     if (value.kind != Value::Kind::matrix) { return shape_text(value); }
     if (value.d[0].size() > 12) { return shape_text(value) + " matrix"; }
@@ -75,6 +63,24 @@ private:
 };
 
 }  // namespace
+
+std::vector<Row> sides_of(const Row& equation) {
+    std::vector<Row> sides(1);
+    for (const Node& node : equation) {
+        if (is_equality(node)) {
+            sides.emplace_back();
+        } else {
+            sides.back().push_back(node);
+        }
+    }
+    return sides;
+}
+
+Value evaluate_expression(const Row& expression, const std::vector<Row>& where, const Meanings& meanings) {
+    Definitions definitions(meanings);
+    for (const Row& definition : where) { definitions.add(definition); }
+    return evaluate_expression(expression, definitions.meanings());
+}
 
 Outcome evaluate_equation(const Row& equation, const std::vector<Row>& where, const Meanings& meanings) {
     Outcome outcome;

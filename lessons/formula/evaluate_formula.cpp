@@ -173,6 +173,7 @@ private:
     static Value value_of(const std::string& name, const Value& x, const Node& node) {
         if (name == "det") { return determinant(x); }
         if (name == "rank") { return rank(x); }
+        if (name == "largest" || name == "smallest") { return place_of_extreme(x, name == "largest"); }
         if (!x.is_number()) {
             throw Mismatch(name + " is taken of " + shape_text(x) + "; expected a number");
         }
@@ -199,6 +200,21 @@ private:
         // entries are of the size of 1 and known to 15 digits
         qr.setThreshold(1e-9);
         return number(static_cast<double>(qr.rank()));
+    }
+
+    /// The number of the component with the largest or smallest size, from 1.
+    static Value place_of_extreme(const Value& x, bool largest) {
+        if (!x.is_vector()) { throw Mismatch("a component is chosen of " + shape_text(x) + "; expected a vector"); }
+        Eigen::Index place = 0;
+        const VectorX sizes = x.d[0].col(0).cwiseAbs();
+        if (largest) {
+            sizes.maxCoeff(&place);
+        } else {
+            sizes.minCoeff(&place);
+        }
+        Value found = number(static_cast<double>(place + 1));
+        found.order = 0;
+        return found;
     }
 
     Value arc_tangent_of_two(Cursor& cursor, const Node& node) const {

@@ -56,5 +56,11 @@ private:
 /// Evaluates an expression without a relation.
 /// @throws NotEvaluated
 Value evaluate_expression(const math::Row& expression, const Meanings& meanings);
+/// The same after the definitions `where`.
+Value evaluate_expression(
+    const math::Row& expression, const std::vector<math::Row>& where, const Meanings& meanings);
+
+/// Sides of an equation "a = b = c".
+std::vector<math::Row> sides_of(const math::Row& equation);
 
 }  // namespace jw::formula

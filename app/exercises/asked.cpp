@@ -1,0 +1,342 @@
+#include "app/exercises/asked.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "app/exercises/mistakes.hpp"
+#include "app/exercises/units.hpp"
+#include "app/session/claims/claim_poses.hpp"
+#include "app/session/claims/formula_claims.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/try/carry_out.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/quantity_text.hpp"
+#include "core/numerics/variants.hpp"
+#include "lessons/formula/symbol_values.hpp"
+#include "lessons/math/write_math.hpp"
+
+namespace jw {
+
+namespace {
+
+using formula::Value;
+using math::Row;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Feedback with the thing it is about.
+std::string said(std::string_view says, const std::string& what) {
+    std::string text(says);
+    if (const std::size_t at = text.find("{}"); at != std::string::npos) { text.replace(at, 2, what); }
+    return text;
+}
+
+/// The formula of an exercise and what its symbols mean in a variant.
+class AskedFormula {
+public:
+    AskedFormula(const Variant& variant, const FormulaClaim& claim, const Instant& instant)
+        : exercise_(*variant.exercise), meanings_(formula::meanings_of(claim.formula.subject, instant)) {
+        for (const std::string& definition : exercise_.where) {
+            where_.push_back(math::read_math(definition).row);
+        }
+        sides_ = formula::sides_of(math::read_math(exercise_.formula).row);
+    }
+
+    /// What is asked for, and how it is found: the first and the last side.
+    MatrixX asked() const { return value(sides_.front(), where_); }
+    MatrixX found() const { return value(sides_.back(), where_); }
+    /// Empty where the expression has no value.
+    MatrixX value_or_empty(const Row& expression, const std::vector<Row>& where) const {
+        try {
+            return value(expression, where);
+        } catch (const formula::NotEvaluated&) {
+            return {};
+        } catch (const formula::Mismatch&) { return {}; }
+    }
+    MatrixX value_or_empty(const std::string& expression) const {
+        return value_or_empty(math::read_math(expression).row, where_);
+    }
+    std::string latex() const { return math::write_latex(sides_.back()); }
+
+    /// Answers of all mistakes in the last side, and in the definitions.
+    std::vector<KnownMistake> mistakes() const {
+        std::vector<KnownMistake> all;
+        for (const FormulaMistake& mistake : formula_mistakes()) {
+            for (const Altered& altered : mistake.alter(sides_.back())) {
+                add(mistake, altered, value_or_empty(altered.row, where_), math::write_latex(altered.row), all);
+            }
+            for (std::size_t k = 0; k < where_.size(); ++k) { add_in_definition(mistake, k, all); }
+        }
+        return all;
+    }
+
+private:
+    MatrixX value(const Row& expression, const std::vector<Row>& where) const {
+        const Value found = formula::evaluate_expression(expression, where, meanings_);
+        if (found.kind != Value::Kind::matrix) {
+            throw formula::Mismatch("its shape is not known: " + formula::shape_text(found));
+        }
+        return found.d[0];
+    }
+
+    void add_in_definition(const FormulaMistake& mistake, std::size_t k, std::vector<KnownMistake>& all) const {
+        const std::vector<Row> sides = formula::sides_of(where_[k]);
+        for (const Altered& altered : mistake.alter(sides.back())) {
+            std::vector<Row> where = where_;
+            where[k] = sides.front();
+            const Row equals = math::own_math("=");
+            where[k].insert(where[k].end(), equals.begin(), equals.end());
+            where[k].insert(where[k].end(), altered.row.begin(), altered.row.end());
+            add(mistake, altered, value_or_empty(sides_.back(), where), math::write_latex(where[k]), all);
+        }
+    }
+
+    static void add(
+        const FormulaMistake& mistake, const Altered& altered, MatrixX answer, std::string shown,
+        std::vector<KnownMistake>& all) {
+        all.push_back(
+            {mistake.name, mistake.title, said(mistake.says, altered.what), mistake.slide, std::move(answer),
+             std::move(shown)});
+    }
+
+    const Exercise& exercise_;
+    formula::Meanings meanings_;
+    std::vector<Row> where_;
+    std::vector<Row> sides_;
+};
+
+/// Two ways to the same value, up to rounding.
+bool agree(const MatrixX& a, const MatrixX& b) {
+    if (a.rows() != b.rows() || a.cols() != b.cols()) { return false; }
+    // symbols are of the size of 1 to 1000; a pose is assembled to 1e-12
+    return (a - b).cwiseAbs().maxCoeff() <= 1e-8 * std::max(1.0, a.cwiseAbs().maxCoeff());
+}
+
+MatrixX with_position(const Vec3& r, const MatrixX& p) {
+    MatrixX pose(7, 1);
+    pose << r, p;
+    return pose;
+}
+
+/// A pose asks for r, too.
+void ask_for_pose(const AskedFormula& f, Asked& asked) {
+    const MatrixX r = f.value_or_empty("r");
+    asked.sign_of_p = true;
+    asked.right = with_position(r, asked.right);
+    for (KnownMistake& mistake : asked.mistakes) {
+        const bool fits = mistake.answer.rows() == 4 && mistake.answer.cols() == 1;
+        mistake.answer = fits ? with_position(r, mistake.answer) : MatrixX();
+    }
+}
+
+void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instant& instant, Asked& asked) {
+    const AskedFormula f(variant, claim, instant);
+    try {
+        asked.right = f.asked();
+        if (!agree(asked.right, f.found())) {
+            asked.problem = "the sides of its formula differ in this variant";
+            return;
+        }
+    } catch (const std::runtime_error& error) {
+        asked.problem = std::string("its formula has no value: ") + error.what();
+        return;
+    }
+    asked.latex = f.latex();
+    asked.mistakes = f.mistakes();
+    for (const std::string& symbol : variant.exercise->given) {
+        asked.given.push_back({math::write_latex(math::read_math(symbol).row), f.value_or_empty(symbol)});
+        if (asked.given.back().value.size() == 0) { asked.problem = "'" + symbol + "' has no value here"; }
+    }
+    if (variant.exercise->kind == ExerciseKind::pose) { ask_for_pose(f, asked); }
+}
+
+MatrixX as_matrix(double value) { return MatrixX::Constant(1, 1, value); }
+
+struct CountMistake {
+    Count count;
+    const char* name;
+    const char* title;
+    const char* says;
+    const char* slide;
+};
+
+constexpr std::array kCountMistakes{
+    CountMistake{Count::rows, "rows-for-rank", "equations counted", "This is the number of equations; not all of them "
+                 "need be independent.", "slide 5"},
+    CountMistake{Count::rank, "rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"},
+    CountMistake{Count::dof, "freedoms", "the freedoms", "This is the number of freedoms: columns minus rank.", ""},
+    CountMistake{Count::redundant, "redundant", "the redundant equations", "This is the number of equations that are "
+                 "not independent.", "slide 5"},
+    CountMistake{Count::columns, "columns", "the columns", "This is the number of columns: six for each moving body.", ""},
+    CountMistake{Count::mobility_by_counting, "counting", "Grübler's count",
+                 "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}};
+
+void ask_count(const CountClaim& claim, const Instant& instant, Asked& asked) {
+    const RankReport report = rank_of(*instant.system, instant.state, instant.t);
+    if (!report.decided) { asked.problem = "the rank is undecided there"; }
+    asked.right = as_matrix(count_of(report, claim.count));
+    for (const CountMistake& mistake : kCountMistakes) {
+        if (mistake.count == claim.count) { continue; }
+        asked.mistakes.push_back(
+            {mistake.name, mistake.title, mistake.says, mistake.slide, as_matrix(count_of(report, mistake.count)), {}});
+    }
+}
+
+void ask_dropped(const DroppedClaim& claim, const Instant& instant, Asked& asked) {
+    int dropped = -1;
+    for (const Constraint& c : instant.system->constraints()) {
+        if (c.joint == claim.joint && c.role == claim.role) { dropped = c.dropped; }
+    }
+    if (dropped < 0) { asked.problem = "no equation is left out there"; }
+    asked.right = as_matrix(dropped + 1);
+    for (int k = 0; k < 3; ++k) {
+        if (k == dropped) { continue; }
+        asked.mistakes.push_back(
+            {"wrong-two", "the wrong two of three",
+             "The rule leaves out the equation of the largest global component of s_i, not this one: the two that are "
+             "left would become dependent sooner.",
+             "slide 5", as_matrix(k + 1), {}});
+    }
+}
+
+double quantity_at(const QuantityClaim& claim, const Instant& instant) {
+    return evaluate(claim.quantity, instant, claim.derivative).derivatives[static_cast<std::size_t>(claim.derivative)];
+}
+
+void add_value(
+    Asked& asked, const char* name, const char* title, const char* says, const char* slide, double value) {
+    asked.mistakes.push_back({name, title, says, slide, as_matrix(value), {}});
+}
+
+/// The value where the scene is assembled the other way.
+double value_of_other_branch(const Variant& variant, const QuantityClaim& claim, const Moment& when) {
+    Session session(variant.lesson, false);
+    for (const std::string& action : variant.exercise->branch) {
+        if (!carry_out(session, action).done) { return kInfinity; }
+    }
+    const Pose pose = ClaimPoses(session.lesson()).at(when);
+    return pose.failure.empty() ? quantity_at(claim, pose.instant) : kInfinity;
+}
+
+void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose& pose, Asked& asked) {
+    const double factor = claim.in_degrees ? kDegreesPerRadian : 1.0;
+    const double value = factor * quantity_at(claim, pose.instant);
+    if (!std::isfinite(value)) { asked.problem = "the quantity has no value there"; }
+    asked.right = as_matrix(value);
+    asked.unit = unit_text(dimension_of(claim.quantity), claim.derivative, claim.in_degrees);
+    const bool is_angle = claim.derivative == 0 && is_modulo_turn(claim.quantity);
+    if (is_angle) { asked.turn = factor * 2.0 * std::numbers::pi; }
+    add_value(asked, "sign", "wrong sign", "This is the right answer with the opposite sign.", "", -value);
+    const std::optional<WrittenUnit> unit = read_unit(asked.unit);
+    if (unit && unit->powers[3] != 0) {
+        const double other = claim.in_degrees ? 1.0 / kDegreesPerRadian : kDegreesPerRadian;
+        add_value(
+            asked, "degrees", "degrees and radians mixed up",
+            claim.in_degrees ? "This is the answer in radians; it is asked for in degrees."
+                             : "This is the answer in degrees; it is asked for in radians.",
+            "", value * other);
+    }
+    if (!is_angle && unit && unit->powers == std::array<int, 4>{0, 0, 0, 1}) {
+        const double turn = factor * 2.0 * std::numbers::pi;
+        add_value(asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11",
+                  value - turn);
+        add_value(asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11",
+                  value + turn);
+    }
+    if (!variant.exercise->branch.empty()) {
+        const double other = factor * value_of_other_branch(variant, claim, variant.lesson.claims.front().when);
+        add_value(
+            asked, "branch", "the other branch",
+            "This belongs to the other way in which the same joints can be assembled.", "slide 23", other);
+    }
+}
+
+/// Keeps the mistakes that the exercise looks for, and whose answers can be compared.
+void filter_mistakes(const Exercise& exercise, Asked& asked) {
+    const auto is_unwanted = [&](const KnownMistake& mistake) {
+        const bool wanted =
+            exercise.only.empty() || std::ranges::find(exercise.only, mistake.name) != exercise.only.end();
+        return !wanted;
+    };
+    std::erase_if(asked.mistakes, is_unwanted);
+}
+
+double tolerance_of(const Exercise& exercise, const Asked& asked) {
+    if (exercise.absolute || asked.right.size() == 0) { return exercise.tolerance; }
+    const double largest = asked.right.cwiseAbs().maxCoeff();
+    // an answer that is zero has no size of its own
+    return exercise.tolerance * (largest > 0.0 ? largest : 1.0);
+}
+
+/// The instants at which a formula is evaluated; several for `any_state`.
+std::optional<Instant> instant_of(const Variant& variant, const Pose& pose) {
+    const Claim& claim = variant.lesson.claims.front();
+    if (!std::holds_alternative<AnyState>(claim.when)) { return pose.instant; }
+    return formula::arbitrary_instant(pose.instant.system, static_cast<unsigned>(variant.seed & 0x7FFFFFFFU));
+}
+
+}  // namespace
+
+Asked asked_in(const Variant& variant) {
+    Asked asked;
+    if (variant.lesson.claims.empty()) {
+        asked.problem = "nothing is asked";
+        return asked;
+    }
+    const Claim& claim = variant.lesson.claims.front();
+    const Pose pose = ClaimPoses(variant.lesson).at(claim.when);
+    if (!pose.failure.empty()) {
+        asked.problem = "the pose is not reached: " + pose.failure;
+        return asked;
+    }
+    const std::optional<Instant> instant = instant_of(variant, pose);
+    std::visit(
+        Overloaded{
+            [&](const FormulaClaim& c) { ask_formula(variant, c, *instant, asked); },
+            [&](const CountClaim& c) { ask_count(c, *instant, asked); },
+            [&](const DroppedClaim& c) { ask_dropped(c, *instant, asked); },
+            [&](const QuantityClaim& c) { ask_quantity(variant, c, pose, asked); },
+            [&](const auto&) { asked.problem = "this cannot be asked for"; },
+        },
+        claim.fact);
+    if (asked.unit.empty()) { asked.unit = variant.exercise->unit; }
+    if (asked.problem.empty() && !std::holds_alternative<AnyState>(claim.when) &&
+        !std::holds_alternative<AsGiven>(claim.when)) {
+        const RankReport report = rank_of(*pose.instant.system, pose.instant.state, pose.instant.t);
+        if (report.rank > 0) { asked.condition = report.first_value() / report.last_value(); }
+    }
+    filter_mistakes(*variant.exercise, asked);
+    asked.tolerance = tolerance_of(*variant.exercise, asked);
+    return asked;
+}
+
+Asked asked_at(const Variant& variant, const Instant& instant) {
+    Asked asked;
+    const Claim& claim = variant.lesson.claims.front();
+    const auto* const formula = std::get_if<FormulaClaim>(&claim.fact);
+    if (formula == nullptr) {
+        asked.problem = "no formula is asked for";
+        return asked;
+    }
+    ask_formula(variant, *formula, instant, asked);
+    filter_mistakes(*variant.exercise, asked);
+    asked.tolerance = tolerance_of(*variant.exercise, asked);
+    return asked;
+}
+
+double difference_from(const MatrixX& right, const MatrixX& other, const Asked& asked) {
+    if (right.rows() != other.rows() || right.cols() != other.cols() || right.size() == 0) { return kInfinity; }
+    MatrixX apart = other - right;
+    if (asked.turn > 0.0) { apart(0, 0) = std::remainder(apart(0, 0), asked.turn); }
+    if (asked.sign_of_p) {
+        const double r = apart.topRows(3).cwiseAbs().maxCoeff();
+        const double same = apart.bottomRows(4).cwiseAbs().maxCoeff();
+        const double opposite = (other + right).bottomRows(4).cwiseAbs().maxCoeff();
+        return std::max(r, std::min(same, opposite));
+    }
+    return apart.cwiseAbs().maxCoeff();
+}
+
+}  // namespace jw

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/exercises/variant.hpp"
+#include "core/numerics/linear.hpp"
+#include "core/quantity/evaluate.hpp"
+
+/// What is asked in a variant: the right answer and the answers of known mistakes, all computed.
+namespace jw {
+
+/// A mistake with the answer that it leads to.
+struct KnownMistake {
+    std::string name;   ///< "local-for-global"
+    std::string title;  ///< "components of the body for global ones"
+    std::string says;   ///< feedback, one or two sentences
+    std::string slide;  ///< may be empty
+    MatrixX answer;
+    std::string shown;  ///< of a formula: the mistaken formula in LaTeX
+};
+
+/// A symbol whose value is told.
+struct GivenSymbol {
+    std::string latex;
+    MatrixX value;
+};
+
+struct Asked {
+    MatrixX right;
+    double tolerance = 0.0;  ///< of each entry
+    double turn = 0.0;       ///< answers that differ by this are the same; 0: none are
+    std::string unit;
+    bool sign_of_p = false;  ///< the last four entries may have the opposite sign
+    std::vector<GivenSymbol> given;
+    std::vector<KnownMistake> mistakes;  ///< some of them may give the same answer
+    std::string latex;                   ///< of the right formula, empty if there is none
+    double condition = 1.0;              ///< largest by smallest nonzero singular value at the pose
+    std::string problem;                 ///< why there is no right answer; empty if there is one
+};
+
+/// The answer of a number, vector, matrix or pose, and of a choice among formulas or components.
+Asked asked_in(const Variant& variant);
+
+/// The same of a formula at any instant of the scene's mechanism.
+Asked asked_at(const Variant& variant, const Instant& instant);
+
+/// Largest difference of an entry from `right`, turns and the sign of p taken into account; infinity if the
+/// shapes differ.
+double difference_from(const MatrixX& right, const MatrixX& other, const Asked& asked);
+
+}  // namespace jw

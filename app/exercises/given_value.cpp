@@ -1,0 +1,336 @@
+#include "app/exercises/given_value.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "app/exercises/units.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr std::size_t kLongest = 20000;
+constexpr std::size_t kMostEntries = 4096;
+constexpr int kDeepest = 50;
+
+/// Why an answer cannot be read.
+class NotRead : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Signs of Unicode that stand for those of a keyboard.
+std::string plain(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSigns{
+        {{"−", "-"}, {"–", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"√", "sqrt"}, {"\u00A0", " "},
+         {"\t", " "}}};
+    std::string found;
+    for (std::size_t k = 0; k < text.size();) {
+        bool replaced = false;
+        for (const auto& [sign, by] : kSigns) {
+            if (!text.substr(k).starts_with(sign)) { continue; }
+            found += by;
+            k += sign.size();
+            replaced = true;
+            break;
+        }
+        if (!replaced) { found += text[k++]; }
+    }
+    return found;
+}
+
+class GivenReader {
+public:
+    explicit GivenReader(std::string text) : text_(std::move(text)) {}
+
+    /// Rows of numbers; what stands behind them is left.
+    std::vector<std::vector<double>> rows() {
+        skip();
+        if (peek() == '[' || (peek() == '(' && is_list())) { return list(); }
+        return loose_rows();
+    }
+    std::string_view rest() {
+        skip();
+        return std::string_view(text_).substr(at_);
+    }
+
+private:
+    using Rows = std::vector<std::vector<double>>;
+
+    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+    void skip() {
+        while (peek() == ' ' || peek() == '\n' || peek() == '\r') { ++at_; }
+    }
+    bool take(char c) {
+        skip();
+        if (peek() != c) { return false; }
+        ++at_;
+        return true;
+    }
+    [[noreturn]] void fail(const std::string& expected) const {
+        const std::string_view rest = std::string_view(text_).substr(std::min(at_, text_.size()));
+        throw NotRead("cannot read " + (rest.empty() ? "the end" : in_quotes(rest)) + "; expected " + expected);
+    }
+
+    /// A parenthesis with a comma at its own depth is a list.
+    bool is_list() const {
+        int depth = 0;
+        for (std::size_t k = at_; k < text_.size(); ++k) {
+            if (text_[k] == '(' || text_[k] == '[') { ++depth; }
+            if (text_[k] == ')' || text_[k] == ']') {
+                if (--depth == 0) { return false; }
+            }
+            if (depth == 1 && (text_[k] == ',' || text_[k] == ';')) { return true; }
+        }
+        return false;
+    }
+
+    /// [1, 2, 3], [[1, 2], [3, 4]], [1 2; 3 4]
+    Rows list() {
+        const char close = text_[at_++] == '[' ? ']' : ')';
+        Rows rows;
+        skip();
+        if (peek() == '[' || (peek() == '(' && is_list())) {
+            while (!take(close)) {
+                Rows inner = list();
+                if (inner.size() != 1) { fail("rows of numbers"); }
+                rows.push_back(std::move(inner.front()));
+                if (!take(',')) { take(';'); }
+                skip();
+                if (peek() == '\0') { fail("a bracket that closes the list"); }
+                if (peek() != close && peek() != '[' && peek() != '(') { fail("the next row in brackets"); }
+            }
+            return rows;
+        }
+        rows = separated(close);
+        if (!take(close)) { fail(std::string("'") + close + "'"); }
+        return rows;
+    }
+
+    /// Numbers up to a closing bracket or the end, rows end with ';'.
+    Rows separated(char close) {
+        Rows rows(1);
+        while (skip(), peek() != close && peek() != '\0') {
+            rows.back().push_back(sum());
+            if (++entries_ > kMostEntries) { fail("at most 4096 numbers"); }
+            if (take(',')) { continue; }
+            if (take(';')) { rows.emplace_back(); }
+        }
+        if (rows.back().empty() && rows.size() > 1) { rows.pop_back(); }
+        return rows;
+    }
+
+    /// Without brackets: one number, or numbers with commas or blanks between.
+    Rows loose_rows() {
+        Rows rows(1);
+        rows.back().push_back(sum());
+        for (;;) {
+            skip();
+            const bool comma = take(',');
+            const bool semicolon = !comma && take(';');
+            skip();
+            const char c = peek();
+            const bool number = (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '+';
+            if (!number && (comma || semicolon)) { fail("a number"); }
+            if (!number) { return rows; }
+            if (semicolon) { rows.emplace_back(); }
+            rows.back().push_back(sum());
+            if (++entries_ > kMostEntries) { fail("at most 4096 numbers"); }
+        }
+    }
+
+    /// In a list "1 -2" are two numbers, "1 - 2" and "1-2" one.
+    bool begins_next() const {
+        const bool before = at_ > 0 && text_[at_ - 1] == ' ';
+        const bool after = at_ + 1 < text_.size() && text_[at_ + 1] == ' ';
+        return before && !after;
+    }
+
+    double sum() {
+        if (++depth_ > kDeepest) { fail("fewer parentheses"); }
+        double value = term();
+        for (;;) {
+            skip();
+            const char c = peek();
+            if ((c != '+' && c != '-') || (inside_ == 0 && begins_next())) { break; }
+            ++at_;
+            const double next = term();
+            value += c == '+' ? next : -next;
+        }
+        --depth_;
+        return value;
+    }
+
+    double term() {
+        double value = factor();
+        for (;;) {
+            skip();
+            if (peek() == '*') {
+                ++at_;
+                value *= factor();
+            } else if (peek() == '/') {
+                // "3 /s" is a unit
+                const std::size_t here = at_++;
+                skip();
+                const char c = peek();
+                if (!((c >= '0' && c <= '9') || c == '(' || c == '.' || c == '-' || starts_word())) {
+                    at_ = here;
+                    return value;
+                }
+                value /= factor();
+            } else {
+                return value;
+            }
+        }
+    }
+
+    bool starts_word() const {
+        for (const std::string_view word : {"sqrt", "sin", "cos", "tan", "pi", "exp", "asin", "acos", "atan"}) {
+            if (std::string_view(text_).substr(at_).starts_with(word)) { return true; }
+        }
+        return false;
+    }
+
+    double factor() {
+        if (++depth_ > kDeepest) { fail("fewer parentheses"); }
+        skip();
+        double value = 0.0;
+        if (take('-')) {
+            value = -factor();
+        } else if (take('+')) {
+            value = factor();
+        } else {
+            value = atom();
+            if (take('^')) { value = std::pow(value, factor()); }
+        }
+        --depth_;
+        return value;
+    }
+
+    double atom() {
+        skip();
+        if (take('(')) {
+            ++inside_;
+            const double value = sum();
+            if (!take(')')) { fail("')'"); }
+            --inside_;
+            return value;
+        }
+        if (starts_word()) { return function(); }
+        return number();
+    }
+
+    double number() {
+        double value = 0.0;
+        const char* const begin = text_.data() + at_;
+        const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+        if (error != std::errc()) { fail("a number, such as 0.5, 1/3 or sqrt(3)/2"); }
+        at_ += static_cast<std::size_t>(end - begin);
+        return value;
+    }
+
+    std::string word() {
+        std::string found;
+        while ((peek() >= 'a' && peek() <= 'z') || (!found.empty() && peek() == '2')) { found += text_[at_++]; }
+        return found;
+    }
+
+    double function() {
+        const std::string name = word();
+        if (name == "pi") { return std::numbers::pi; }
+        if (!take('(')) { fail("'(' after " + name); }
+        ++inside_;
+        const double x = sum();
+        const double second = take(',') ? sum() : 0.0;
+        if (!take(')')) { fail("')'"); }
+        --inside_;
+        if (name == "sqrt") { return std::sqrt(x); }
+        if (name == "sin") { return std::sin(x); }
+        if (name == "cos") { return std::cos(x); }
+        if (name == "tan") { return std::tan(x); }
+        if (name == "asin") { return std::asin(x); }
+        if (name == "acos") { return std::acos(x); }
+        if (name == "atan") { return std::atan(x); }
+        if (name == "atan2") { return std::atan2(x, second); }
+        if (name == "exp") { return std::exp(x); }
+        fail("a function: sqrt, sin, cos, tan, asin, acos, atan, atan2 or exp");
+    }
+
+    std::string text_;
+    std::size_t at_ = 0;
+    std::size_t entries_ = 0;
+    int depth_ = 0;
+    int inside_ = 0;
+};
+
+MatrixX matrix_of(const std::vector<std::vector<double>>& rows) {
+    const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+    if (columns == 0) { throw NotRead("there is no number in it; expected at least one"); }
+    MatrixX m(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        if (rows[r].size() != columns) {
+            throw NotRead(
+                "row " + std::to_string(r + 1) + " has " + std::to_string(rows[r].size()) + " numbers, the first has " +
+                std::to_string(columns) + "; expected rows of the same length");
+        }
+        for (std::size_t c = 0; c < columns; ++c) {
+            if (!std::isfinite(rows[r][c])) { throw NotRead("it is not finite; expected finite numbers"); }
+            m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = rows[r][c];
+        }
+    }
+    return m;
+}
+
+/// "0,5236" is 0.5236: the only comma, between digits, where a number is expected.
+bool is_decimal_comma(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const bool once = comma != std::string::npos && text.find(',', comma + 1) == std::string::npos;
+    const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
+    return once && comma > 0 && is_digit(comma - 1) && is_digit(comma + 1) &&
+           text.find_first_of("[](;.") == std::string::npos;
+}
+
+double factor_between(std::string_view given, std::string_view asked) {
+    const std::optional<WrittenUnit> unit = read_unit(given);
+    const std::optional<WrittenUnit> wanted = read_unit(asked);
+    if (!unit) {
+        throw NotRead(
+            "cannot read " + in_quotes(given) + "; expected " +
+            (asked.empty() ? "nothing behind the numbers" : "the unit " + std::string(asked)));
+    }
+    if (given.empty()) { return 1.0; }
+    if (!wanted || unit->powers != wanted->powers) {
+        throw NotRead(
+            "the answer is in " + (asked.empty() ? "numbers without a unit" : std::string(asked)) + "; you wrote " +
+            in_quotes(given));
+    }
+    return unit->factor / wanted->factor;
+}
+
+}  // namespace
+
+GivenValue read_given_value(std::string_view text, std::string_view unit) {
+    GivenValue given;
+    try {
+        if (text.size() > kLongest) { throw NotRead("it is longer than 20000 bytes"); }
+        std::string spelt = plain(text);
+        if (spelt.find_first_not_of(" \n\r") == std::string::npos) { throw NotRead("there is no answer"); }
+        if (is_decimal_comma(spelt)) { spelt[spelt.find(',')] = '.'; }
+        GivenReader reader(std::move(spelt));
+        given.value = matrix_of(reader.rows());
+        std::string_view rest = reader.rest();
+        while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\n' || rest.back() == '\r')) {
+            rest.remove_suffix(1);
+        }
+        given.value *= factor_between(rest, unit);
+
+    } catch (const NotRead& problem) { given.problem = problem.what(); }
+    return given;
+}
+
+}  // namespace jw

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/numerics/linear.hpp"
+
+/// Numbers, vectors and matrices as students write them.
+namespace jw {
+
+struct GivenValue {
+    MatrixX value;        ///< in the unit that was asked for; a vector is a column
+    std::string problem;  ///< why it was not understood, and what was expected; empty if it was
+};
+
+/// Reads "0.5236", "1/3", "-sqrt(3)/2", "30 deg", "2,5", "[1, 2, 3] m", "[[1, 2], [3, 4]]", "1 2 3; 4 5 6".
+/// Functions: sqrt, sin, cos, tan, asin, acos, atan, atan2, exp; pi and π. A unit behind the answer is
+/// converted, one of another kind is a problem.
+/// @param unit  what is asked for, may be empty
+GivenValue read_given_value(std::string_view text, std::string_view unit);
+
+}  // namespace jw

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exercises/kinds.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "lessons/formula/symbol_values.hpp"
+#include "lessons/formula/symbol.hpp"
+#include "lessons/math/read_math.hpp"
+
+namespace jw {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Programs compute with doubles: what they lose is far less, and what they get wrong far more.
+constexpr double kTolerance = 1e-6;
+constexpr double kWorthOfCases = 0.5;
+constexpr std::array kHardStates{
+    "all orientations p = (1, 0, 0, 0)", "e0 = 0: half a turn", "a turn of almost 360 degrees",
+    "positions a thousand times as large"};
+
+/// A state of the bodies in which a program is tried.
+struct CodeCase {
+    std::string name;  ///< empty: a random state
+    Asked asked;
+};
+
+Instant hard_instant(std::shared_ptr<const System> system, unsigned seed, std::size_t which) {
+    Instant instant = formula::arbitrary_instant(std::move(system), seed);
+    constexpr double kAlmost = 1e-6;
+    for (std::size_t b = 0; b < instant.state.p.size(); ++b) {
+        if (which == 0) { instant.state.p[b] = Vec4(1.0, 0.0, 0.0, 0.0); }
+        if (which == 1) { instant.state.p[b] = Vec4(0.0, 0.6, 0.0, 0.8); }
+        if (which == 2) { instant.state.p[b] = Vec4(-1.0, kAlmost, 0.0, kAlmost).normalized(); }
+        if (which == 3) { instant.state.r[b] *= 1000.0; }
+    }
+    return instant;
+}
+
+std::vector<CodeCase> cases_of(const Task& task) {
+    const Lesson& lesson = task.variant.lesson;
+    const auto system = std::make_shared<const System>(lesson.mechanism, everything(lesson.mechanism));
+    std::vector<CodeCase> cases;
+    const auto seed = static_cast<unsigned>(task.variant.seed & 0x3FFFFFFFU);
+    for (int k = 0; k < task.exercise().cases; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const unsigned of_case = seed + static_cast<unsigned>(k);
+        const bool hard = at < kHardStates.size();
+        const Instant instant =
+            hard ? hard_instant(system, of_case, at) : formula::arbitrary_instant(system, of_case);
+        Asked asked = asked_at(task.variant, instant);
+        // a formula may have no value in a special state
+        if (!asked.problem.empty() || !asked.right.allFinite()) { continue; }
+        cases.push_back({hard ? kHardStates[at] : "", std::move(asked)});
+    }
+    return cases;
+}
+
+Json json_of(const MatrixX& m) {
+    if (m.size() == 1) { return m(0, 0); }
+    Json rows = Json::array();
+    for (Eigen::Index r = 0; r < m.rows(); ++r) {
+        if (m.cols() == 1) {
+            rows.push_back(m(r, 0));
+            continue;
+        }
+        Json row = Json::array();
+        for (Eigen::Index c = 0; c < m.cols(); ++c) { row.push_back(m(r, c)); }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// A number, a list of numbers or a list of rows; empty for anything else.
+MatrixX matrix_in(const Json& json) {
+    if (json.is_number()) { return MatrixX::Constant(1, 1, json.get<double>()); }
+    if (!json.is_array() || json.empty() || json.size() > 1000) { return {}; }
+    const bool nested = json.front().is_array();
+    const std::size_t columns = nested ? json.front().size() : 1;
+    if (columns == 0 || columns > 1000) { return {}; }
+    MatrixX m(static_cast<Eigen::Index>(json.size()), static_cast<Eigen::Index>(columns));
+    for (std::size_t r = 0; r < json.size(); ++r) {
+        const Json& row = json[r];
+        if (nested && (!row.is_array() || row.size() != columns)) { return {}; }
+        for (std::size_t c = 0; c < columns; ++c) {
+            const Json& entry = nested ? row[c] : row;
+            if (!entry.is_number()) { return {}; }
+            m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = entry.get<double>();
+        }
+    }
+    return m;
+}
+
+MatrixX turned_to(const MatrixX& right, MatrixX given) {
+    const bool vectors = std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
+    if (vectors && given.size() == right.size() && given.rows() != right.rows()) { given.transposeInPlace(); }
+    return given;
+}
+
+bool fits_answer(const MatrixX& right, const MatrixX& given, const Asked& asked) {
+    const double size = right.size() > 0 ? std::max(1.0, right.cwiseAbs().maxCoeff()) : 1.0;
+    return given.size() > 0 && given.allFinite() && difference_from(right, given, asked) <= kTolerance * size;
+}
+
+Judged refused(std::string why) {
+    Judged judged;
+    judged.understood = false;
+    judged.feedback.push_back(std::move(why));
+    return judged;
+}
+
+/// The known mistake that gives all these answers.
+const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
+    const std::size_t count = cases.front().asked.mistakes.size();
+    for (std::size_t m = 0; m < count; ++m) {
+        bool all = true;
+        for (std::size_t k = 0; all && k < cases.size(); ++k) {
+            all = m < cases[k].asked.mistakes.size() &&
+                  fits_answer(cases[k].asked.mistakes[m].answer, given[k], cases[k].asked);
+        }
+        if (all) { return &cases.front().asked.mistakes[m]; }
+    }
+    return nullptr;
+}
+
+std::string marked_entries(const MatrixX& right, const MatrixX& given) {
+    if (given.rows() != right.rows() || given.cols() != right.cols()) {
+        return "it has " + std::to_string(given.rows()) + " × " + std::to_string(given.cols()) + " numbers; expected " +
+               std::to_string(right.rows()) + " × " + std::to_string(right.cols());
+    }
+    const double size = std::max(1.0, right.cwiseAbs().maxCoeff());
+    std::string text;
+    int wrong = 0;
+    for (Eigen::Index r = 0; r < right.rows(); ++r) {
+        for (Eigen::Index c = 0; c < right.cols(); ++c) {
+            const double entry = given(r, c);
+            if (std::abs(entry - right(r, c)) <= kTolerance * size) { continue; }
+            if (++wrong > 4) { continue; }
+            text += (wrong > 1 ? "; " : "") + ("entry (" + std::to_string(r + 1)) + ", " + std::to_string(c + 1) + ") is " +
+                    number_text(entry, 6) + ", expected " + number_text(right(r, c), 6);
+        }
+    }
+    return text + (wrong > 4 ? "; and " + std::to_string(wrong - 4) + " more" : "");
+}
+
+void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given, Judged& judged) {
+    int right = 0;
+    int wrong_and_random = 0;
+    const CodeCase* first = nullptr;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        if (fits_answer(cases[k].asked.right, given[k], cases[k].asked)) {
+            ++right;
+            continue;
+        }
+        wrong_and_random += cases[k].name.empty() ? 1 : 0;
+        if (first == nullptr || (!first->name.empty() && cases[k].name.empty())) {
+            first = &cases[k];
+            at = k;
+        }
+    }
+    const int count = static_cast<int>(cases.size());
+    judged.right = right == count;
+    judged.share = judged.right ? 1.0 : kWorthOfCases * right / count;
+    if (judged.right) { return; }
+    judged.feedback.push_back(std::to_string(right) + " of " + std::to_string(count) + " states are right.");
+    const std::string state = first->name.empty() ? "case " + std::to_string(at) : first->name;
+    judged.feedback.push_back("In " + state + " " + marked_entries(first->asked.right, given[at]) + ".");
+    if (wrong_and_random == 0) { judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions."); }
+}
+
+Handed output_of(const Json& answers) { return {Json{{"answers", answers}}.dump(), {}}; }
+
+/// "ω" -> "omega": keys of JSON are ASCII
+std::string spelt(const std::string& letter) {
+    constexpr std::array<std::pair<const char*, const char*>, 9> kGreek{
+        {{"ω", "omega"}, {"Φ", "phi"}, {"γ", "gamma"}, {"θ", "theta"}, {"α", "alpha"}, {"λ", "lambda"}, {"φ", "angle"},
+         {"′", ""}, {"π", "pi"}}};
+    for (const auto& [greek, name] : kGreek) {
+        if (letter == greek) { return name; }
+    }
+    return letter;
+}
+
+/// "s_i_local_dot" of \dot{\mathbf{s}}'_i
+std::string key_of(const std::string& latex) {
+    math::Row row = math::read_math(latex).row;
+    if (row.size() != 1) { return latex; }
+    std::string ending;
+    for (auto* accent = std::get_if<math::Accent>(&row.front().nucleus); accent != nullptr;
+         accent = accent->inner.size() == 1 ? std::get_if<math::Accent>(&accent->inner.front().nucleus) : nullptr) {
+        if (accent->kind == math::AccentKind::dot) { ending = "_dot"; }
+        if (accent->kind == math::AccentKind::two_dots) { ending = "_ddot"; }
+    }
+    const Letter letter = letter_of(row.front());
+    if (letter.sign == nullptr) { return latex; }
+    formula::Superscript script;
+    const formula::Symbol symbol =
+        formula::symbol_of(letter.sign->utf8, letter.node->below, letter.node->above, script);
+    std::string key = spelt(symbol.letter);
+    if (!symbol.index.empty()) { key += "_" + symbol.index; }
+    for (const char c : symbol.marks) {
+        if (c == 'B' || c == 'P') { key += std::string("_") + c; }
+    }
+    if (symbol.primes > 0) { key += "_local"; }
+    return key + ending;
+}
+
+}  // namespace
+
+std::vector<std::string> input_names(const Exercise& exercise) {
+    std::vector<std::string> names;
+    for (const std::string& symbol : exercise.given) { names.push_back(key_of(symbol)); }
+    return names;
+}
+
+std::string program_input(const Task& task) {
+    const std::vector<std::string> names = input_names(task.exercise());
+    Json cases = Json::array();
+    for (const CodeCase& c : cases_of(task)) {
+        Json inputs = Json::object();
+        for (std::size_t k = 0; k < names.size(); ++k) { inputs[names[k]] = json_of(c.asked.given[k].value); }
+        cases.push_back(std::move(inputs));
+    }
+    return Json{{"exercise", task.exercise().name}, {"cases", std::move(cases)}}.dump() + "\n";
+}
+
+Handed right_output(const Task& task) {
+    Json answers = Json::array();
+    for (const CodeCase& c : cases_of(task)) { answers.push_back(json_of(c.asked.right)); }
+    return output_of(answers);
+}
+
+std::vector<HandedMistake> mistaken_outputs(const Task& task) {
+    std::vector<HandedMistake> all;
+    const std::vector<CodeCase> cases = cases_of(task);
+    for (const KnownMistake& known : task.asked.mistakes) {
+        Json answers = Json::array();
+        for (const CodeCase& c : cases) {
+            const auto same = std::ranges::find(c.asked.mistakes, known.says, &KnownMistake::says);
+            if (same != c.asked.mistakes.end()) { answers.push_back(json_of(same->answer)); }
+        }
+        all.push_back({known.name, output_of(answers)});
+    }
+    return all;
+}
+
+Judged judge_output(const Task& task, const Handed& handed) {
+    const Json json = Json::parse(handed.text, nullptr, false);
+    if (json.is_discarded()) { return refused("The output is no JSON; expected {\"answers\": [...]}."); }
+    if (!json.is_object() || !json.contains("answers") || !json["answers"].is_array()) {
+        return refused("The output has no list \"answers\"; expected {\"answers\": [...]}.");
+    }
+    const std::vector<CodeCase> cases = cases_of(task);
+    const Json& answers = json["answers"];
+    if (answers.size() != cases.size()) {
+        return refused(
+            "There are " + std::to_string(answers.size()) + " answers; expected " + std::to_string(cases.size()) +
+            ", one for each case.");
+    }
+    std::vector<MatrixX> given;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        given.push_back(turned_to(cases[k].asked.right, matrix_in(answers[k])));
+    }
+    Judged judged;
+    tell_cases(cases, given, judged);
+    if (judged.right) { return judged; }
+    if (const KnownMistake* const mistake = mistake_of(cases, given)) {
+        judged.mistake = mistake->name;
+        judged.title = mistake->title;
+        judged.slide = mistake->slide;
+        judged.share = 0.0;
+        judged.feedback.insert(judged.feedback.begin(), mistake->says);
+    }
+    return judged;
+}
+
+}  // namespace jw

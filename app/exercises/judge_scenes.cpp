@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/exercises/kinds.hpp"
+#include "app/session/claims/checks.hpp"
+#include "app/session/try/carry_out.hpp"
+#include "lessons/exercise/scene_edits.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr std::size_t kLargestHandedFile = 200000;
+constexpr std::size_t kMostActions = 20;
+
+const std::vector<std::string> kNotHandedOut{"expect", "question", "try", "exercise"};
+
+std::string expected_of(const Exercise& exercise) {
+    return exercise.expect.empty() ? claims_in(exercise.scene) : exercise.expect;
+}
+
+/// Claims of a lesson file that somebody else wrote, one share each.
+void judge_claims(const std::string& file, const Exercise& exercise, Judged& judged) {
+    if (file.size() > kLargestHandedFile) {
+        judged.understood = false;
+        judged.feedback.emplace_back("The file is larger than 200 kB.");
+        return;
+    }
+    const ReadResult read = read_lesson_with_claims(file, exercise.name + ".toml", expected_of(exercise));
+    if (!read.lesson) {
+        judged.understood = false;
+        judged.feedback.push_back("The file is no lesson: " + to_string(read.diagnostics.front(), read.source));
+        return;
+    }
+    const std::vector<ClaimResult> results = check_claims(*read.lesson);
+    const auto holding = std::ranges::count_if(results, &ClaimResult::holds);
+    judged.share = results.empty() ? 0.0 : static_cast<double>(holding) / static_cast<double>(results.size());
+    judged.right = !results.empty() && holding == static_cast<std::ptrdiff_t>(results.size());
+    for (const ClaimResult& result : results) {
+        if (result.holds) { continue; }
+        judged.feedback.push_back(
+            "Not reached: " + result.subject + " " + result.moment + " is " + result.found + ", expected " +
+            result.expected + "." + (result.why.empty() ? "" : " " + result.why));
+    }
+}
+
+std::string list_text_of(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) { text += (text.empty() ? "" : ", ") + name; }
+    return text;
+}
+
+void name_mistake(Judged& judged, const char* name, const char* title, std::string says) {
+    judged.right = false;
+    judged.mistake = name;
+    judged.title = title;
+    judged.feedback.insert(judged.feedback.begin(), std::move(says));
+}
+
+/// More than is needed costs its share.
+void charge(Judged& judged, std::size_t used, std::size_t needed, const std::string& what) {
+    if (used <= needed || judged.share == 0.0) { return; }
+    judged.share *= static_cast<double>(std::max<std::size_t>(1, needed)) / static_cast<double>(used);
+    if (judged.right) {
+        name_mistake(
+            judged, "more-than-needed", "more than needed",
+            std::to_string(used) + " " + what + "; " + std::to_string(needed) + " would do.");
+    }
+}
+
+std::string without_key(const std::string& scene, const std::string& key) {
+    const std::vector<SceneEdit> edits{{key, ""}};
+    return with_edits(scene, edits).text;
+}
+
+/// "joint.B" of "joint.B.axis"
+std::string table_of_key(const std::string& key) {
+    const std::size_t first = key.find('.');
+    return first == std::string::npos ? key : key.substr(0, key.find('.', first + 1));
+}
+
+bool is_addition(const std::string& path) { return path.starts_with("joint.") || path.starts_with("driver."); }
+
+std::string healthy(const Task& task) { return without_tables(task.variant.scene, kNotHandedOut); }
+
+std::string built(const Task& task) { return healthy(task) + "\n" + task.exercise().solution; }
+
+}  // namespace
+
+std::string handed_out(const Task& task) {
+    const std::string scene = healthy(task);
+    return with_edits(scene, task.exercise().spoil).text;
+}
+
+Handed right_repair(const Task& task) { return {healthy(task), {}}; }
+
+std::vector<HandedMistake> mistaken_repairs(const Task& task) {
+    const std::string sick = handed_out(task);
+    std::vector<HandedMistake> all{{"unchanged", {sick, {}}}};
+    for (const SceneEdit& edit : task.exercise().spoil) {
+        const std::string table = table_of_key(edit.key);
+        if (!is_addition(table) || value_in(sick, table).empty()) { continue; }
+        const bool joint = table.starts_with("joint.");
+        all.push_back({joint ? "joint-removed" : "driver-removed", {without_key(sick, table), {}}});
+    }
+    return all;
+}
+
+Judged judge_repair(const Task& task, const Handed& handed) {
+    Judged judged;
+    const std::string sick = handed_out(task);
+    judge_claims(handed.text, task.exercise(), judged);
+    const SceneDifference difference = difference_of(sick, handed.text);
+    const auto removed = std::ranges::find_if(difference.removed, is_addition);
+    if (!judged.understood && removed == difference.removed.end()) { return judged; }
+    if (difference.count() == 0) {
+        judged.share = 0.0;
+        name_mistake(judged, "unchanged", "nothing was changed", "Nothing that matters was changed: the file is as sick as before.");
+    } else if (removed != difference.removed.end() && !judged.right) {
+        const bool joint = removed->starts_with("joint.");
+        judged.share = 0.0;
+        name_mistake(
+            judged, joint ? "joint-removed" : "driver-removed", joint ? "the joint was taken out" : "the driver was taken out",
+            "'" + *removed + "' was taken out: the illness is gone with the patient. It has to stay, and to be mended.");
+    } else {
+        charge(judged, difference.count(), static_cast<std::size_t>(task.exercise().most), "values were changed");
+    }
+    return judged;
+}
+
+Handed right_build(const Task& task) { return {built(task), {}}; }
+
+std::vector<HandedMistake> mistaken_builds(const Task& task) {
+    const std::string scene = healthy(task);
+    std::vector<HandedMistake> all{{"unchanged", {scene, {}}}};
+    const std::vector<std::string> added = difference_of(scene, built(task)).added;
+    if (added.size() > 1) {
+        for (const std::string& path : added) {
+            if (is_addition(path)) { all.push_back({"joint-missing", {without_key(built(task), path), {}}}); }
+        }
+    }
+    return all;
+}
+
+Judged judge_build(const Task& task, const Handed& handed) {
+    Judged judged;
+    const std::string scene = healthy(task);
+    const SceneDifference difference = difference_of(scene, handed.text);
+    if (difference.count() == 0) {
+        name_mistake(judged, "unchanged", "nothing was added", "Nothing was added to the file.");
+        return judged;
+    }
+    judge_claims(handed.text, task.exercise(), judged);
+    if (!judged.understood) { return judged; }
+    if (!difference.changed.empty() || !difference.removed.empty()) {
+        judged.share *= 0.5;
+        name_mistake(
+            judged, "scene-changed", "given parts were changed",
+            "Given parts were changed: " + list_text_of(difference.changed) + (difference.changed.empty() ? "" : " ") +
+                list_text_of(difference.removed) + ". Only add to the file.");
+        return judged;
+    }
+    const auto joints = static_cast<std::size_t>(std::ranges::count_if(difference.added, is_addition));
+    const auto needed = static_cast<std::size_t>(task.exercise().most);
+    if (!judged.right && joints < needed) {
+        name_mistake(
+            judged, "joint-missing", "a joint is missing",
+            std::to_string(joints) + (joints == 1 ? " joint was" : " joints were") + " added; " + std::to_string(needed) +
+                " are needed.");
+    }
+    charge(judged, joints, needed, "joints were added");
+    return judged;
+}
+
+Handed right_experiment(const Task& task) { return {{}, task.exercise().does}; }
+
+std::vector<HandedMistake> mistaken_experiments(const Task& task) {
+    std::vector<HandedMistake> all{{"nothing-done", {}}};
+    std::vector<std::string> fewer = task.exercise().does;
+    if (fewer.size() > 1) {
+        fewer.pop_back();
+        all.push_back({"unfinished", {{}, fewer}});
+    }
+    return all;
+}
+
+Judged judge_experiment(const Task& task, const Handed& handed) {
+    Judged judged;
+    if (handed.list.empty()) {
+        name_mistake(judged, "nothing-done", "nothing was done", "There is no experiment in the list.");
+        return judged;
+    }
+    if (handed.list.size() > kMostActions) {
+        judged.understood = false;
+        judged.feedback.emplace_back("There are more than 20 experiments.");
+        return judged;
+    }
+    Session session(task.variant.lesson, false);
+    for (const std::string& action : handed.list) {
+        const ExperimentResult result = carry_out(session, action);
+        if (result.done) { continue; }
+        judged.understood = false;
+        judged.feedback.push_back("'" + action + "' cannot be carried out: " + result.said);
+        return judged;
+    }
+    judge_claims(lesson_text(session.lesson()), task.exercise(), judged);
+    const auto needed = static_cast<std::size_t>(task.exercise().most);
+    if (!judged.right && judged.understood && handed.list.size() < needed) {
+        name_mistake(
+            judged, "unfinished", "not there yet", "The state that is asked for is not reached yet; it takes " +
+                                                       std::to_string(needed) + " experiments.");
+    }
+    charge(judged, handed.list.size(), needed, "experiments were made");
+    return judged;
+}
+
+}  // namespace jw

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/exercises/given_value.hpp"
+#include "app/exercises/kinds.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+/// Right entries are worth half of their share where the whole is wrong and the mistake is not known.
+constexpr double kWorthOfEntries = 0.5;
+/// Closer than this, in tolerances, an answer is probably rounded too early.
+constexpr double kRoundedEarly = 10.0;
+
+bool is_exact(const Asked& asked) { return asked.tolerance == 0.0; }
+
+bool is_right(const MatrixX& right, const MatrixX& given, const Asked& asked) {
+    return difference_from(right, given, asked) <= (is_exact(asked) ? 1e-9 : asked.tolerance);
+}
+
+Judged not_understood(std::string why) {
+    Judged judged;
+    judged.understood = false;
+    judged.feedback.push_back(std::move(why));
+    return judged;
+}
+
+std::string shape_of(const MatrixX& m) {
+    if (m.size() == 1) { return "a number"; }
+    if (m.cols() == 1) { return "a vector of " + std::to_string(m.rows()) + " numbers"; }
+    return std::to_string(m.rows()) + " × " + std::to_string(m.cols()) + " numbers";
+}
+
+/// A row where a column is meant, and the reverse; not for matrices.
+MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
+    const bool both_vectors = std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
+    const bool turned = given.rows() == right.cols() && given.cols() == right.rows();
+    return both_vectors && turned ? MatrixX(given.transpose()) : given;
+}
+
+const KnownMistake* known_mistake(const Asked& asked, const MatrixX& given) {
+    const KnownMistake* nearest = nullptr;
+    double least = is_exact(asked) ? 1e-9 : asked.tolerance;
+    for (const KnownMistake& mistake : asked.mistakes) {
+        const double apart = difference_from(mistake.answer, given, asked);
+        if (apart > least) { continue; }
+        least = apart;
+        nearest = &mistake;
+    }
+    return nearest;
+}
+
+std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
+
+/// Which entries differ, and by how much.
+void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
+    int wrong = 0;
+    int right_and_nonzero = 0;
+    int nonzero = 0;
+    std::string places;
+    for (Eigen::Index r = 0; r < given.rows(); ++r) {
+        for (Eigen::Index c = 0; c < given.cols(); ++c) {
+            const bool is_wrong = std::abs(given(r, c) - asked.right(r, c)) > asked.tolerance;
+            const bool counts = std::abs(asked.right(r, c)) > asked.tolerance;
+            nonzero += counts ? 1 : 0;
+            right_and_nonzero += counts && !is_wrong ? 1 : 0;
+            if (!is_wrong) { continue; }
+            const std::string row = std::to_string(r + 1);
+            if (++wrong <= 12) {
+                places += (wrong > 1 ? ", " : "") + (given.cols() == 1 ? row : "(" + row + ", " + std::to_string(c + 1) + ")");
+            }
+        }
+    }
+    judged.feedback.push_back(
+        std::to_string(wrong) + " of " + std::to_string(given.size()) + " entries differ: " + places + ".");
+    if (nonzero > 0) { judged.share = kWorthOfEntries * right_and_nonzero / nonzero; }
+}
+
+void tell_how_far(const Asked& asked, const MatrixX& given, Judged& judged) {
+    const double apart = difference_from(asked.right, given, asked);
+    judged.feedback.push_back(
+        "No known mistake leads to this answer. It is off by " + number_text(apart, 3) + with_unit(asked) + ".");
+    if (apart <= kRoundedEarly * asked.tolerance) {
+        judged.feedback.emplace_back("That is near: was something rounded too early?");
+    }
+    if (given.size() > 1 && !asked.sign_of_p) { tell_entries(asked, given, judged); }
+}
+
+void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX& given, Judged& judged) {
+    judged.mistake = mistake.name;
+    judged.title = mistake.title;
+    judged.slide = mistake.slide;
+    judged.feedback.push_back(mistake.says);
+    if (!is_exact(asked)) {
+        judged.feedback.push_back(
+            "Off by " + number_text(difference_from(asked.right, given, asked), 3) + with_unit(asked) + ".");
+    }
+    if (!mistake.slide.empty()) { judged.feedback.push_back("Look at " + mistake.slide + "."); }
+}
+
+}  // namespace
+
+std::string written(const MatrixX& value, int digits) {
+    const auto row_text = [&](const auto& row) {
+        std::string text = "[";
+        for (Eigen::Index k = 0; k < row.size(); ++k) { text += (k > 0 ? ", " : "") + number_text(row(k), digits); }
+        return text + "]";
+    };
+    if (value.size() == 1) { return number_text(value(0, 0), digits); }
+    if (value.cols() == 1) { return row_text(value.col(0)); }
+    std::string text = "[";
+    for (Eigen::Index r = 0; r < value.rows(); ++r) { text += (r > 0 ? ", " : "") + row_text(value.row(r)); }
+    return text + "]";
+}
+
+Handed right_value(const Task& task) { return {written(task.asked.right), {}}; }
+
+std::vector<HandedMistake> mistaken_values(const Task& task) {
+    std::vector<HandedMistake> all;
+    for (const KnownMistake& mistake : task.asked.mistakes) {
+        all.push_back({mistake.name, {written(mistake.answer), {}}});
+    }
+    return all;
+}
+
+Judged judge_value(const Task& task, const Handed& handed) {
+    const Asked& asked = task.asked;
+    const GivenValue read = read_given_value(handed.text, asked.unit);
+    if (!read.problem.empty()) { return not_understood(read.problem); }
+    const MatrixX given = in_shape_of(asked.right, read.value);
+    if (given.rows() != asked.right.rows() || given.cols() != asked.right.cols()) {
+        const bool turned = given.rows() == asked.right.cols() && given.cols() == asked.right.rows();
+        Judged judged = not_understood(
+            "You wrote " + shape_of(given) + "; expected " + shape_of(asked.right) + (turned ? ": transposed." : "."));
+        if (turned) { judged.mistake = judged.title = "transposed"; }
+        return judged;
+    }
+    Judged judged;
+    judged.right = is_right(asked.right, given, asked);
+    if (judged.right) {
+        judged.share = 1.0;
+    } else if (const KnownMistake* const mistake = known_mistake(asked, given)) {
+        tell_mistake(*mistake, asked, given, judged);
+    } else if (is_exact(asked)) {
+        judged.feedback.emplace_back("This is not right.");
+    } else {
+        tell_how_far(asked, given, judged);
+    }
+    return judged;
+}
+
+}  // namespace jw

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/exercises/task.hpp"
+
+/// Kinds of exercises: what is handed in, what is right, what is judged.
+namespace jw {
+
+/// What a student hands in, as text.
+struct Handed {
+    std::string text;               ///< numbers; the output of a program; a lesson file
+    std::vector<std::string> list;  ///< experiments
+};
+
+/// A known mistake as it would be handed in.
+struct HandedMistake {
+    std::string name;
+    Handed handed;
+};
+
+struct Judged {
+    bool understood = true;
+    bool right = false;
+    double share = 0.0;                 ///< of the points, 0 to 1
+    std::string mistake;                ///< name of a known one, or nothing
+    std::string title;                  ///< of the mistake, in a few words
+    std::string slide;                  ///< where it is explained, may be empty
+    std::vector<std::string> feedback;  ///< sentences
+};
+
+/// A kind is an entry of this table.
+struct KindOfExercise {
+    ExerciseKind kind;
+    const char* hand_in;  ///< how it is handed in, a sentence for the sheet
+    Handed (*right)(const Task& task);
+    std::vector<HandedMistake> (*mistakes)(const Task& task);
+    Judged (*judge)(const Task& task, const Handed& handed);
+    const char* file;  ///< ending of the file that is handed in; empty: the answer stands in answers.toml
+};
+const KindOfExercise& kind_of(ExerciseKind kind);
+
+/// Numbers as a student would write them: "[1, 2, 3]".
+std::string written(const MatrixX& value, int digits = 9);
+
+// the parts of the table
+Handed right_value(const Task& task);
+std::vector<HandedMistake> mistaken_values(const Task& task);
+Judged judge_value(const Task& task, const Handed& handed);
+
+Handed right_output(const Task& task);
+std::vector<HandedMistake> mistaken_outputs(const Task& task);
+Judged judge_output(const Task& task, const Handed& handed);
+/// What a program reads on its standard input.
+std::string program_input(const Task& task);
+/// Names of the inputs in it: "s_i_local".
+std::vector<std::string> input_names(const Exercise& exercise);
+
+/// The lesson file that is handed out: sick for repair, without the joints for build.
+std::string handed_out(const Task& task);
+Handed right_repair(const Task& task);
+std::vector<HandedMistake> mistaken_repairs(const Task& task);
+Judged judge_repair(const Task& task, const Handed& handed);
+Handed right_build(const Task& task);
+std::vector<HandedMistake> mistaken_builds(const Task& task);
+Judged judge_build(const Task& task, const Handed& handed);
+Handed right_experiment(const Task& task);
+std::vector<HandedMistake> mistaken_experiments(const Task& task);
+Judged judge_experiment(const Task& task, const Handed& handed);
+
+}  // namespace jw

@@ -1,0 +1,243 @@
+#include "app/exercises/task.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "app/exercises/random.hpp"
+
+namespace jw {
+
+namespace {
+
+// variants by which mistakes that are always the same are told from those that happen to be
+constexpr int kSamples = 8;
+constexpr int kMostSampleDraws = 60;
+constexpr int kMostDraws = 400;
+/// Answers of mistakes are so many tolerances apart.
+constexpr double kTolerancesApart = 10.0;
+constexpr std::size_t kMostChoices = 4;
+
+bool is_computed(const Exercise& exercise) { return !exercise.asked.empty(); }
+
+/// Answers that no tolerance tells apart.
+double smallest_difference(const Asked& asked) {
+    const double size = asked.right.size() > 0 ? std::max(1.0, asked.right.cwiseAbs().maxCoeff()) : 1.0;
+    return 1e-7 * size;
+}
+
+bool are_same(const MatrixX& a, const MatrixX& b, const Asked& asked) {
+    return difference_from(a, b, asked) <= smallest_difference(asked);
+}
+
+std::vector<int> shuffled_places(std::size_t count, Random& random) {
+    std::vector<int> places(count);
+    std::iota(places.begin(), places.end(), 0);
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        std::swap(places[k], places[k + static_cast<std::size_t>(random.below(static_cast<int>(count - k)))]);
+    }
+    return places;
+}
+
+void show_in_places(Task& task, const std::vector<std::string>& texts, Random& random) {
+    task.place = shuffled_places(texts.size(), random);
+    for (const int place : task.place) { task.shown.push_back(texts[static_cast<std::size_t>(place)]); }
+}
+
+MatrixX number_of_choice(const Task& task, int place) {
+    const auto found = std::ranges::find(task.place, place);
+    return MatrixX::Constant(1, 1, static_cast<double>(found - task.place.begin() + 1));
+}
+
+/// Choices in the words of the author.
+void show_choices(Task& task, Random& random) {
+    const Exercise& exercise = task.exercise();
+    std::vector<std::string> texts;
+    for (const ExerciseChoice& choice : exercise.choices) { texts.push_back(choice.text); }
+    show_in_places(task, texts, random);
+    for (std::size_t k = 0; k < exercise.choices.size(); ++k) {
+        const MatrixX number = number_of_choice(task, static_cast<int>(k));
+        if (static_cast<int>(k) == exercise.right_choice) {
+            task.asked.right = number;
+        } else {
+            task.asked.mistakes.push_back(
+                {"choice-" + std::to_string(k + 1), exercise.choices[k].text, exercise.choices[k].why, "", number, {}});
+        }
+    }
+    task.asked.tolerance = 0.0;
+}
+
+/// Choices among the right formula and mistaken ones.
+void show_formulas(Task& task, Random& random) {
+    std::vector<KnownMistake> wrong;
+    for (const int k : shuffled_places(task.asked.mistakes.size(), random)) {
+        KnownMistake& mistake = task.asked.mistakes[static_cast<std::size_t>(k)];
+        const bool is_new = mistake.shown != task.asked.latex &&
+                            std::ranges::find(wrong, mistake.shown, &KnownMistake::shown) == wrong.end();
+        if (is_new && wrong.size() + 1 < kMostChoices) { wrong.push_back(mistake); }
+    }
+    std::vector<std::string> texts{"$" + task.asked.latex + "$"};
+    for (const KnownMistake& mistake : wrong) { texts.push_back("$" + mistake.shown + "$"); }
+    show_in_places(task, texts, random);
+    for (std::size_t k = 0; k < wrong.size(); ++k) { wrong[k].answer = number_of_choice(task, static_cast<int>(k) + 1); }
+    task.asked.right = number_of_choice(task, 0);
+    task.asked.mistakes = std::move(wrong);
+    task.asked.tolerance = 0.0;
+}
+
+void show_components(Task& task) {
+    task.shown = {"x", "y", "z"};
+    task.place = {0, 1, 2};
+}
+
+/// The numbers that a row of answers for `items` gets when the items stand in this order.
+MatrixX numbers_in_order(const Task& task, const std::vector<int>& order) {
+    MatrixX numbers(static_cast<Eigen::Index>(order.size()), 1);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        numbers(static_cast<Eigen::Index>(k), 0) = number_of_choice(task, order[k])(0, 0);
+    }
+    return numbers;
+}
+
+void show_items(Task& task, Random& random) {
+    const std::vector<std::string>& items = task.exercise().items;
+    show_in_places(task, items, random);
+    std::vector<int> order(items.size());
+    std::iota(order.begin(), order.end(), 0);
+    task.asked.right = numbers_in_order(task, order);
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+        std::vector<int> swapped = order;
+        std::swap(swapped[k], swapped[k + 1]);
+        task.asked.mistakes.push_back(
+            {"order-" + std::to_string(k + 1), "two neighbours exchanged",
+             "Two neighbours are exchanged: \"" + items[k] + "\" comes before \"" + items[k + 1] + "\".", "",
+             numbers_in_order(task, swapped), {}});
+    }
+    std::ranges::reverse(order);
+    task.asked.mistakes.push_back(
+        {"reversed", "the order reversed", "This is the right order from its end to its beginning.", "",
+         numbers_in_order(task, order), {}});
+}
+
+/// What a student sees besides the question.
+void show(Task& task) {
+    Random random(task.variant.seed ^ 0x5DEECE66DULL);
+    const Exercise& exercise = task.exercise();
+    if (exercise.kind == ExerciseKind::order) { return show_items(task, random); }
+    if (exercise.kind != ExerciseKind::choose) { return; }
+    if (!exercise.choices.empty()) { return show_choices(task, random); }
+    if (exercise.formula.empty()) { return show_components(task); }
+    show_formulas(task, random);
+}
+
+}  // namespace
+
+TaskMaker::TaskMaker(const Exercise& exercise) : exercise_(&exercise) {
+    if (is_computed(exercise)) { find_groups(); }
+}
+
+void TaskMaker::find_groups() {
+    std::vector<Asked> samples;
+    for (int k = 0; k < kMostSampleDraws && static_cast<int>(samples.size()) < kSamples; ++k) {
+        const VariantDraw draw = drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name));
+        problem_ = draw.problem;
+        if (!draw.variant) { continue; }
+        Asked asked = asked_in(*draw.variant);
+        problem_ = asked.problem;
+        if (asked.problem.empty()) { samples.push_back(std::move(asked)); }
+    }
+    if (samples.empty()) { return; }
+    problem_.clear();
+    const std::size_t count = samples.front().mistakes.size();
+    const auto always_same = [&](auto a, auto b) {
+        return std::ranges::all_of(samples, [&](const Asked& s) { return are_same(a(s), b(s), s); });
+    };
+    leader_.assign(count, -1);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto answer = [](std::size_t at) {
+            return [at](const Asked& s) -> const MatrixX& { return s.mistakes[at].answer; };
+        };
+        const bool comparable = std::ranges::all_of(samples, [&](const Asked& s) {
+            return std::isfinite(difference_from(s.right, s.mistakes[k].answer, s));
+        });
+        if (!comparable || always_same([](const Asked& s) -> const MatrixX& { return s.right; }, answer(k))) { continue; }
+        leader_[k] = static_cast<int>(k);
+        for (std::size_t before = 0; before < k; ++before) {
+            if (leader_[before] == static_cast<int>(before) && always_same(answer(before), answer(k))) {
+                leader_[k] = static_cast<int>(before);
+                break;
+            }
+        }
+    }
+}
+
+bool TaskMaker::accept(Task& task, std::string& why) const {
+    Asked& asked = task.asked;
+    if (!asked.problem.empty()) {
+        why = asked.problem;
+        return false;
+    }
+    if (asked.condition > exercise_->condition_below) {
+        why = "the condition is " + std::to_string(asked.condition) + ", more than 'condition_below'";
+        return false;
+    }
+    std::vector<KnownMistake> apart;
+    std::vector<std::size_t> position(asked.mistakes.size(), 0);
+    for (std::size_t k = 0; k < asked.mistakes.size(); ++k) {
+        if (leader_[k] == static_cast<int>(k)) {
+            position[k] = apart.size();
+            apart.push_back(asked.mistakes[k]);
+        } else if (leader_[k] >= 0) {
+            std::string& title = apart[position[static_cast<std::size_t>(leader_[k])]].title;
+            const std::string& other = asked.mistakes[k].title;
+            if (title.find(other) == std::string::npos) { title += " or " + other; }
+        }
+    }
+    const double least = std::max(kTolerancesApart * asked.tolerance, smallest_difference(asked));
+    for (std::size_t a = 0; a < apart.size(); ++a) {
+        if (difference_from(asked.right, apart[a].answer, asked) <= least) {
+            why = "the mistake '" + apart[a].name + "' gives nearly the right answer: " + apart[a].says;
+            return false;
+        }
+        for (std::size_t b = 0; b < a; ++b) {
+            if (difference_from(apart[b].answer, apart[a].answer, asked) > least) { continue; }
+            why = "the mistakes '" + apart[b].name + "' and '" + apart[a].name + "' give nearly the same answer";
+            return false;
+        }
+    }
+    asked.mistakes = std::move(apart);
+    return true;
+}
+
+Task TaskMaker::make(std::uint64_t seed) const {
+    Task task;
+    task.variant.exercise = exercise_;
+    task.problem = problem_;
+    if (!problem_.empty()) { return task; }
+    Random random(seed);
+    std::string why;
+    for (int k = 0; k < kMostDraws; ++k) {
+        VariantDraw draw = drawn_variant(*exercise_, k == 0 ? seed : random.next());
+        if (!draw.variant) {
+            task.problem = draw.problem;
+            return task;
+        }
+        task.variant = std::move(*draw.variant);
+        task.draws = k + 1;
+        if (!is_computed(*exercise_)) {
+            show(task);
+            return task;
+        }
+        task.asked = asked_in(task.variant);
+        if (accept(task, why)) {
+            show(task);
+            return task;
+        }
+        if (exercise_->vary.empty()) { break; }
+    }
+    task.problem = "no variant can be accepted after " + std::to_string(task.draws) + " draws; of the last one: " + why;
+    return task;
+}
+
+}  // namespace jw

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/exercises/asked.hpp"
+
+/// Exercises as students get them.
+namespace jw {
+
+/// An exercise of one student. Mistakes that always give the same answer are one; all that are left differ
+/// from the right answer and from each other by more than ten tolerances.
+struct Task {
+    Variant variant;
+    Asked asked;
+    std::vector<std::string> shown;  ///< choices or items in the order in which they are shown
+    std::vector<int> place;          ///< of those in the exercise: shown[k] is the place[k]-th
+    int draws = 1;                   ///< how many variants were drawn before this one was accepted
+    std::string problem;             ///< why there is none; empty if there is one
+
+    const Exercise& exercise() const { return *variant.exercise; }
+};
+
+/// Makes the tasks of one exercise. `exercise` must outlive it and its tasks.
+class TaskMaker {
+public:
+    explicit TaskMaker(const Exercise& exercise);
+
+    /// The same task for the same seed.
+    Task make(std::uint64_t seed) const;
+    /// Why no task can be made; empty otherwise.
+    const std::string& problem() const { return problem_; }
+
+private:
+    void find_groups();
+    bool accept(Task& task, std::string& why) const;
+
+    const Exercise* exercise_;
+    /// For each mistake the first one that always gives the same answer; −1: it is none here, since its answer
+    /// is the right one, or has another shape.
+    std::vector<int> leader_;
+    std::string problem_;
+};
+
+}  // namespace jw

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/source_span.hpp"
+
+/// Exercises as data: what an exercise file says. docs/exercises.md describes the file.
+namespace jw {
+
+/// What is handed in, and how it is judged (app/exercises/kinds.hpp has one entry for each).
+enum class ExerciseKind {
+    number,
+    vector,
+    matrix,
+    pose,        ///< r and p of a body, 7 numbers; p and −p are the same
+    choose,      ///< the number of a choice, from 1
+    order,       ///< the numbers of the items in their right order
+    code,        ///< a program that computes the answer for given inputs
+    repair,      ///< a lesson file with a fault, mended
+    build,       ///< a lesson file to which joints are added
+    experiment,  ///< a list of experiments as after `jointwise try --try`
+};
+
+/// What may be used to solve an exercise.
+enum class Allowed { paper, program };
+
+/// A parameter of the scene that differs from student to student.
+struct Draw {
+    enum class Kind {
+        values,            ///< one of a list
+        numbers,           ///< from, from + step, ... to; several for a vector, not all zero
+        direction,         ///< a unit vector with rational components, such as (2, 3, 6)/7
+        euler_parameters,  ///< p with rational components, such as (1, 2, 2, 4)/5
+    };
+    Kind kind = Kind::values;
+    std::vector<std::string> keys;    ///< "body.dial.rotation.angle_deg": all get the same value
+    std::vector<std::string> values;  ///< as TOML
+    double from = 0.0;
+    double to = 0.0;
+    double step = 1.0;
+    int count = 1;  ///< 1: a number, else the length of a vector
+};
+
+/// A change of a scene's file.
+struct SceneEdit {
+    std::string key;    ///< "joint.B.axis", "joint.B": of a table that is taken out
+    std::string value;  ///< as TOML; empty: the key, or the table, is taken out
+
+    bool operator==(const SceneEdit&) const = default;
+};
+
+/// One of several sentences to choose from.
+struct ExerciseChoice {
+    std::string text;
+    std::string why;  ///< why it is wrong, or right
+};
+
+struct Exercise {
+    std::string name;  ///< letters, digits, '-' and '_': it becomes the name of files
+    std::string title;
+    ExerciseKind kind = ExerciseKind::number;
+    std::string source;  ///< slides or pages
+    std::string ask;     ///< with formulas between dollar signs, like `why` and `hints`
+    std::string why;     ///< shown with the solution
+    std::vector<std::string> hints;
+    Allowed allowed = Allowed::paper;
+    double points = 1.0;
+    SourceSpan span;  ///< of its table
+
+    std::string scene;       ///< the lesson as it was written, TOML
+    std::string scene_name;  ///< of its file, for messages
+    std::vector<Draw> vary;
+    double condition_below = 1e3;  ///< largest by smallest singular value that a variant may have
+
+    /// What is asked, as one claim in TOML whose value does not count (empty for choices, order, repair, build and
+    /// experiment); of a formula the first side is what is asked for, the last is how it is found.
+    std::string asked;
+    std::string formula;              ///< the equation, empty if it is no formula
+    std::vector<std::string> where;   ///< its definitions
+    std::vector<std::string> given;   ///< symbols whose values are told, or are inputs of a program
+    std::string unit;                 ///< of the answer, may be empty
+    double tolerance = 1e-3;          ///< of the largest entry; of a quantity absolute, in its unit
+    bool absolute = false;            ///< the tolerance is not relative
+    std::vector<std::string> only;    ///< mistakes that are looked for, by name; empty: all
+    std::vector<std::string> branch;  ///< experiments that lead to the other way to assemble the scene
+    int cases = 24;                   ///< code: states in which the program is tried
+
+    std::vector<ExerciseChoice> choices;  ///< empty where they are formulas
+    int right_choice = 0;
+    std::vector<std::string> items;  ///< order: in their right order
+
+    std::string expect;             ///< hidden claims, [[expect]] in TOML; empty: those of the scene
+    std::vector<SceneEdit> spoil;   ///< repair: what makes the scene sick
+    std::string solution;           ///< build: TOML that is added to the scene
+    std::vector<std::string> does;  ///< experiment: a list of experiments that solves it
+    int most = 1;                   ///< repair: values to change; build: joints; experiment: experiments
+};
+
+}  // namespace jw

@@ -1,0 +1,233 @@
+#include <array>
+#include <sstream>
+
+#include "lessons/exercise/read_exercise_parts.hpp"
+#include "lessons/exercise/read_exercises.hpp"
+#include "lessons/exercise/scene_edits.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+constexpr std::size_t kMostItems = 10;
+constexpr std::size_t kMostEdits = 50;
+
+// keys of [[expect]] that an exercise uses as they are
+constexpr std::array<const char*, 5> kMoments{"after", "at_s", "of", "as_given", "any_state"};
+constexpr std::array<const char*, 5> kOfFormula{"joint", "body", "primitive", "coordinates", "where"};
+constexpr std::array<const char*, 3> kOfQuantity{"quantity", "derivative", "point"};
+
+std::string text_of_table(const toml::table& table) {
+    std::ostringstream out;
+    out << toml::toml_formatter{table};
+    return out.str() + "\n";
+}
+
+/// The keys that are there, copied.
+template <std::size_t N>
+void copy_keys(Fields& fields, const std::array<const char*, N>& keys, toml::table& to) {
+    for (const char* key : keys) {
+        if (const toml::node* const node = fields.raw(key)) { to.insert(key, *node); }
+    }
+}
+
+/// Reads the scene with these claims; what is wrong with them is said at the exercise.
+void check_claims_of(Fields& fields, const Exercise& exercise, const std::string& claims, std::string_view what) {
+    // what else is wrong would only be said twice
+    if (exercise.scene.empty() || fields.problems().errors_count() > 0) { return; }
+    const ReadResult read = read_lesson_with_claims(exercise.scene, exercise.scene_name, claims);
+    if (read.lesson) { return; }
+    const Diagnostic& first = read.diagnostics.front();
+    fields.problems().add(
+        Code::exercise_answer, fields.span(), std::string(what) + " does not fit the scene: " + first.message, first.hint);
+}
+
+void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
+    if (const auto formula = fields.formula("formula")) {
+        exercise.formula = formula->value;
+        claim.insert("formula", formula->value);
+    } else if (exercise.kind == ExerciseKind::pose) {
+        claim.insert("formula", "p = p");
+        exercise.formula = "p = p";
+    }
+    copy_keys(fields, kOfFormula, claim);
+    if (const auto where = fields.texts("where")) {
+        for (const Located<std::string>& definition : where->value) { exercise.where.push_back(definition.value); }
+    }
+    if (const auto given = fields.texts("given")) {
+        for (const Located<std::string>& symbol : given->value) { exercise.given.push_back(symbol.value); }
+    }
+}
+
+void read_quantity_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
+    copy_keys(fields, kOfQuantity, claim);
+    exercise.absolute = true;
+    for (const char* ending : {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
+        const std::string key = std::string("tolerance") + ending;
+        const auto tolerance = fields.positive(key);
+        if (!tolerance) { continue; }
+        exercise.tolerance = tolerance->value;
+        claim.insert(key, tolerance->value);
+        claim.insert(std::string("value") + ending, 0.0);
+    }
+}
+
+/// What is asked, as a claim.
+void read_asked(Fields& fields, Exercise& exercise) {
+    toml::table claim;
+    copy_keys(fields, kMoments, claim);
+    const bool any = exercise.kind == ExerciseKind::code;
+    if (any) { claim.insert("any_state", true); }
+    fields.at_most_one({"formula", "count", "dropped", "quantity", "choices"});
+    if (const auto count = fields.word("count", kCounts)) {
+        claim.insert(word_of(kCounts, *count), 0);
+        exercise.tolerance = 0.0;
+        exercise.absolute = true;
+    } else if (const auto dropped = fields.text("dropped")) {
+        claim.insert("dropped", dropped->value + " x");
+    } else if (fields.has("quantity")) {
+        read_quantity_keys(fields, exercise, claim);
+    } else {
+        read_formula_keys(fields, exercise, claim);
+        if (exercise.formula.empty()) {
+            fields.missing("formula", "what is asked: a formula, 'count', 'dropped' or 'quantity'");
+            return;
+        }
+        if (const auto tolerance = fields.positive("tolerance")) { exercise.tolerance = tolerance->value; }
+        const auto absolute = fields.flag("absolute");
+        exercise.absolute = absolute && absolute->value;
+    }
+    toml::table claims;
+    claims.insert("expect", toml::array{claim});
+    exercise.asked = text_of_table(claims);
+    check_claims_of(fields, exercise, exercise.asked, "what is asked");
+}
+
+void read_computed(Fields& fields, Exercise& exercise) {
+    read_asked(fields, exercise);
+    if (const auto unit = fields.text("unit")) { exercise.unit = unit->value; }
+    if (const auto only = fields.texts("mistakes")) {
+        for (const Located<std::string>& name : only->value) { exercise.only.push_back(name.value); }
+    }
+    if (const auto branch = fields.texts("branch")) {
+        for (const Located<std::string>& action : branch->value) { exercise.branch.push_back(action.value); }
+    }
+    if (const auto cases = fields.integer("cases", 1, 1000)) { exercise.cases = cases->value; }
+}
+
+void read_choices(Fields& fields, Exercise& exercise) {
+    for (Fields& choice : fields.tables("choices", kMostItems)) {
+        choice.call("the choice");
+        ExerciseChoice read;
+        choice.require("text", "the words of the choice");
+        if (const auto text = choice.words("text")) { read.text = text->value; }
+        if (const auto why = choice.words("why")) { read.why = why->value; }
+        const auto right = choice.flag("right");
+        if (right && right->value) { exercise.right_choice = static_cast<int>(exercise.choices.size()); }
+        choice.finish();
+        exercise.choices.push_back(std::move(read));
+    }
+    if (exercise.choices.size() < 2) {
+        fields.problems().add(Code::wrong_count, fields.span("choices"), "expected two choices or more, one of them with right = true");
+    }
+}
+
+void read_items(Fields& fields, Exercise& exercise) {
+    fields.require("items", "sentences in their right order");
+    const auto items = fields.texts("items");
+    if (!items) { return; }
+    for (const Located<std::string>& item : items->value) {
+        fields.check_words(item);
+        exercise.items.push_back(item.value);
+    }
+    if (exercise.items.size() < 3 || exercise.items.size() > kMostItems) {
+        fields.problems().add(Code::wrong_count, items->span, "expected 3 to " + std::to_string(kMostItems) + " items");
+    }
+}
+
+/// Hidden claims; without any, those of the scene.
+void read_hidden(Fields& fields, Exercise& exercise) {
+    if (const toml::node* const expect = fields.raw("expect")) {
+        toml::table claims;
+        claims.insert("expect", *expect);
+        exercise.expect = text_of_table(claims);
+        check_claims_of(fields, exercise, exercise.expect, "what is expected");
+    }
+    if (const auto most = fields.integer("most", 0, 100)) { exercise.most = most->value; }
+}
+
+void read_spoil(Fields& fields, Exercise& exercise) {
+    fields.require("spoil", "changes that make the scene sick: { key = \"joint.B.axis\", value = [1, 0, 0] }");
+    for (Fields& edit : fields.tables("spoil", kMostEdits)) {
+        edit.call("the change");
+        edit.require("key", "what is changed, such as \"joint.B.axis\"");
+        SceneEdit change;
+        if (const auto key = edit.text("key")) { change.key = key->value; }
+        change.value = toml_of(edit, "value");
+        edit.finish();
+        exercise.spoil.push_back(std::move(change));
+    }
+    const EditedScene sick = with_edits(exercise.scene, exercise.spoil);
+    if (!exercise.scene.empty() && !sick.problem.empty()) {
+        fields.problems().add(Code::exercise_edit, fields.span("spoil"), sick.problem + "; expected keys of the scene");
+    }
+}
+
+std::vector<std::string> read_actions(Fields& fields) {
+    std::vector<std::string> actions;
+    fields.require("do", "a list of experiments that solves it");
+    if (const auto list = fields.texts("do")) {
+        for (const Located<std::string>& action : list->value) { actions.push_back(action.value); }
+    }
+    return actions;
+}
+
+}  // namespace
+
+std::string toml_of(Fields& fields, std::string_view key) {
+    const toml::node* const node = fields.raw(key);
+    if (node == nullptr) { return {}; }
+    std::ostringstream out;
+    node->visit([&](const auto& value) { out << value; });
+    return out.str();
+}
+
+std::vector<std::string> list_of_toml(Fields& fields, std::string_view key) {
+    std::vector<std::string> entries;
+    const toml::node* const node = fields.raw(key);
+    if (node == nullptr || !node->is_array()) { return entries; }
+    for (const toml::node& entry : *node->as_array()) {
+        std::ostringstream out;
+        entry.visit([&](const auto& value) { out << value; });
+        entries.push_back(out.str());
+    }
+    return entries;
+}
+
+void read_answer(Fields& fields, Exercise& exercise) {
+    switch (exercise.kind) {
+        case ExerciseKind::number:
+        case ExerciseKind::vector:
+        case ExerciseKind::matrix:
+        case ExerciseKind::pose:
+        case ExerciseKind::code: return read_computed(fields, exercise);
+        case ExerciseKind::choose:
+            return fields.has("choices") ? read_choices(fields, exercise) : read_computed(fields, exercise);
+        case ExerciseKind::order: return read_items(fields, exercise);
+        case ExerciseKind::repair:
+            read_hidden(fields, exercise);
+            return read_spoil(fields, exercise);
+        case ExerciseKind::build:
+            read_hidden(fields, exercise);
+            fields.require("solution", "joints that solve it, as they stand in a lesson file");
+            if (const auto solution = fields.text("solution")) { exercise.solution = solution->value; }
+            return;
+        case ExerciseKind::experiment:
+            read_hidden(fields, exercise);
+            exercise.does = read_actions(fields);
+            return;
+    }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,206 @@
+#include "lessons/exercise/read_exercises.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "lessons/exercise/read_exercise_parts.hpp"
+#include "lessons/file_text.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/toml_text.hpp"
+
+namespace jw {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLargestExercises = 2U << 20U;
+constexpr std::size_t kMostExercises = 500;
+constexpr double kMostPoints = 1000.0;
+constexpr std::size_t kMostHints = 10;
+
+std::string trimmed(std::string text) {
+    while (text.ends_with('\n')) { text.pop_back(); }
+    return text;
+}
+
+bool is_name(const std::string& name) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    };
+    return !name.empty() && name.size() <= 60 && std::ranges::all_of(name, fits);
+}
+
+void read_exercise_name(Fields& fields, std::set<std::string>& names, Exercise& exercise) {
+    fields.require("name", "a short name of letters, digits, '-' and '_'");
+    const auto name = fields.text("name");
+    if (!name) { return; }
+    fields.call("exercise " + in_quotes(name->value));
+    exercise.name = name->value;
+    if (!is_name(name->value)) {
+        fields.problems().add(
+            Code::faulty_name, name->span, in_quotes(name->value) + " cannot be the name of a file; expected up to 60 letters, digits, "
+                                                 "'-' and '_'");
+    } else if (!names.insert(name->value).second) {
+        fields.problems().add(
+            Code::taken_name, name->span, "there are two exercises " + in_quotes(name->value) + "; expected each name once");
+    }
+}
+
+void read_words(Fields& fields, Exercise& exercise) {
+    fields.require("title", "a title");
+    if (const auto title = fields.words("title")) { exercise.title = title->value; }
+    if (const auto source = fields.text("source")) { exercise.source = source->value; }
+    fields.require("ask", "what is asked");
+    if (const auto ask = fields.words("ask")) { exercise.ask = trimmed(ask->value); }
+    if (const auto why = fields.words("why")) { exercise.why = trimmed(why->value); }
+    if (const auto hints = fields.texts("hints")) {
+        if (hints->value.size() > kMostHints) {
+            fields.problems().add(Code::wrong_count, hints->span, "expected at most " + std::to_string(kMostHints) + " hints");
+        }
+        for (const Located<std::string>& hint : hints->value) {
+            fields.check_words(hint);
+            exercise.hints.push_back(trimmed(hint.value));
+        }
+    }
+    static const std::vector<std::string> kWords{"paper", "program"};
+    if (const auto allowed = fields.word("allowed", kWords)) {
+        exercise.allowed = *allowed == 0 ? Allowed::paper : Allowed::program;
+    }
+    if (const auto points = fields.positive("points")) {
+        exercise.points = points->value;
+        if (points->value > kMostPoints) { fields.problems().add(Code::out_of_range, points->span, "expected at most 1000 points"); }
+    }
+}
+
+/// A file beside the exercises, or a lesson in place.
+void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
+    const auto scene = fields.text("scene");
+    if (!scene) {
+        const bool needs_none = exercise.kind == ExerciseKind::order || fields.has("choices");
+        if (exercise.scene.empty() && !needs_none) { fields.require("scene", "a lesson file, or a lesson as text of several lines"); }
+        return;
+    }
+    if (scene->value.find('\n') != std::string::npos) {
+        exercise.scene = scene->value;
+        exercise.scene_name = "the scene of " + exercise.name;
+    } else {
+        const fs::path path = folder / scene->value;
+        FileText file = read_file_text(path, kLargestExercises);
+        if (!file.problem.empty()) {
+            fields.problems().add(
+                Code::exercise_scene, scene->span, in_quotes(scene->value) + ": " + file.problem + "; expected a lesson file, relative to "
+                                                       "the file of exercises");
+            return;
+        }
+        exercise.scene = std::move(file.text);
+        exercise.scene_name = path.string();
+    }
+    const ReadResult read = read_lesson(exercise.scene, exercise.scene_name);
+    if (read.lesson) { return; }
+    const Diagnostic& first = read.diagnostics.front();
+    fields.problems().add(
+        Code::exercise_scene, scene->span, "the scene is no lesson: line " + std::to_string(first.span.line) + ": " + first.message,
+        "'jointwise check' tells all that is wrong with a file");
+}
+
+Exercise read_exercise(
+    Fields& fields, const fs::path& folder, const Exercise& defaults, std::set<std::string>& names) {
+    Exercise exercise = defaults;
+    exercise.span = fields.span();
+    fields.call("the exercise");
+    read_exercise_name(fields, names, exercise);
+    read_words(fields, exercise);
+    fields.require("kind", comma_list(words_of(kExerciseKinds)));
+    const int errors = fields.problems().errors_count();
+    const auto kind = fields.word("kind", kExerciseKinds);
+    if (kind) { exercise.kind = *kind; }
+    read_scene(fields, folder, exercise);
+    reading::read_draws(fields, exercise);
+    if (kind) {
+        reading::read_answer(fields, exercise);
+    }
+    if (kind || fields.problems().errors_count() == errors) { fields.finish(); }
+    return exercise;
+}
+
+bool is_lesson_table(const toml::table& table) { return table.contains("body") || table.contains("joint"); }
+
+bool read_exercise_head(Fields& root, ExercisesRead& read, Exercise& defaults) {
+    root.require("format", "format = 1 as the first key");
+    root.integer("format", 1, 1);
+    root.require("title", "a title");
+    if (const auto title = root.text("title")) { read.title = title->value; }
+    if (const auto source = root.text("source")) { defaults.source = source->value; }
+    return root.problems().errors_count() == 0;
+}
+
+}  // namespace
+
+std::string ExercisesRead::report() const {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) { text += to_string(diagnostic, source); }
+    return text;
+}
+
+std::vector<Exercise> read_exercise_tables(Fields& root, const fs::path& folder, const Exercise& defaults) {
+    std::vector<Exercise> exercises;
+    std::set<std::string> names;
+    for (Fields& fields : root.tables("exercise", kMostExercises)) {
+        exercises.push_back(read_exercise(fields, folder, defaults, names));
+    }
+    return exercises;
+}
+
+ExercisesRead read_exercises(std::string source, const fs::path& path) {
+    ExercisesRead read;
+    read.source = std::move(source);
+    Problems problems(path.string(), read.source);
+    if (const auto table = reading::parse_toml(read.source, problems)) {
+        Fields root(*table, "the exercises", problems);
+        Exercise defaults;
+        const bool is_lesson = is_lesson_table(*table);
+        if (is_lesson) {
+            // what else is wrong with the lesson is said by its own reader
+            const ReadResult lesson = read_lesson(read.source, path.string());
+            read.diagnostics = lesson.diagnostics;
+            if (!lesson.lesson) { return read; }
+            read.title = lesson.lesson->title;
+            defaults.source = lesson.lesson->source;
+            defaults.scene = read.source;
+            defaults.scene_name = path.string();
+            read.diagnostics.clear();
+        } else {
+            read_exercise_head(root, read, defaults);
+        }
+        root.require("exercise", "a table [[exercise]]");
+        read.exercises = read_exercise_tables(root, path.parent_path(), defaults);
+        if (!is_lesson) { root.finish(); }
+        if (problems.errors_count() > 0) { read.exercises.clear(); }
+    }
+    read.diagnostics = problems.take();
+    return read;
+}
+
+ExerciseTables exercise_tables_in(const fs::path& path) {
+    // a pipe can be read once only
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) { return ExerciseTables::none; }
+    FileText file = read_file_text(path, kLargestExercises);
+    Problems problems(path.string(), file.text);
+    const auto table = reading::parse_toml(file.text, problems);
+    if (!table || !table->contains("exercise")) { return ExerciseTables::none; }
+    return is_lesson_table(*table) ? ExerciseTables::in_lesson : ExerciseTables::alone;
+}
+
+ExercisesRead read_exercise_file(const fs::path& path) {
+    FileText file = read_file_text(path, kLargestExercises);
+    if (file.problem.empty()) { return read_exercises(std::move(file.text), path); }
+    ExercisesRead read;
+    read.diagnostics.push_back(
+        {path.string(), {}, Code::file_unreadable, file.problem + "; expected a file of exercises (.toml)", {}, Severity::error});
+    return read;
+}
+
+}  // namespace jw

@@ -1,0 +1,302 @@
+#include "lessons/exercise/scene_edits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include <toml++/toml.h>
+
+namespace jw {
+
+namespace {
+
+/// Bytes of a text by line and column, both from 1; columns are characters.
+class Places {
+public:
+    explicit Places(const std::string& text) : text_(&text) {
+        starts_.push_back(0);
+        for (std::size_t k = 0; k < text.size(); ++k) {
+            if (text[k] == '\n') { starts_.push_back(k + 1); }
+        }
+    }
+    std::size_t line(std::size_t number) const {
+        return number - 1 < starts_.size() ? starts_[number - 1] : text_->size();
+    }
+    std::size_t byte(const toml::source_position& at) const {
+        std::size_t k = line(at.line);
+        for (std::size_t column = 1; column < at.column && k < text_->size(); ++column) {
+            ++k;
+            while (k < text_->size() && (static_cast<unsigned char>((*text_)[k]) & 0xC0U) == 0x80U) { ++k; }
+        }
+        return k;
+    }
+
+private:
+    const std::string* text_;
+    std::vector<std::size_t> starts_;
+};
+
+std::optional<toml::table> parsed(const std::string& text) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error&) { return std::nullopt; }
+}
+
+std::vector<std::string> parts_of(const std::string& key) {
+    std::vector<std::string> parts(1);
+    for (const char c : key) {
+        if (c == '.') {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+std::optional<std::size_t> index_in(const toml::array& list, const std::string& part) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        const toml::table* const table = list[k].as_table();
+        const auto name = table != nullptr ? (*table)["name"].value<std::string>() : std::nullopt;
+        if (name == part) { return k; }
+    }
+    const bool number = !part.empty() && part.size() < 6 &&
+                        std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+    if (!number) { return std::nullopt; }
+    const std::size_t k = std::stoul(part);
+    return k < list.size() ? std::optional<std::size_t>(k) : std::nullopt;
+}
+
+toml::node* child_of(toml::node& node, const std::string& part) {
+    if (toml::table* const table = node.as_table()) { return table->get(part); }
+    toml::array* const list = node.as_array();
+    const auto k = list != nullptr ? index_in(*list, part) : std::nullopt;
+    return k ? list->get(*k) : nullptr;
+}
+
+toml::node* node_at(toml::table& root, const std::vector<std::string>& parts) {
+    toml::node* node = &root;
+    for (const std::string& part : parts) {
+        node = child_of(*node, part);
+        if (node == nullptr) { return nullptr; }
+    }
+    return node;
+}
+
+/// Lines at which tables with a header of their own begin.
+void collect_headers(const toml::node& node, std::set<std::size_t>& lines) {
+    if (const toml::table* const table = node.as_table()) {
+        if (!table->is_inline() && table->source().begin.line > 0) { lines.insert(table->source().begin.line); }
+        for (const auto& [key, value] : *table) { collect_headers(value, lines); }
+    } else if (const toml::array* const list = node.as_array()) {
+        for (const toml::node& entry : *list) {
+            if (entry.is_table()) { collect_headers(entry, lines); }
+        }
+    }
+}
+
+std::set<std::size_t> headers_of(const toml::table& root) {
+    std::set<std::size_t> lines;
+    for (const auto& [key, value] : root) { collect_headers(value, lines); }
+    return lines;
+}
+
+/// Takes the lines of the tables that begin at `lines` out of the text.
+std::string without_headers(
+    const std::string& text, const std::set<std::size_t>& all, const std::set<std::size_t>& lines) {
+    const Places places(text);
+    std::string kept;
+    std::size_t from = 0;
+    for (const std::size_t line : lines) {
+        const auto next = all.upper_bound(line);
+        const std::size_t begin = places.line(line);
+        if (begin > from) { kept += text.substr(from, begin - from); }
+        from = std::max(from, next == all.end() ? text.size() : places.line(*next));
+    }
+    return kept + text.substr(std::min(from, text.size()));
+}
+
+std::string as_toml(const toml::node& node) {
+    std::ostringstream out;
+    node.visit([&](const auto& value) { out << value; });
+    return out.str();
+}
+
+std::string remove_node(
+    const std::string& text, const toml::table& root, const toml::node& node, const toml::node& parent,
+    const std::string& key) {
+    const toml::table* const table = node.as_table();
+    if (table != nullptr && !table->is_inline()) {
+        return without_headers(text, headers_of(root), {node.source().begin.line});
+    }
+    const toml::table* const around = parent.as_table();
+    if (around == nullptr || around->is_inline()) { return {}; }
+    const Places places(text);
+    const auto entry = around->find(key);
+    std::string changed = text;
+    const std::size_t from = places.line(entry->first.source().begin.line);
+    const std::size_t to = places.line(node.source().end.line + 1);
+    return changed.erase(from, to - from);
+}
+
+/// A key that is not there yet is added after the header of its table.
+std::string add_key(const std::string& text, const toml::node& parent, const SceneEdit& edit, const std::string& key) {
+    const toml::table* const table = parent.as_table();
+    if (table == nullptr || table->is_inline() || table->source().begin.line == 0) { return {}; }
+    std::string changed = text;
+    const std::size_t at = Places(text).line(table->source().begin.line + 1);
+    return changed.insert(at, key + " = " + edit.value + "\n");
+}
+
+std::string edited(const std::string& text, const SceneEdit& edit) {
+    std::optional<toml::table> root = parsed(text);
+    if (!root) { return {}; }
+    std::vector<std::string> parts = parts_of(edit.key);
+    toml::node* const node = node_at(*root, parts);
+    const std::string last = parts.back();
+    parts.pop_back();
+    toml::node* const parent = node_at(*root, parts);
+    if (parent == nullptr) { return {}; }
+    if (node == nullptr) { return edit.value.empty() ? std::string() : add_key(text, *parent, edit, last); }
+    if (edit.value.empty()) { return remove_node(text, *root, *node, *parent, last); }
+    if (node->source().begin.line == 0) { return {}; }
+    const Places places(text);
+    std::string changed = text;
+    const std::size_t from = places.byte(node->source().begin);
+    return changed.replace(from, places.byte(node->source().end) - from, edit.value);
+}
+
+// what a mechanism is; the others are its looks and words, or claims about it
+constexpr std::array<std::string_view, 12> kMechanical{
+    "body",  "joint",  "driver", "motion", "dynamics",         "order",
+    "force", "torque", "spring", "format", "rotational_spring", "coordinates"};
+constexpr std::array<std::string_view, 4> kLooks{"text", "colour", "shape", "why"};
+
+bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+double number_in(const toml::node& node) {
+    return node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                             : node.as_floating_point()->get();
+}
+
+bool are_equal(const toml::node& a, const toml::node& b) {
+    if (a.is_number() && b.is_number()) { return number_in(a) == number_in(b); }
+    return a.type() == b.type() && as_toml(a) == as_toml(b);
+}
+
+bool are_tables(const toml::array& list) {
+    return !list.empty() && std::ranges::all_of(list, [](const toml::node& n) { return n.is_table(); });
+}
+
+class Comparer {
+public:
+    SceneDifference found;
+
+    void compare(const std::string& path, const toml::table& a, const toml::table& b) {
+        for (const auto& [key, value] : a) {
+            if (skips(path, key.str())) { continue; }
+            const toml::node* const other = b.get(key.str());
+            const std::string here = below(path, key.str());
+            if (other == nullptr) {
+                found.removed.push_back(here);
+            } else {
+                compare(here, value, *other);
+            }
+        }
+        for (const auto& [key, value] : b) {
+            if (!skips(path, key.str()) && !a.contains(key.str())) {
+                found.added.push_back(below(path, key.str()));
+            }
+        }
+    }
+
+private:
+    static bool skips(const std::string& path, std::string_view key) {
+        return path.empty() ? !is_one_of(kMechanical, key) : is_one_of(kLooks, key);
+    }
+    static std::string below(const std::string& path, std::string_view key) {
+        return path.empty() ? std::string(key) : path + "." + std::string(key);
+    }
+
+    void compare(const std::string& path, const toml::node& a, const toml::node& b) {
+        if (a.is_table() && b.is_table()) { return compare(path, *a.as_table(), *b.as_table()); }
+        const bool lists = a.is_array() && b.is_array();
+        if (lists && are_tables(*a.as_array()) && are_tables(*b.as_array())) {
+            return compare_named(path, *a.as_array(), *b.as_array());
+        }
+        if (!are_equal(a, b)) { found.changed.push_back(path); }
+    }
+
+    void compare_named(const std::string& path, const toml::array& a, const toml::array& b) {
+        const auto name_of_entry = [](const toml::array& list, std::size_t k) {
+            const auto name = (*list[k].as_table())["name"].value<std::string>();
+            return name ? *name : std::to_string(k);
+        };
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            const std::string name = name_of_entry(a, k);
+            const auto other = index_in(b, name);
+            if (other) {
+                compare(below(path, name), *a[k].as_table(), *b[*other].as_table());
+            } else {
+                found.removed.push_back(below(path, name));
+            }
+        }
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const std::string name = name_of_entry(b, k);
+            if (!index_in(a, name)) { found.added.push_back(below(path, name)); }
+        }
+    }
+};
+
+}  // namespace
+
+EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits) {
+    for (const SceneEdit& edit : edits) {
+        std::string changed = edited(scene, edit);
+        if (changed.empty()) { return {std::move(scene), "there is no '" + edit.key + "' that could be set"}; }
+        scene = std::move(changed);
+    }
+    return {std::move(scene), {}};
+}
+
+std::string without_tables(const std::string& scene, const std::vector<std::string>& names) {
+    std::optional<toml::table> root = parsed(scene);
+    if (!root) { return scene; }
+    std::set<std::size_t> lines;
+    for (const std::string& name : names) {
+        if (const toml::node* const node = root->get(name)) { collect_headers(*node, lines); }
+    }
+    return without_headers(scene, headers_of(*root), lines);
+}
+
+std::string value_in(const std::string& scene, const std::string& key) {
+    std::optional<toml::table> root = parsed(scene);
+    const toml::node* const node = root ? node_at(*root, parts_of(key)) : nullptr;
+    return node != nullptr ? as_toml(*node) : std::string();
+}
+
+std::string claims_in(const std::string& scene) {
+    const std::optional<toml::table> root = parsed(scene);
+    const toml::node* const claims = root ? root->get("expect") : nullptr;
+    if (claims == nullptr) { return {}; }
+    toml::table kept;
+    kept.insert("expect", *claims);
+    std::ostringstream out;
+    out << toml::toml_formatter{kept};
+    return out.str() + "\n";
+}
+
+SceneDifference difference_of(const std::string& before, const std::string& after) {
+    const auto a = parsed(before);
+    const auto b = parsed(after);
+    Comparer comparer;
+    if (a && b) { comparer.compare("", *a, *b); }
+    return comparer.found;
+}
+
+}  // namespace jw

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lessons/exercise/exercise.hpp"
+
+/// Changes of a lesson file as text, so that its comments and everything else stay as they are.
+///
+/// A key is a path: "joint.B.axis", "body.dial.rotation.angle_deg", "driver.turn.polynomial_deg.1",
+/// "motion.to_s". Entries of a list of tables are named by their `name`, or by their number from 0.
+namespace jw {
+
+struct EditedScene {
+    std::string text;
+    std::string problem;  ///< "there is no 'joint.B.axis' in it"; empty if all could be done
+};
+
+/// The scene with the edits made one after the other.
+EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits);
+
+/// The scene without all tables of these names, such as "expect", and without the comments that end in front
+/// of the first one of a block of them.
+std::string without_tables(const std::string& scene, const std::vector<std::string>& names);
+
+/// Value of a key as TOML; empty if there is none.
+std::string value_in(const std::string& scene, const std::string& key);
+
+/// The tables [[expect]] of a lesson, as TOML.
+std::string claims_in(const std::string& scene);
+
+/// Keys whose values differ between two lesson files, claims, texts and looks left out. A table that only one
+/// of them has counts once, by its own path; the order of keys does not count.
+struct SceneDifference {
+    std::vector<std::string> changed;
+    std::vector<std::string> added;
+    std::vector<std::string> removed;
+
+    std::size_t count() const { return changed.size() + added.size() + removed.size(); }
+};
+SceneDifference difference_of(const std::string& before, const std::string& after);
+
+}  // namespace jw
