@@ -31,6 +31,12 @@ std::string failure_of(const ClaimResult& claim, const std::string& file) {
            "</failure>";
 }
 
+/// The code of the first mistake in the file, or what else keeps it from being checked.
+std::string type_of_error(const CheckedLesson& lesson) {
+    const auto first = std::ranges::find(lesson.diagnostics, Severity::error, &Diagnostic::severity);
+    return first != lesson.diagnostics.end() ? std::string(entry_of(first->code).printed) : "input";
+}
+
 struct Counts {
     int tests = 0;
     int failures = 0;
@@ -59,8 +65,8 @@ void write_suite(const CheckedLesson& lesson, const CheckStyle& style, std::ostr
         const std::string first_line = lesson.error.substr(0, lesson.error.find('\n'));
         write_case(
             lesson.file, "the lesson can be checked",
-            "<error type=\"input\" message=\"" + xml_attribute(first_line) + "\">" + xml_text(lesson.error) +
-                "</error>",
+            "<error type=\"" + type_of_error(lesson) + "\" message=\"" + xml_attribute(first_line) + "\">" +
+                xml_text(lesson.error) + "</error>",
             out);
     } else if (lesson.claims_nothing()) {
         write_case(

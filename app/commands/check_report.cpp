@@ -34,6 +34,16 @@ Json json_of(const ClaimResult& claim) {
             {"line", claim.span.line},    {"column", claim.span.column}};
 }
 
+Json json_of(const Diagnostic& diagnostic) {
+    return {
+        {"code", std::string(entry_of(diagnostic.code).printed)},
+        {"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+        {"line", diagnostic.span.line},
+        {"column", diagnostic.span.column},
+        {"message", diagnostic.message},
+        {"hint", diagnostic.hint}};
+}
+
 Json json_of(const CheckedLesson& lesson, const CheckStyle& style) {
     Json claims = Json::array();
     for (const ClaimResult& claim : lesson.claims) { claims.push_back(json_of(claim)); }
@@ -46,6 +56,9 @@ Json json_of(const CheckedLesson& lesson, const CheckStyle& style) {
         {"not_judged", lesson.not_judged},
         {"claims", claims},
         {"error", lesson.error.empty() ? Json() : Json(lesson.error)}};
+    for (const Diagnostic& diagnostic : lesson.diagnostics) {
+        json["diagnostics"].push_back(json_of(diagnostic));
+    }
     if (!lesson.tried.empty()) { json["tried"] = lesson.tried; }
     return json;
 }

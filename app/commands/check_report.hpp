@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/claims/checks.hpp"
+#include "lessons/diagnostics.hpp"
 
 /// Results of `jointwise check` and their forms: text, JSON, JUnit.
 namespace jw {
@@ -17,6 +18,7 @@ struct CheckedLesson {
     int not_judged = 0;               ///< claims about what an experiment has taken out
     std::vector<ClaimResult> claims;  ///< in the order of the file
     std::string error;                ///< why the lesson was not checked, as on standard error; else empty
+    std::vector<Diagnostic> diagnostics;  ///< what is wrong with its file
 
     int held() const;
     int failed() const { return static_cast<int>(claims.size()) - held(); }

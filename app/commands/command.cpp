@@ -19,7 +19,7 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
                                  "reads; expected another file after '>'");
     }
     ReadResult read = read_lesson_file(path);
-    if (!read.lesson) { throw CommandError(Exit::bad_input, read.report()); }
+    if (!read.lesson) { throw FaultyFile(read.report(), read.diagnostics); }
     if (!read.diagnostics.empty()) { streams.err << read.report(); }
     return std::move(*read.lesson);
 }

@@ -5,7 +5,10 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "lessons/diagnostics.hpp"
 #include "lessons/lesson.hpp"
 
 /// Parts that all commands share: exit status, streams, errors in the command line.
@@ -29,6 +32,17 @@ private:
     Exit exit_;
 };
 
+/// The file has mistakes; `what()` is the report about them.
+class FaultyFile : public CommandError {
+public:
+    FaultyFile(const std::string& report, std::vector<Diagnostic> diagnostics)
+        : CommandError(Exit::bad_input, report), diagnostics_(std::move(diagnostics)) {}
+    const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+private:
+    std::vector<Diagnostic> diagnostics_;
+};
+
 /// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
 
@@ -42,7 +56,7 @@ struct Streams {
 };
 
 /// The lesson in `path`; warnings go to `streams.err`.
-/// @throws CommandError (bad_input) with all diagnostics of the file, or if `streams` go into it
+/// @throws FaultyFile with all diagnostics of the file; CommandError (bad_input) if `streams` go into it
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
 /// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.

@@ -126,6 +126,8 @@ TEST_CASE("The JSON of check has every claim, every error and the exit status", 
                               {"line", 20},        {"column", 8}};
     CHECK(bad["claims"][0] == rank);
     CHECK_THAT(json["lessons"][3]["error"].get<std::string>(), Catch::Contains("there is no such file"));
+    CHECK(json["lessons"][3]["diagnostics"][0]["code"] == "JW101");
+    CHECK_FALSE(bad.contains("diagnostics"));
 }
 
 TEST_CASE("The JSON of check says what was tried and how many claims it left out", "[app][check]") {
@@ -156,7 +158,7 @@ TEST_CASE("The JUnit of check is XML with a suite per lesson and a case per clai
                      lessons.bad + ":20:8\nOne &lt;is&gt; driven &amp; \"held\".</failure>"));
     CHECK_THAT(
         ran.out, Catch::Contains(
-                     "<error type=\"input\" message=\"" + lessons.path() +
+                     "<error type=\"JW202\" message=\"" + lessons.path() +
                      "/wrong&amp;.toml:1:1: error: the lesson has no 'body'"));
     const Ran required = run({"check", lessons.claimless, "--format", "junit", "--require-claims"});
     CHECK(required.status == 1);
