@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace jw::exercises {
+
+/// A file descriptor that is closed with its owner; -1 is none.
+class Handle {
+public:
+    Handle() = default;
+    explicit Handle(int fd) : fd_(fd) {}
+    Handle(Handle&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    Handle& operator=(Handle&& other) noexcept;
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    ~Handle() { close(); }
+
+    int fd() const { return fd_; }
+    explicit operator bool() const { return fd_ >= 0; }
+    void close();
+
+private:
+    int fd_ = -1;
+};
+
+/// A pipe: we read without waiting, the sandbox writes. Both are none if the system has no more.
+struct Pipe {
+    Handle read;
+    Handle write;
+};
+
+Pipe open_pipe();
+
+/// A file in memory that nobody can change, read from its beginning. None if the system refuses.
+Handle memory_file(const std::string& content);
+
+/// Handle of a process, which becomes readable when the process has ended. None if there is no such process.
+Handle process_handle(int pid);
+
+/// SIGKILL to the process of a handle.
+void kill_process(const Handle& process);
+
+}  // namespace jw::exercises

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace jw::exercises {
+
+/// Where the files of a run lie in the sandbox.
+inline constexpr const char* kSandboxFolder = "/submission";
+inline constexpr const char* kBwrap = "/usr/bin/bwrap";
+
+/// What a program may use. Times in seconds of the clock and of all processors together.
+struct SandboxLimits {
+    double wall_seconds = 10.0;
+    double cpu_seconds = 5.0;                    ///< of all processes of the run together
+    std::uint64_t memory_bytes = 512ULL << 20U;  ///< of one process, and of all of them together
+    std::uint64_t address_bytes = 4ULL << 30U;   ///< of one process: reserved, whether used or not
+    int processes = 32;                          ///< processes and threads
+    std::uint64_t file_bytes = 32ULL << 20U;     ///< of one file
+    std::uint64_t tmp_bytes = 64ULL << 20U;      ///< of all files of /tmp together
+    std::uint64_t tmp_files = 5000;  ///< files and folders of /tmp, which cost memory even if empty
+    int open_files = 64;
+    std::size_t out_bytes = 1U << 20U;   ///< of standard output; a program that writes more is stopped
+    std::size_t err_bytes = 64U << 10U;  ///< of standard error, likewise
+};
+
+/// A file that the sandbox shows in kSandboxFolder, read-only.
+struct SandboxFile {
+    std::string name;  ///< without a folder
+    std::string content;
+    bool executable = false;
+};
+
+struct SandboxJob {
+    std::vector<std::string> command;  ///< the program by its full path, and its arguments
+    std::vector<SandboxFile> files;
+    std::string input;  ///< standard input: a file that ends where this text ends
+    SandboxLimits limits;
+    std::string bwrap = kBwrap;  ///< another one only in tests
+};
+
+struct SandboxResult {
+    /// Why the program was not started; empty if it was. Nothing else is meant if this is not empty.
+    std::string could_not_run;
+    int exit_status = 0;  ///< 128 + signal where a signal ended it
+    int signal = 0;       ///< that ended it, 0 if none; an exit status above 128 is taken for a signal
+    std::string out;      ///< bytes as written: may be no text at all (safe_text.hpp)
+    std::string err;
+    bool timed_out = false;        ///< by the clock or by the processor
+    bool too_much_output = false;  ///< on standard output or error
+    bool too_many_files = false;
+    bool out_of_memory = false;  ///< stopped for it, or its last words look like it
+    double wall_seconds = 0.0;   ///< without the time to set up the sandbox
+    double cpu_seconds = 0.0;    ///< of all processes, with a few milliseconds of the sandbox itself
+
+    /// It ran, ended by itself and reports success.
+    bool succeeded() const;
+};
+
+/// Runs a command without network, without the files of this machine but /usr (read-only, without
+/// /usr/local), with an empty environment and with limits on all that it may use; when this returns, none of
+/// its processes is left. Needs bubblewrap and user namespaces; if there are none, the command is not run.
+/// Where this process is root, the command runs as a user that does not exist. May be called by several
+/// threads and processes at once.
+SandboxResult run_in_sandbox(const SandboxJob& job);
+
+struct SandboxAvailability {
+    bool available = false;
+    std::string reason;  ///< why not, as one sentence
+};
+
+/// Whether a sandbox works here: tried once in a process with a command that does nothing.
+const SandboxAvailability& sandbox_availability();
+
+/// The same for another bubblewrap, tried at each call.
+SandboxAvailability try_sandbox(const std::string& bwrap);
+
+/// How a run ended if not well, as what follows "the program"; empty if it succeeded. Safe for a terminal.
+std::string fault_of(const SandboxResult& result, const SandboxLimits& limits);
+
+}  // namespace jw::exercises

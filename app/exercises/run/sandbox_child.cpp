@@ -1,0 +1,136 @@
+#include "app/exercises/run/sandbox_child.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include <fcntl.h>
+#include <grp.h>
+#include <linux/close_range.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace jw::exercises {
+namespace {
+
+struct ResourceLimit {
+    __rlimit_resource which;
+    rlimit value;
+};
+
+/// A limit, but not above what is allowed to us.
+ResourceLimit at_most(__rlimit_resource which, std::uint64_t soft, std::uint64_t hard) {
+    rlimit now{};
+    ::getrlimit(which, &now);
+    return {which, {std::min<rlim_t>(soft, now.rlim_max), std::min<rlim_t>(hard, now.rlim_max)}};
+}
+
+std::vector<ResourceLimit> resource_limits(const SandboxLimits& limits) {
+    const auto same = [](__rlimit_resource which, std::uint64_t value) {
+        return at_most(which, value, value);
+    };
+    const auto cpu = static_cast<std::uint64_t>(std::ceil(std::max(limits.cpu_seconds, 1.0)));
+    return {
+        at_most(RLIMIT_CPU, cpu, cpu + 1), same(RLIMIT_DATA, limits.memory_bytes),
+        same(RLIMIT_AS, limits.address_bytes), same(RLIMIT_STACK, 8U << 20U),
+        same(RLIMIT_FSIZE, limits.file_bytes),
+        same(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)),
+        // 0 would still call a program that collects core dumps, 1 does not
+        same(RLIMIT_CORE, 1), same(RLIMIT_MEMLOCK, 64U << 10U), same(RLIMIT_MSGQUEUE, 0),
+        same(RLIMIT_SIGPENDING, 256), same(RLIMIT_RTPRIO, 0), same(RLIMIT_NICE, 0)};
+}
+
+// From here on what runs in the child, which shares locks with threads that do not exist there: no memory is
+// allocated, and system calls are made directly where the library would call other threads.
+
+[[noreturn]] void give_up(const char* words) {
+    static_cast<void>(!::write(STDERR_FILENO, words, std::strlen(words)));
+    ::_exit(125);
+}
+
+/// Moves descriptors to 0, 1, 2 ...; others are closed: what this process has open is not for students.
+void arrange(int* fds, int count) {
+    // out of the way of the numbers that they shall get
+    for (int k = 0; k < count; ++k) { fds[k] = ::fcntl(fds[k], F_DUPFD, count); }
+    for (int k = 0; k < count; ++k) { ::dup2(fds[k], k); }
+    if (::syscall(SYS_close_range, static_cast<unsigned>(count), ~0U, 0U) != 0) {
+        give_up("open files cannot be closed\n");
+    }
+}
+
+void default_signals() {
+    struct sigaction standard {};
+    standard.sa_handler = SIG_DFL;
+    for (int signal = 1; signal < NSIG; ++signal) { ::sigaction(signal, &standard, nullptr); }
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+bool become(unsigned user) {
+    return ::syscall(SYS_setresgid, user, user, user) == 0 && ::syscall(SYS_setresuid, user, user, user) == 0;
+}
+
+/// The kernel does not limit root's processes, and root's files would be those of the program. A user of its
+/// own for every run, so that runs do not count each other's processes; some containers know only nobody.
+void leave_root() {
+    if (::geteuid() != 0) { return; }
+    constexpr unsigned kUnusedUsers = 0x70000000;  // above those that systemd and containers give away
+    constexpr unsigned kNobody = 65534;
+    const bool is_alone = ::syscall(SYS_setgroups, 0, nullptr) == 0;
+    if (!is_alone || (!become(kUnusedUsers + static_cast<unsigned>(::getpid())) && !become(kNobody))) {
+        give_up(
+            "root cannot become another user here, as in a container without CAP_SETUID and CAP_SETGID\n");
+    }
+}
+
+[[noreturn]] void become_sandbox(
+    char* const* arguments, int* fds, int count, const std::vector<ResourceLimit>& limits, int parent) {
+    arrange(fds, count);
+    default_signals();
+    ::setsid();  // keys that end the caller are not for its child, which dies with it
+    for (const ResourceLimit& limit : limits) {
+        if (::setrlimit(limit.which, &limit.value) != 0) { give_up("limits cannot be set\n"); }
+    }
+    leave_root();
+    // after that: a change of user forgets it
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) { ::_exit(125); }
+    std::array<char*, 1> environment{nullptr};
+    ::execve(arguments[0], arguments, environment.data());
+    give_up("bwrap is missing or cannot be executed\n");
+}
+
+}  // namespace
+
+int start_child(
+    const std::vector<std::string>& arguments, const std::vector<int>& fds, const SandboxLimits& limits) {
+    std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
+    for (const std::string& argument : arguments) { pointers.push_back(const_cast<char*>(argument.c_str())); }
+    pointers.push_back(nullptr);
+    std::vector<int> own_fds = fds;
+    const std::vector<ResourceLimit> own_limits = resource_limits(limits);
+    const int parent = ::getpid();
+
+    // a handler of ours must not run in the child
+    sigset_t all;
+    sigset_t before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    const int child = ::fork();
+    if (child == 0) {
+        become_sandbox(pointers.data(), own_fds.data(), static_cast<int>(own_fds.size()), own_limits, parent);
+    }
+    const int error = errno;
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    errno = error;
+    return child;
+}
+
+}  // namespace jw::exercises

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/exercises/run/handles.hpp"
+
+namespace jw::exercises {
+
+/// What all processes of a sandbox use together at a moment.
+struct SandboxUsage {
+    double cpu_seconds = 0.0;        ///< of living processes and of those they have waited for
+    std::uint64_t memory_bytes = 0;  ///< pages that are shared are counted in each process
+    std::uint64_t files = 0;         ///< in /tmp and /dev/shm
+};
+
+/// Looks into a sandbox from outside: its own /proc lists its processes and no others.
+class UsageMeter {
+public:
+    /// None if the sandbox cannot be looked into. `first_process`: as this machine numbers it.
+    bool open(int first_process);
+    bool is_open() const { return static_cast<bool>(processes_); }
+    SandboxUsage measure() const;
+
+private:
+    Handle processes_;
+    Handle tmp_;
+    Handle shared_memory_;
+};
+
+}  // namespace jw::exercises
