@@ -55,6 +55,7 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
 
 std::optional<Located<std::vector<double>>> Fields::numbers(
     std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
+    note(key, "numbers");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     return list_in(*node, in_quotes(key), count, most, expected);
@@ -67,6 +68,7 @@ bool Fields::is_nested(std::string_view key) {
 }
 
 std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
+    note(key, "matrix");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     const toml::array* list = node->as_array();
@@ -87,12 +89,14 @@ std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
 }
 
 std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
+    note(key, "vector");
     const auto list = numbers(key, 3);
     if (!list) { return std::nullopt; }
     return Located<Vec3>{Vec3(list->value[0], list->value[1], list->value[2]), list->span};
 }
 
 std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
+    note(key, "direction");
     const auto v = vector(key);
     // squares of very small numbers are 0: measured without them
     if (v && v->value.stableNorm() < kShortestDirection) {
@@ -109,6 +113,7 @@ std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
 }
 
 std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {
+    note(key, "texts");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     const toml::array* list = node->as_array();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/asked_keys.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/text_place.hpp"
 #include "lessons/typed.hpp"
@@ -34,7 +35,18 @@ const toml::node* Fields::find(std::string_view key) {
     return table_->get(key);
 }
 
-bool Fields::has(std::string_view key) { return find(key) != nullptr; }
+void Fields::note(
+    std::string_view key, const char* as, const std::vector<std::string>& words, int least, int most) const {
+    if (AskedKeys* asked = AskedKeys::listening()) {
+        asked->add({path_, std::string(key), as, words, least, most});
+    }
+}
+
+Fields Fields::below(const toml::table& table, std::string_view key) const {
+    Fields fields(table, std::string(key), *problems_);
+    fields.path_ = path_.empty() ? std::string(key) : path_ + '.' + std::string(key);
+    return fields;
+}
 
 SourceSpan Fields::span(std::string_view key) const {
     const toml::node* node = table_->get(key);
@@ -71,6 +83,7 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
 }
 
 std::optional<Located<std::string>> Fields::text(std::string_view key) {
+    note(key, "text");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_string()) {
@@ -97,6 +110,7 @@ std::optional<Located<std::string>> Fields::text(std::string_view key) {
 }
 
 std::optional<Located<std::string>> Fields::words(std::string_view key) {
+    note(key, "words");
     auto words = text(key);
     if (!words) { return words; }
     check_words(*words);
@@ -111,6 +125,7 @@ void Fields::check_words(const Located<std::string>& words) {
 }
 
 std::optional<Located<std::string>> Fields::formula(std::string_view key) {
+    note(key, "formula");
     auto source = text(key);
     if (!source) { return source; }
     if (auto problem = math::read_math(source->value).problem) {
@@ -123,6 +138,7 @@ std::optional<Located<std::string>> Fields::formula(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::number(std::string_view key) {
+    note(key, "number");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_number()) {
@@ -135,6 +151,7 @@ std::optional<Located<double>> Fields::number(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::positive(std::string_view key) {
+    note(key, "positive");
     auto value = number(key);
     if (value && value->value <= 0.0) {
         problems_->add(
@@ -146,6 +163,7 @@ std::optional<Located<double>> Fields::positive(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::not_negative(std::string_view key) {
+    note(key, "not negative");
     auto value = number(key);
     if (value && value->value < 0.0) {
         problems_->add(
@@ -158,6 +176,7 @@ std::optional<Located<double>> Fields::not_negative(std::string_view key) {
 }
 
 std::optional<Located<int>> Fields::integer(std::string_view key, int least, int most) {
+    note(key, "whole number", {}, least, most);
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_integer()) {
@@ -182,6 +201,7 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
 }
 
 std::optional<Located<bool>> Fields::flag(std::string_view key) {
+    note(key, "flag");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_boolean()) {
@@ -192,19 +212,21 @@ std::optional<Located<bool>> Fields::flag(std::string_view key) {
 }
 
 std::optional<Fields> Fields::table(std::string_view key) {
+    note(key, "table");
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_table()) {
         wrong_type(key, *node, "one table");
         return std::nullopt;
     }
-    return Fields(*node->as_table(), std::string(key), *problems_);
+    return below(*node->as_table(), key);
 }
 
 std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
+    note(key, "tables");
     const toml::node* node = find(key);
     if (node == nullptr) { return {}; }
-    if (node->is_table()) { return {Fields(*node->as_table(), std::string(key), *problems_)}; }
+    if (node->is_table()) { return {below(*node->as_table(), key)}; }
     const toml::array* list = node->as_array();
     if (list == nullptr) {
         wrong_type(key, *node, "one or several tables");
@@ -225,12 +247,13 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
                 "an entry of " + in_quotes(key) + " is " + kind_of(entry) + "; expected a table");
             continue;
         }
-        out.emplace_back(*entry.as_table(), std::string(key), *problems_);
+        out.push_back(below(*entry.as_table(), key));
     }
     return out;
 }
 
 std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<std::string>& words) {
+    note(key, "word", words);
     const auto value = text(key);
     if (!value) { return std::nullopt; }
     const auto found = std::ranges::find(words, value->value);

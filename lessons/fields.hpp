@@ -11,6 +11,7 @@
 #include "core/numerics/linear.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/problems.hpp"
+#include "lessons/typed.hpp"
 
 /// Typed access to a TOML table that collects what is wrong instead of throwing.
 namespace jw {
@@ -19,8 +20,6 @@ namespace jw {
 inline constexpr std::size_t kLongestList = 10000;
 /// Longest text, in bytes.
 inline constexpr std::size_t kLongestText = 20000;
-/// Largest number that is taken for a length, an angle or a time.
-inline constexpr double kLargestNumber = 1e9;
 /// Shorter than this a vector is no direction: normalising it would enlarge rounding.
 inline constexpr double kShortestDirection = 1e-9;
 
@@ -33,7 +32,10 @@ public:
     Fields(const toml::table& table, std::string what, Problems& problems)
         : table_(&table), what_(std::move(what)), problems_(&problems) {}
 
-    bool has(std::string_view key);
+    bool has(std::string_view key) {
+        note(key, "known");
+        return find(key) != nullptr;
+    }
     /// Place of the table's header, or of a key's value.
     SourceSpan span() const { return span_of(table_->source()); }
     SourceSpan span(std::string_view key) const;
@@ -86,7 +88,10 @@ public:
     std::optional<Located<double>> angle(std::string_view key);
 
     /// The value as it stands, for those who copy it; nothing if the key is not there.
-    const toml::node* raw(std::string_view key) { return find(key); }
+    const toml::node* raw(std::string_view key) {
+        note(key, "known");
+        return find(key);
+    }
 
     /// Says that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
@@ -99,6 +104,12 @@ public:
 
 private:
     const toml::node* find(std::string_view key);
+    /// Tells who listens (asked_keys.hpp) that the key was asked for.
+    void note(
+        std::string_view key, const char* as, const std::vector<std::string>& words = {}, int least = 0,
+        int most = 0) const;
+    /// The table under a key of this one, or in a list there.
+    Fields below(const toml::table& table, std::string_view key) const;
     /// A key not read so far that may stand for `key`: misspelt, or with another unit or none.
     const toml::key* meant_as(std::string_view key) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
@@ -109,6 +120,7 @@ private:
 
     const toml::table* table_;
     std::string what_;
+    std::string path_;  ///< keys that lead here, with dots
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
 };

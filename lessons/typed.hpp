@@ -14,6 +14,9 @@
 /// the writer must undo them exactly.
 namespace jw {
 
+/// Largest number that is taken for a length, an angle or a time.
+inline constexpr double kLargestNumber = 1e9;
+
 inline double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 inline double omega_of_frequency(double hertz) { return (2.0 * std::numbers::pi) * hertz; }
 /// Advance for a radian [m/rad] of the advance in one turn [m].
