@@ -20,6 +20,7 @@ void add_list(CLI::App& app, const Streams& streams, Run& run);
 void add_new(CLI::App& app, const Streams& streams, Run& run);
 void add_check(CLI::App& app, const Streams& streams, Run& run);
 void add_explain(CLI::App& app, const Streams& streams, Run& run);
+void add_schema(CLI::App& app, const Streams& streams, Run& run);
 void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
 void add_bench(CLI::App& app, const Streams& streams, Run& run);

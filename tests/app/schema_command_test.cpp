@@ -1,0 +1,38 @@
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "lessons/schema/keys.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::test {
+
+TEST_CASE("docs/lesson.schema.json is what schema writes", "[app][schema][golden]") {
+    const Ran ran = run({"schema"});
+    CHECK(ran.status == 0);
+    CHECK(ran.err.empty());
+    const std::string path = std::string(JW_SOURCE_ROOT) + "/docs/lesson.schema.json";
+    if (std::getenv("JW_REGENERATE_GOLDEN") != nullptr) { std::ofstream(path) << ran.out; }
+    CHECK(bytes_of(path) == ran.out);
+}
+
+TEST_CASE("The schema has every table with all its keys, and takes no others", "[app][schema]") {
+    const nlohmann::json schema = nlohmann::json::parse(run({"schema"}).out);
+    const std::vector<KeyTable> tables = key_tables();
+    for (const KeyTable& table : tables) {
+        CAPTURE(table.name);
+        const nlohmann::json& written =
+            table.name == tables.front().name ? schema : schema["definitions"][table.name];
+        CHECK(written["additionalProperties"] == false);
+        CHECK(written["properties"].size() == table.keys.size());
+        for (const Key& key : table.keys) {
+            CAPTURE(key.name);
+            CHECK(written["properties"][key.name]["description"] == key.about);
+        }
+    }
+}
+
+}  // namespace jw::test
