@@ -34,7 +34,8 @@ void set_part(const GlProgram& program, const DeviceRect& shaded) {
         static_cast<float>(shaded.y + shaded.height));
 }
 
-void set_uniforms(const GlProgram& program, const SceneView& view, const Ground& ground, Tone tone) {
+void set_uniforms(
+    const GlProgram& program, const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) {
     const Vector3d normal = ground.normal.normalized();
     const Vector3d u = level_axis(normal);
     program.use();
@@ -45,7 +46,7 @@ void set_uniforms(const GlProgram& program, const SceneView& view, const Ground&
     program.set("radius", static_cast<float>(ground.radius));
     program.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
     program.set("line_width", 1.1F * view.pixel_scale);
-    program.set("plane_colour", toned(palette::kGroundPlane, tone));
+    program.set("plane_colour", plane);
     program.set("line_colour", toned(palette::kGroundLine, tone));
 }
 
@@ -59,7 +60,7 @@ GroundPass::GroundPass(const GlFunctions& gl)
 
 void GroundPass::draw(
     const SceneView& view, const Ground& ground, const ShadowView& shadow, const Rect& viewport,
-    const FrameSize& frame, Tone tone) const {
+    const FrameSize& frame, Tone tone, const Colour& plane) const {
     const DeviceRect whole = device_rect(viewport, frame);
     const Rect reach =
         shadow_on_plane(shadow, ShadowMap::kBorder, view.camera, viewport, ground.point, ground.normal);
@@ -70,11 +71,11 @@ void GroundPass::draw(
     gl_.DepthMask(GL_FALSE);
     gl_.BindVertexArray(no_attributes_.name());
 
-    set_uniforms(lit_, view, ground, tone);
+    set_uniforms(lit_, view, ground, tone, plane);
     set_part(lit_, shaded);
     draw_plane(whole);
     if (shaded.width > 0 && shaded.height > 0) {
-        set_uniforms(shadowed_, view, ground, tone);
+        set_uniforms(shadowed_, view, ground, tone, plane);
         set_part(shadowed_, shaded);
         shadowed_.set("shadow_from_world", shadow.map_from_world);
         // a shadow is darker than its ground in any tone

@@ -16,7 +16,7 @@ public:
     /// `viewport`.
     void draw(
         const SceneView& view, const Ground& ground, const ShadowView& shadow, const Rect& viewport,
-        const FrameSize& frame, Tone tone) const;
+        const FrameSize& frame, Tone tone, const Colour& plane) const;
 
 private:
     void draw_plane(const DeviceRect& part) const;

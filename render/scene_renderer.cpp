@@ -11,6 +11,7 @@ namespace jw::render {
 namespace {
 
 constexpr float kHiddenAlpha = 0.50F;  // of what is seen through a body
+constexpr Colour kWhitePaper = from_hex(0xFFFFFF);
 
 /// Lamps stand relative to the camera, so every view is lit well: key from the upper left behind the viewer,
 /// fill from the right.
@@ -75,7 +76,8 @@ SceneRenderer::SceneRenderer(const GlFunctions& gl)
       no_attributes_(make_vertex_array(gl)) {}
 
 void SceneRenderer::draw(
-    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame, Tone tone) const {
+    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame, Tone tone,
+    Backdrop backdrop) const {
     const DeviceRect rect = device_rect(viewport, frame);
     if (rect.width < 1 || rect.height < 1) { return; }
     const Pass pass(scene, camera, viewport, frame, tone);
@@ -90,8 +92,11 @@ void SceneRenderer::draw(
     shadow_map_.bind();
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    draw_backdrop(tone);
-    if (scene.ground) { ground_.draw(pass, *scene.ground, pass.shadow, viewport, frame, tone); }
+    if (backdrop == Backdrop::sky) { draw_backdrop(tone); }
+    if (scene.ground) {
+        const Colour plane = backdrop == Backdrop::sky ? toned(palette::kGroundPlane, tone) : kWhitePaper;
+        ground_.draw(pass, *scene.ground, pass.shadow, viewport, frame, tone, plane);
+    }
     draw_bodies(pass);
     draw_see_through(pass);
     draw_emphasised(pass);

@@ -10,6 +10,12 @@
 
 namespace jw::render {
 
+/// What is behind everything else.
+enum class Backdrop {
+    sky,    ///< a gradient from top to bottom
+    paper,  ///< white, which the framebuffer has been cleared to; of the ground lines and shadows are seen
+};
+
 /// Draws scenes through a table of GL functions, whoever made the context.
 ///
 /// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is seen
@@ -27,7 +33,7 @@ public:
     /// Bodies have the same colours in both tones; everything else is `toned`.
     void draw(
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
-        Tone tone = Tone::light) const;
+        Tone tone = Tone::light, Backdrop backdrop = Backdrop::sky) const;
 
     /// Meshes for an `IdBuffer` of the same context.
     const SceneMeshes& meshes() const { return meshes_; }
