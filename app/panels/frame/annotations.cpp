@@ -46,6 +46,11 @@ std::vector<Segment> arrows_on_picture(
     return segments;
 }
 
+/// Joints stand out among the names of bodies.
+const ImFont* font_of(const Canvas& canvas, const Annotation& name) {
+    return name.link.kind == Pointable::Kind::joint ? canvas.fonts().bold : canvas.fonts().small;
+}
+
 Drawn prepared(
     const Canvas& canvas, const Annotation& annotation, const render::Camera& camera,
     const render::Rect& viewport) {
@@ -56,8 +61,9 @@ Drawn prepared(
     drawn.label.towards = direction_on_picture(camera, viewport, annotation.at, annotation.towards);
     drawn.label.optional = annotation.body_name;
     if (annotation.body_name) {
-        drawn.label.width = canvas.text_width(canvas.fonts().small, annotation.text);
-        drawn.label.height = canvas.line_height(canvas.fonts().small);
+        const ImFont* const font = font_of(canvas, annotation);
+        drawn.label.width = canvas.text_width(font, annotation.text);
+        drawn.label.height = canvas.line_height(font);
     } else {
         drawn.formula = layout_formula(annotation.text, formula_fonts(canvas.fonts()));
         drawn.label.width = drawn.formula.width;
@@ -68,7 +74,7 @@ Drawn prepared(
 
 void draw_words(const Canvas& canvas, const Drawn& drawn, Point at, Colour colour) {
     if (drawn.annotation->body_name) {
-        canvas.text(at, canvas.fonts().small, colour, drawn.annotation->text);
+        canvas.text(at, font_of(canvas, *drawn.annotation), colour, drawn.annotation->text);
     } else {
         const Point baseline{at.x, at.y + std::ceil(drawn.formula.ascent)};
         draw_formula(canvas, baseline, drawn.formula, colour);
@@ -98,7 +104,7 @@ void draw_leader(const Canvas& canvas, const Label& label, const Box& box, Colou
 
 void draw_annotations(
     const Canvas& canvas, const Picture& picture, const render::Camera& camera, const render::Rect& viewport,
-    float foot) {
+    float foot, BodyNames body_names) {
     std::vector<Drawn> drawn;
     for (const Annotation& annotation : picture.annotations) {
         if (render::project(camera, viewport, annotation.at).visible) {
@@ -106,7 +112,10 @@ void draw_annotations(
         }
     }
     std::vector<Label> labels;
-    for (const Drawn& d : drawn) { labels.push_back(d.label); }
+    for (const Drawn& d : drawn) {
+        labels.push_back(d.label);
+        labels.back().optional = d.label.optional && body_names == BodyNames::where_room;
+    }
 
     Box area = shrunk(box_of(viewport), canvas.px(6.0F), canvas.px(6.0F));
     area.height = std::max(0.0F, area.height - foot);

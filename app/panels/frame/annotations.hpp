@@ -39,9 +39,15 @@ std::vector<PlacedLabel> place_labels(
 /// Does the segment meet the box?
 bool crosses(const Segment& segment, const Box& box);
 
+/// Which names of bodies are written.
+enum class BodyNames {
+    where_room,  ///< those that find room near their bodies
+    all,         ///< all that find room at all, with a line where that is far away
+};
+
 /// @param foot  height at the foot of the picture that something else covers
 void draw_annotations(
     const Canvas& canvas, const Picture& picture, const render::Camera& camera, const render::Rect& viewport,
-    float foot = 0.0F);
+    float foot = 0.0F, BodyNames body_names = BodyNames::where_room);
 
 }  // namespace jw::panels
