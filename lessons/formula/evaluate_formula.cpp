@@ -204,7 +204,9 @@ private:
 
     /// The number of the component with the largest or smallest size, from 1.
     static Value place_of_extreme(const Value& x, bool largest) {
-        if (!x.is_vector()) { throw Mismatch("a component is chosen of " + shape_text(x) + "; expected a vector"); }
+        if (!x.is_vector()) {
+            throw Mismatch("a component is chosen of " + shape_text(x) + "; expected a vector");
+        }
         Eigen::Index place = 0;
         const VectorX sizes = x.d[0].col(0).cwiseAbs();
         if (largest) {
@@ -238,7 +240,7 @@ private:
         return std::visit(
             Overloaded{
                 [&](const math::Sign& sign) { return sign_value(node, sign); },
-                [&](const math::Words& words) { return quantity(node, words.utf8); },
+                [&](const math::Words& words) { return with_superscript(quantity(node, words.utf8), node); },
                 [&](const math::Space&) -> Value { fail(node, "a space has no value"); },
                 [&](const math::Fraction& f) {
                     return with_superscript(

@@ -218,6 +218,14 @@ TEST_CASE("a formula that cannot be evaluated says where and why", "[lessons][fo
     CHECK(outcome_of("s_i = 0", instant, {"h_k = s_i + 1"}).definition == 0);
 }
 
+TEST_CASE("The exponent of a quantity counts", "[formula]") {
+    const Meanings meanings{
+        [](const Symbol&) -> std::optional<Value> { return std::nullopt; },
+        [](const std::string&) -> std::optional<Value> { return number(3.0); }};
+    CHECK(evaluate_expression(math::own_math("\\text{b.x}^2"), meanings).d[0](0, 0) == 9.0);
+    CHECK(evaluate_expression(math::own_math("2 \\text{b.x}^2 + 1"), meanings).d[0](0, 0) == 19.0);
+}
+
 TEST_CASE("components, lengths and quantities have their values", "[lessons][formula]") {
     const Mechanism mechanism = of_type(*find_joint_type("revolute"), 4);
     const Instant instant =
