@@ -43,11 +43,13 @@ Letter letter_of(Node& node) {
     if (accent == nullptr || accent->inner.size() != 1) { return {}; }
     Letter inner = letter_of(accent->inner.front());
     // \tilde{s}_i has its scripts outside, \tilde{s_i} inside
-    if (inner.node != nullptr && inner.node->below.empty() && inner.node->above.empty()) { inner.node = &node; }
+    if (inner.node != nullptr && inner.node->below.empty() && inner.node->above.empty()) {
+        inner.node = &node;
+    }
     return inner;
 }
 
-std::vector<Altered> changed_once(const Row& formula, const Change& change) {
+std::vector<Altered> changed_once(const Row& formula, const Change& change, const Telling& what) {
     std::vector<Altered> all;
     // place after place, until there is none left
     for (std::size_t place = 0;; ++place) {
@@ -55,12 +57,11 @@ std::vector<Altered> changed_once(const Row& formula, const Change& change) {
         std::size_t at = 0;
         const bool found = any_row(altered.row, [&](Row& row) {
             for (std::size_t k = 0; k < row.size(); ++k) {
-                const Node before = row[k];
                 Row tried = row;
                 if (!change(tried, k)) { continue; }
                 if (at++ != place) { continue; }
+                altered.what = what ? what(row, k) : math::write_plain({row[k]});
                 row = std::move(tried);
-                altered.what = math::write_plain({before});
                 return true;
             }
             return false;

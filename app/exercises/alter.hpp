@@ -21,7 +21,9 @@ using Change = std::function<bool(math::Row& row, std::size_t k)>;
 
 /// The formula changed at one place, for each place where `change` changes something: all rows are looked at,
 /// those within fractions, groups and accents, too, but not the scripts of letters.
-std::vector<Altered> changed_once(const math::Row& formula, const Change& change);
+/// @param what  tells what is changed; default: the node at the place
+using Telling = std::function<std::string(const math::Row& row, std::size_t k)>;
+std::vector<Altered> changed_once(const math::Row& formula, const Change& change, const Telling& what = {});
 /// The formula changed at all places at once; nothing if there are none.
 std::vector<Altered> changed_everywhere(const math::Row& formula, const Change& change);
 

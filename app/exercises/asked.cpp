@@ -51,9 +51,9 @@ public:
     MatrixX value_or_empty(const Row& expression, const std::vector<Row>& where) const {
         try {
             return value(expression, where);
-        } catch (const formula::NotEvaluated&) {
+        } catch (const formula::NotEvaluated&) { return {}; } catch (const formula::Mismatch&) {
             return {};
-        } catch (const formula::Mismatch&) { return {}; }
+        }
     }
     MatrixX value_or_empty(const std::string& expression) const {
         return value_or_empty(math::read_math(expression).row, where_);
@@ -65,7 +65,8 @@ public:
         std::vector<KnownMistake> all;
         for (const FormulaMistake& mistake : formula_mistakes()) {
             for (const Altered& altered : mistake.alter(sides_.back())) {
-                add(mistake, altered, value_or_empty(altered.row, where_), math::write_latex(altered.row), all);
+                add(mistake, altered, value_or_empty(altered.row, where_), math::write_latex(altered.row),
+                    all);
             }
             for (std::size_t k = 0; k < where_.size(); ++k) { add_in_definition(mistake, k, all); }
         }
@@ -81,7 +82,8 @@ private:
         return found.d[0];
     }
 
-    void add_in_definition(const FormulaMistake& mistake, std::size_t k, std::vector<KnownMistake>& all) const {
+    void add_in_definition(
+        const FormulaMistake& mistake, std::size_t k, std::vector<KnownMistake>& all) const {
         const std::vector<Row> sides = formula::sides_of(where_[k]);
         for (const Altered& altered : mistake.alter(sides.back())) {
             std::vector<Row> where = where_;
@@ -123,12 +125,33 @@ MatrixX with_position(const Vec3& r, const MatrixX& p) {
 /// A pose asks for r, too.
 void ask_for_pose(const AskedFormula& f, Asked& asked) {
     const MatrixX r = f.value_or_empty("r");
+    if (r.size() != 3 || asked.right.size() != 4) {
+        asked.problem = "a pose needs 'body', and a formula of p if there is one";
+        return;
+    }
     asked.sign_of_p = true;
     asked.right = with_position(r, asked.right);
     for (KnownMistake& mistake : asked.mistakes) {
         const bool fits = mistake.answer.rows() == 4 && mistake.answer.cols() == 1;
         mistake.answer = fits ? with_position(r, mistake.answer) : MatrixX();
     }
+}
+
+/// The right answer in degrees where radians are asked for, and the reverse.
+void add_mixed_units(const std::string& written_unit, Asked& asked) {
+    const std::optional<WrittenUnit> unit = read_unit(written_unit);
+    if (!unit || unit->powers[3] == 0) { return; }
+    // 1 deg is 0.017 rad: units of degrees have a factor
+    const bool in_degrees = unit->factor != 1.0;
+    const double other = in_degrees ? unit->factor : kDegreesPerRadian;
+    asked.mistakes.push_back(
+        {"degrees",
+         "degrees and radians mixed up",
+         in_degrees ? "This is the answer with radians; it is asked for in " + written_unit + "."
+                    : "This is the answer with degrees; it is asked for in " + written_unit + ".",
+         "",
+         asked.right * other,
+         {}});
 }
 
 void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instant& instant, Asked& asked) {
@@ -150,6 +173,7 @@ void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instan
         if (asked.given.back().value.size() == 0) { asked.problem = "'" + symbol + "' has no value here"; }
     }
     if (variant.exercise->kind == ExerciseKind::pose) { ask_for_pose(f, asked); }
+    add_mixed_units(variant.exercise->unit, asked);
 }
 
 MatrixX as_matrix(double value) { return MatrixX::Constant(1, 1, value); }
@@ -163,15 +187,26 @@ struct CountMistake {
 };
 
 constexpr std::array kCountMistakes{
-    CountMistake{Count::rows, "rows-for-rank", "equations counted", "This is the number of equations; not all of them "
-                 "need be independent.", "slide 5"},
-    CountMistake{Count::rank, "rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"},
-    CountMistake{Count::dof, "freedoms", "the freedoms", "This is the number of freedoms: columns minus rank.", ""},
-    CountMistake{Count::redundant, "redundant", "the redundant equations", "This is the number of equations that are "
-                 "not independent.", "slide 5"},
-    CountMistake{Count::columns, "columns", "the columns", "This is the number of columns: six for each moving body.", ""},
-    CountMistake{Count::mobility_by_counting, "counting", "Grübler's count",
-                 "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}};
+    CountMistake{
+        Count::rows, "rows-for-rank", "equations counted",
+        "This is the number of equations; not all of them "
+        "need be independent.",
+        "slide 5"},
+    CountMistake{
+        Count::rank, "rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"},
+    CountMistake{
+        Count::dof, "freedoms", "the freedoms", "This is the number of freedoms: columns minus rank.", ""},
+    CountMistake{
+        Count::redundant, "redundant", "the redundant equations",
+        "This is the number of equations that are "
+        "not independent.",
+        "slide 5"},
+    CountMistake{
+        Count::columns, "columns", "the columns", "This is the number of columns: six for each moving body.",
+        ""},
+    CountMistake{
+        Count::mobility_by_counting, "counting", "Grübler's count",
+        "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}};
 
 void ask_count(const CountClaim& claim, const Instant& instant, Asked& asked) {
     const RankReport report = rank_of(*instant.system, instant.state, instant.t);
@@ -180,7 +215,12 @@ void ask_count(const CountClaim& claim, const Instant& instant, Asked& asked) {
     for (const CountMistake& mistake : kCountMistakes) {
         if (mistake.count == claim.count) { continue; }
         asked.mistakes.push_back(
-            {mistake.name, mistake.title, mistake.says, mistake.slide, as_matrix(count_of(report, mistake.count)), {}});
+            {mistake.name,
+             mistake.title,
+             mistake.says,
+             mistake.slide,
+             as_matrix(count_of(report, mistake.count)),
+             {}});
     }
 }
 
@@ -194,15 +234,20 @@ void ask_dropped(const DroppedClaim& claim, const Instant& instant, Asked& asked
     for (int k = 0; k < 3; ++k) {
         if (k == dropped) { continue; }
         asked.mistakes.push_back(
-            {"wrong-two", "the wrong two of three",
-             "The rule leaves out the equation of the largest global component of s_i, not this one: the two that are "
+            {"wrong-two",
+             "the wrong two of three",
+             "The rule leaves out the equation of the largest global component of s_i, not this one: the two "
+             "that are "
              "left would become dependent sooner.",
-             "slide 5", as_matrix(k + 1), {}});
+             "slide 5",
+             as_matrix(k + 1),
+             {}});
     }
 }
 
 double quantity_at(const QuantityClaim& claim, const Instant& instant) {
-    return evaluate(claim.quantity, instant, claim.derivative).derivatives[static_cast<std::size_t>(claim.derivative)];
+    return evaluate(claim.quantity, instant, claim.derivative)
+        .derivatives[static_cast<std::size_t>(claim.derivative)];
 }
 
 void add_value(
@@ -230,23 +275,19 @@ void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose
     if (is_angle) { asked.turn = factor * 2.0 * std::numbers::pi; }
     add_value(asked, "sign", "wrong sign", "This is the right answer with the opposite sign.", "", -value);
     const std::optional<WrittenUnit> unit = read_unit(asked.unit);
-    if (unit && unit->powers[3] != 0) {
-        const double other = claim.in_degrees ? 1.0 / kDegreesPerRadian : kDegreesPerRadian;
-        add_value(
-            asked, "degrees", "degrees and radians mixed up",
-            claim.in_degrees ? "This is the answer in radians; it is asked for in degrees."
-                             : "This is the answer in degrees; it is asked for in radians.",
-            "", value * other);
-    }
+    add_mixed_units(asked.unit, asked);
     if (!is_angle && unit && unit->powers == std::array<int, 4>{0, 0, 0, 1}) {
         const double turn = factor * 2.0 * std::numbers::pi;
-        add_value(asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11",
-                  value - turn);
-        add_value(asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11",
-                  value + turn);
+        add_value(
+            asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.",
+            "slide 11", value - turn);
+        add_value(
+            asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.",
+            "slide 11", value + turn);
     }
     if (!variant.exercise->branch.empty()) {
-        const double other = factor * value_of_other_branch(variant, claim, variant.lesson.claims.front().when);
+        const double other =
+            factor * value_of_other_branch(variant, claim, variant.lesson.claims.front().when);
         add_value(
             asked, "branch", "the other branch",
             "This belongs to the other way in which the same joints can be assembled.", "slide 23", other);
@@ -327,7 +368,11 @@ Asked asked_at(const Variant& variant, const Instant& instant) {
 }
 
 double difference_from(const MatrixX& right, const MatrixX& other, const Asked& asked) {
-    if (right.rows() != other.rows() || right.cols() != other.cols() || right.size() == 0) { return kInfinity; }
+    if (right.rows() != other.rows() || right.cols() != other.cols() || right.size() == 0) {
+        return kInfinity;
+    }
+    // a mistake may divide by zero
+    if (!right.allFinite() || !other.allFinite()) { return kInfinity; }
     MatrixX apart = other - right;
     if (asked.turn > 0.0) { apart(0, 0) = std::remainder(apart(0, 0), asked.turn); }
     if (asked.sign_of_p) {

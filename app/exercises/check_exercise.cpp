@@ -30,18 +30,31 @@ void check_mistakes(const Task& task, const KindOfExercise& kind, ExerciseCheck&
         if (judged.right) {
             add_problem(check, "the mistake '" + mistake.name + "' counts as right", judged);
         } else if (judged.mistake != mistake.name) {
-            add_problem(check, "the mistake '" + mistake.name + "' is taken for '" + judged.mistake + "'", judged);
+            add_problem(
+                check, "the mistake '" + mistake.name + "' is taken for '" + judged.mistake + "'", judged);
         }
     }
 }
 
+void check_that_it_asks(const Task& task, ExerciseCheck& check) {
+    const ExerciseKind kind = task.exercise().kind;
+    const bool of_files =
+        kind == ExerciseKind::repair || kind == ExerciseKind::build || kind == ExerciseKind::experiment;
+    if (of_files && is_solved_already(task)) {
+        check.problems.emplace_back("the scene as it is handed out meets all claims: nothing is asked");
+    }
+}
+
 void check_nonsense(const Task& task, const KindOfExercise& kind, ExerciseCheck& check) {
-    for (const char* text : {"", "nonsense", "[[[[", "nan", "1e400", "{\"answers\": 3}", "-987654.321", "\x1b[31m"}) {
+    for (const char* text :
+         {"", "nonsense", "[[[[", "nan", "1e400", "{\"answers\": 3}", "-987654.321", "\x1b[31m"}) {
         const Judged judged = kind.judge(task, {text, {text}});
         if (judged.right || judged.share >= 1.0) {
             add_problem(check, "'" + std::string(text) + "' counts as right", judged);
         }
-        if (!judged.right && judged.feedback.empty()) { add_problem(check, "nonsense gets no feedback", judged); }
+        if (!judged.right && judged.feedback.empty()) {
+            add_problem(check, "nonsense gets no feedback", judged);
+        }
     }
 }
 
@@ -52,7 +65,8 @@ void measure(const Task& task, ExerciseCheck& check) {
     const bool first = check.variants == 0;
     check.least_nonzero = first ? nonzero : std::min(check.least_nonzero, nonzero);
     check.most_nonzero = std::max(check.most_nonzero, nonzero);
-    check.least_condition = first ? task.asked.condition : std::min(check.least_condition, task.asked.condition);
+    check.least_condition =
+        first ? task.asked.condition : std::min(check.least_condition, task.asked.condition);
     check.most_condition = std::max(check.most_condition, task.asked.condition);
 }
 
@@ -60,10 +74,12 @@ void measure(const Task& task, ExerciseCheck& check) {
 std::string alike_text(const ExerciseCheck& check) {
     std::string text = std::to_string(check.draws) + (check.draws == 1 ? " draw" : " draws");
     if (check.most_nonzero > 0) {
-        text += ", nonzero entries " + std::to_string(check.least_nonzero) + " to " + std::to_string(check.most_nonzero);
+        text += ", nonzero entries " + std::to_string(check.least_nonzero) + " to " +
+                std::to_string(check.most_nonzero);
     }
     if (check.most_condition > 1.0) {
-        text += ", condition " + number_text(check.least_condition, 2) + " to " + number_text(check.most_condition, 2);
+        text += ", condition " + number_text(check.least_condition, 2) + " to " +
+                number_text(check.most_condition, 2);
     }
     return text;
 }
@@ -80,8 +96,9 @@ std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises,
         result.moment = "for " + std::to_string(variants) + (variants == 1 ? " student" : " students");
         result.subject = "exercise " + exercise.name;
         result.expected = "right answer and mistakes told apart";
-        result.found = check.holds() ? std::to_string(check.mistakes) + " mistakes named; " + alike_text(check)
-                                     : check.problems.front();
+        result.found = check.holds()
+                           ? std::to_string(check.mistakes) + " mistakes named; " + alike_text(check)
+                           : check.problems.front();
         results.push_back(std::move(result));
     }
     return results;
@@ -102,6 +119,7 @@ ExerciseCheck check_exercise(const Exercise& exercise, int variants) {
         measure(task, check);
         ++check.variants;
         check_right(task, kind, check);
+        check_that_it_asks(task, check);
         check_mistakes(task, kind, check);
         check_nonsense(task, kind, check);
     }

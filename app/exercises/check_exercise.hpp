@@ -11,9 +11,9 @@ namespace jw {
 
 struct ExerciseCheck {
     std::string name;
-    int variants = 0;      ///< that were tried
-    int draws = 0;         ///< that were needed for them
-    int mistakes = 0;      ///< known ones, each named by its feedback
+    int variants = 0;                   ///< that were tried
+    int draws = 0;                      ///< that were needed for them
+    int mistakes = 0;                   ///< known ones, each named by its feedback
     std::vector<std::string> problems;  ///< what is wrong, empty if nothing is
     // how alike variants are
     int least_nonzero = 0;  ///< entries of the answer that are not zero

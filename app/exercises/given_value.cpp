@@ -27,7 +27,14 @@ public:
 /// Signs of Unicode that stand for those of a keyboard.
 std::string plain(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSigns{
-        {{"−", "-"}, {"–", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"√", "sqrt"}, {"\u00A0", " "},
+        {{"−", "-"},
+         {"–", "-"},
+         {"×", "*"},
+         {"·", "*"},
+         {"÷", "/"},
+         {"π", "pi"},
+         {"√", "sqrt"},
+         {"\u00A0", " "},
          {"\t", " "}}};
     std::string found;
     for (std::size_t k = 0; k < text.size();) {
@@ -74,7 +81,8 @@ private:
     }
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string_view rest = std::string_view(text_).substr(std::min(at_, text_.size()));
-        throw NotRead("cannot read " + (rest.empty() ? "the end" : in_quotes(rest)) + "; expected " + expected);
+        throw NotRead(
+            "cannot read " + (rest.empty() ? "the end" : in_quotes(rest)) + "; expected " + expected);
     }
 
     /// A parenthesis with a comma at its own depth is a list.
@@ -190,7 +198,8 @@ private:
     }
 
     bool starts_word() const {
-        for (const std::string_view word : {"sqrt", "sin", "cos", "tan", "pi", "exp", "asin", "acos", "atan"}) {
+        for (const std::string_view word :
+             {"sqrt", "sin", "cos", "tan", "pi", "exp", "asin", "acos", "atan"}) {
             if (std::string_view(text_).substr(at_).starts_with(word)) { return true; }
         }
         return false;
@@ -236,7 +245,9 @@ private:
 
     std::string word() {
         std::string found;
-        while ((peek() >= 'a' && peek() <= 'z') || (!found.empty() && peek() == '2')) { found += text_[at_++]; }
+        while ((peek() >= 'a' && peek() <= 'z') || (!found.empty() && peek() == '2')) {
+            found += text_[at_++];
+        }
         return found;
     }
 
@@ -275,8 +286,8 @@ MatrixX matrix_of(const std::vector<std::vector<double>>& rows) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
         if (rows[r].size() != columns) {
             throw NotRead(
-                "row " + std::to_string(r + 1) + " has " + std::to_string(rows[r].size()) + " numbers, the first has " +
-                std::to_string(columns) + "; expected rows of the same length");
+                "row " + std::to_string(r + 1) + " has " + std::to_string(rows[r].size()) +
+                " numbers, the first has " + std::to_string(columns) + "; expected rows of the same length");
         }
         for (std::size_t c = 0; c < columns; ++c) {
             if (!std::isfinite(rows[r][c])) { throw NotRead("it is not finite; expected finite numbers"); }
@@ -306,8 +317,8 @@ double factor_between(std::string_view given, std::string_view asked) {
     if (given.empty()) { return 1.0; }
     if (!wanted || unit->powers != wanted->powers) {
         throw NotRead(
-            "the answer is in " + (asked.empty() ? "numbers without a unit" : std::string(asked)) + "; you wrote " +
-            in_quotes(given));
+            "the answer is in " + (asked.empty() ? "numbers without a unit" : std::string(asked)) +
+            "; you wrote " + in_quotes(given));
     }
     return unit->factor / wanted->factor;
 }

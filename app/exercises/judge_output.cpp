@@ -5,8 +5,8 @@
 
 #include "app/exercises/kinds.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "lessons/formula/symbol_values.hpp"
 #include "lessons/formula/symbol.hpp"
+#include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/read_math.hpp"
 
 namespace jw {
@@ -95,7 +95,8 @@ MatrixX matrix_in(const Json& json) {
 }
 
 MatrixX turned_to(const MatrixX& right, MatrixX given) {
-    const bool vectors = std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
+    const bool vectors =
+        std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
     if (vectors && given.size() == right.size() && given.rows() != right.rows()) { given.transposeInPlace(); }
     return given;
 }
@@ -128,8 +129,8 @@ const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::ve
 
 std::string marked_entries(const MatrixX& right, const MatrixX& given) {
     if (given.rows() != right.rows() || given.cols() != right.cols()) {
-        return "it has " + std::to_string(given.rows()) + " × " + std::to_string(given.cols()) + " numbers; expected " +
-               std::to_string(right.rows()) + " × " + std::to_string(right.cols());
+        return "it has " + std::to_string(given.rows()) + " × " + std::to_string(given.cols()) +
+               " numbers; expected " + std::to_string(right.rows()) + " × " + std::to_string(right.cols());
     }
     const double size = std::max(1.0, right.cwiseAbs().maxCoeff());
     std::string text;
@@ -139,8 +140,9 @@ std::string marked_entries(const MatrixX& right, const MatrixX& given) {
             const double entry = given(r, c);
             if (std::abs(entry - right(r, c)) <= kTolerance * size) { continue; }
             if (++wrong > 4) { continue; }
-            text += (wrong > 1 ? "; " : "") + ("entry (" + std::to_string(r + 1)) + ", " + std::to_string(c + 1) + ") is " +
-                    number_text(entry, 6) + ", expected " + number_text(right(r, c), 6);
+            text += (wrong > 1 ? "; " : "") + ("entry (" + std::to_string(r + 1)) + ", " +
+                    std::to_string(c + 1) + ") is " + number_text(entry, 6) + ", expected " +
+                    number_text(right(r, c), 6);
         }
     }
     return text + (wrong > 4 ? "; and " + std::to_string(wrong - 4) + " more" : "");
@@ -169,7 +171,9 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.feedback.push_back(std::to_string(right) + " of " + std::to_string(count) + " states are right.");
     const std::string state = first->name.empty() ? "case " + std::to_string(at) : first->name;
     judged.feedback.push_back("In " + state + " " + marked_entries(first->asked.right, given[at]) + ".");
-    if (wrong_and_random == 0) { judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions."); }
+    if (wrong_and_random == 0) {
+        judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions.");
+    }
 }
 
 Handed output_of(const Json& answers) { return {Json{{"answers", answers}}.dump(), {}}; }
@@ -177,8 +181,15 @@ Handed output_of(const Json& answers) { return {Json{{"answers", answers}}.dump(
 /// "ω" -> "omega": keys of JSON are ASCII
 std::string spelt(const std::string& letter) {
     constexpr std::array<std::pair<const char*, const char*>, 9> kGreek{
-        {{"ω", "omega"}, {"Φ", "phi"}, {"γ", "gamma"}, {"θ", "theta"}, {"α", "alpha"}, {"λ", "lambda"}, {"φ", "angle"},
-         {"′", ""}, {"π", "pi"}}};
+        {{"ω", "omega"},
+         {"Φ", "phi"},
+         {"γ", "gamma"},
+         {"θ", "theta"},
+         {"α", "alpha"},
+         {"λ", "lambda"},
+         {"φ", "angle"},
+         {"′", ""},
+         {"π", "pi"}}};
     for (const auto& [greek, name] : kGreek) {
         if (letter == greek) { return name; }
     }
@@ -191,7 +202,8 @@ std::string key_of(const std::string& latex) {
     if (row.size() != 1) { return latex; }
     std::string ending;
     for (auto* accent = std::get_if<math::Accent>(&row.front().nucleus); accent != nullptr;
-         accent = accent->inner.size() == 1 ? std::get_if<math::Accent>(&accent->inner.front().nucleus) : nullptr) {
+         accent = accent->inner.size() == 1 ? std::get_if<math::Accent>(&accent->inner.front().nucleus)
+                                            : nullptr) {
         if (accent->kind == math::AccentKind::dot) { ending = "_dot"; }
         if (accent->kind == math::AccentKind::two_dots) { ending = "_ddot"; }
     }
@@ -240,7 +252,9 @@ std::vector<HandedMistake> mistaken_outputs(const Task& task) {
     for (const KnownMistake& known : task.asked.mistakes) {
         Json answers = Json::array();
         for (const CodeCase& c : cases) {
-            const auto same = std::ranges::find(c.asked.mistakes, known.says, &KnownMistake::says);
+            const auto same = std::ranges::find_if(c.asked.mistakes, [&](const KnownMistake& m) {
+                return m.says == known.says && m.shown == known.shown;
+            });
             if (same != c.asked.mistakes.end()) { answers.push_back(json_of(same->answer)); }
         }
         all.push_back({known.name, output_of(answers)});
@@ -258,8 +272,8 @@ Judged judge_output(const Task& task, const Handed& handed) {
     const Json& answers = json["answers"];
     if (answers.size() != cases.size()) {
         return refused(
-            "There are " + std::to_string(answers.size()) + " answers; expected " + std::to_string(cases.size()) +
-            ", one for each case.");
+            "There are " + std::to_string(answers.size()) + " answers; expected " +
+            std::to_string(cases.size()) + ", one for each case.");
     }
     std::vector<MatrixX> given;
     for (std::size_t k = 0; k < cases.size(); ++k) {

@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kLargestHandedFile = 200000;
 constexpr std::size_t kMostActions = 20;
 
-const std::vector<std::string> kNotHandedOut{"expect", "question", "try", "exercise"};
+// claims and texts can tell the answer
+const std::vector<std::string> kNotHandedOut{"expect", "question", "try", "exercise", "step"};
+const std::vector<SceneEdit> kSilenced{{"text", ""}, {"summary", ""}};
 
 std::string expected_of(const Exercise& exercise) {
     return exercise.expect.empty() ? claims_in(exercise.scene) : exercise.expect;
@@ -28,10 +30,16 @@ void judge_claims(const std::string& file, const Exercise& exercise, Judged& jud
         judged.feedback.emplace_back("The file is larger than 200 kB.");
         return;
     }
-    const ReadResult read = read_lesson_with_claims(file, exercise.name + ".toml", expected_of(exercise));
+    const std::string name = exercise.name + ".toml";
+    const ReadResult read = read_lesson_with_claims(file, name, expected_of(exercise));
     if (!read.lesson) {
         judged.understood = false;
-        judged.feedback.push_back("The file is no lesson: " + to_string(read.diagnostics.front(), read.source));
+        // mistakes in the file have a place there, what claims miss in it has none
+        const ReadResult alone = read_lesson_with_claims(file, name, "");
+        judged.feedback.push_back(
+            alone.lesson
+                ? "What is asked for cannot be found in the file: " + read.diagnostics.front().message + "."
+                : "The file is no lesson: " + to_string(alone.diagnostics.front(), alone.source));
         return;
     }
     const std::vector<ClaimResult> results = check_claims(*read.lesson);
@@ -59,6 +67,13 @@ void name_mistake(Judged& judged, const char* name, const char* title, std::stri
     judged.feedback.insert(judged.feedback.begin(), std::move(says));
 }
 
+void name_missing_joint(Judged& judged, std::size_t joints, std::size_t needed) {
+    name_mistake(
+        judged, "joint-missing", "a joint is missing",
+        std::to_string(joints) + (joints == 1 ? " joint was" : " joints were") + " added; " +
+            std::to_string(needed) + " are needed.");
+}
+
 /// More than is needed costs its share.
 void charge(Judged& judged, std::size_t used, std::size_t needed, const std::string& what) {
     if (used <= needed || judged.share == 0.0) { return; }
@@ -81,9 +96,15 @@ std::string table_of_key(const std::string& key) {
     return first == std::string::npos ? key : key.substr(0, key.find('.', first + 1));
 }
 
-bool is_addition(const std::string& path) { return path.starts_with("joint.") || path.starts_with("driver."); }
+bool is_addition(const std::string& path) {
+    return path.starts_with("joint.") || path.starts_with("driver.");
+}
 
-std::string healthy(const Task& task) { return without_tables(task.variant.scene, kNotHandedOut); }
+std::string healthy(const Task& task) {
+    std::string scene = without_tables(task.variant.scene, kNotHandedOut);
+    for (const SceneEdit& edit : kSilenced) { scene = with_edits(std::move(scene), {&edit, 1}).text; }
+    return scene;
+}
 
 std::string built(const Task& task) { return healthy(task) + "\n" + task.exercise().solution; }
 
@@ -92,6 +113,12 @@ std::string built(const Task& task) { return healthy(task) + "\n" + task.exercis
 std::string handed_out(const Task& task) {
     const std::string scene = healthy(task);
     return with_edits(scene, task.exercise().spoil).text;
+}
+
+bool is_solved_already(const Task& task) {
+    Judged judged;
+    judge_claims(handed_out(task), task.exercise(), judged);
+    return judged.right;
 }
 
 Handed right_repair(const Task& task) { return {healthy(task), {}}; }
@@ -113,19 +140,27 @@ Judged judge_repair(const Task& task, const Handed& handed) {
     const std::string sick = handed_out(task);
     judge_claims(handed.text, task.exercise(), judged);
     const SceneDifference difference = difference_of(sick, handed.text);
+    const bool is_toml = judged.understood || difference.count() > 0 || handed.text == sick;
     const auto removed = std::ranges::find_if(difference.removed, is_addition);
-    if (!judged.understood && removed == difference.removed.end()) { return judged; }
-    if (difference.count() == 0) {
+    if (is_toml && difference.count() == 0) {
         judged.share = 0.0;
-        name_mistake(judged, "unchanged", "nothing was changed", "Nothing that matters was changed: the file is as sick as before.");
+        name_mistake(
+            judged, "unchanged", "nothing was changed",
+            "Nothing that matters was changed: the file is as sick as before.");
+    } else if (!judged.understood && removed == difference.removed.end()) {
+        return judged;
     } else if (removed != difference.removed.end() && !judged.right) {
         const bool joint = removed->starts_with("joint.");
         judged.share = 0.0;
         name_mistake(
-            judged, joint ? "joint-removed" : "driver-removed", joint ? "the joint was taken out" : "the driver was taken out",
-            "'" + *removed + "' was taken out: the illness is gone with the patient. It has to stay, and to be mended.");
+            judged, joint ? "joint-removed" : "driver-removed",
+            joint ? "the joint was taken out" : "the driver was taken out",
+            "'" + *removed +
+                "' was taken out: the illness is gone with the patient. It has to stay, and to be mended.");
     } else {
-        charge(judged, difference.count(), static_cast<std::size_t>(task.exercise().most), "values were changed");
+        charge(
+            judged, difference.count(), static_cast<std::size_t>(task.exercise().most),
+            "values were changed");
     }
     return judged;
 }
@@ -153,23 +188,22 @@ Judged judge_build(const Task& task, const Handed& handed) {
         return judged;
     }
     judge_claims(handed.text, task.exercise(), judged);
-    if (!judged.understood) { return judged; }
+    const auto joints = static_cast<std::size_t>(std::ranges::count_if(difference.added, is_addition));
+    const auto needed = static_cast<std::size_t>(task.exercise().most);
+    if (!judged.understood) {
+        if (joints > 0 && joints < needed) { name_missing_joint(judged, joints, needed); }
+        return judged;
+    }
     if (!difference.changed.empty() || !difference.removed.empty()) {
         judged.share *= 0.5;
         name_mistake(
             judged, "scene-changed", "given parts were changed",
-            "Given parts were changed: " + list_text_of(difference.changed) + (difference.changed.empty() ? "" : " ") +
-                list_text_of(difference.removed) + ". Only add to the file.");
+            "Given parts were changed: " + list_text_of(difference.changed) +
+                (difference.changed.empty() ? "" : " ") + list_text_of(difference.removed) +
+                ". Only add to the file.");
         return judged;
     }
-    const auto joints = static_cast<std::size_t>(std::ranges::count_if(difference.added, is_addition));
-    const auto needed = static_cast<std::size_t>(task.exercise().most);
-    if (!judged.right && joints < needed) {
-        name_mistake(
-            judged, "joint-missing", "a joint is missing",
-            std::to_string(joints) + (joints == 1 ? " joint was" : " joints were") + " added; " + std::to_string(needed) +
-                " are needed.");
-    }
+    if (!judged.right && joints < needed) { name_missing_joint(judged, joints, needed); }
     charge(judged, joints, needed, "joints were added");
     return judged;
 }
@@ -209,8 +243,9 @@ Judged judge_experiment(const Task& task, const Handed& handed) {
     const auto needed = static_cast<std::size_t>(task.exercise().most);
     if (!judged.right && judged.understood && handed.list.size() < needed) {
         name_mistake(
-            judged, "unfinished", "not there yet", "The state that is asked for is not reached yet; it takes " +
-                                                       std::to_string(needed) + " experiments.");
+            judged, "unfinished", "not there yet",
+            "The state that is asked for is not reached yet; it takes " + std::to_string(needed) +
+                " experiments.");
     }
     charge(judged, handed.list.size(), needed, "experiments were made");
     return judged;

@@ -35,7 +35,8 @@ std::string shape_of(const MatrixX& m) {
 
 /// A row where a column is meant, and the reverse; not for matrices.
 MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
-    const bool both_vectors = std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
+    const bool both_vectors =
+        std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
     const bool turned = given.rows() == right.cols() && given.cols() == right.rows();
     return both_vectors && turned ? MatrixX(given.transpose()) : given;
 }
@@ -69,7 +70,8 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
             if (!is_wrong) { continue; }
             const std::string row = std::to_string(r + 1);
             if (++wrong <= 12) {
-                places += (wrong > 1 ? ", " : "") + (given.cols() == 1 ? row : "(" + row + ", " + std::to_string(c + 1) + ")");
+                places += (wrong > 1 ? ", " : "") +
+                          (given.cols() == 1 ? row : "(" + row + ", " + std::to_string(c + 1) + ")");
             }
         }
     }
@@ -81,7 +83,8 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
 void tell_how_far(const Asked& asked, const MatrixX& given, Judged& judged) {
     const double apart = difference_from(asked.right, given, asked);
     judged.feedback.push_back(
-        "No known mistake leads to this answer. It is off by " + number_text(apart, 3) + with_unit(asked) + ".");
+        "No known mistake leads to this answer. It is off by " + number_text(apart, 3) + with_unit(asked) +
+        ".");
     if (apart <= kRoundedEarly * asked.tolerance) {
         judged.feedback.emplace_back("That is near: was something rounded too early?");
     }
@@ -100,12 +103,22 @@ void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX
     if (!mistake.slide.empty()) { judged.feedback.push_back("Look at " + mistake.slide + "."); }
 }
 
+/// Where components are chosen, "y" is 2.
+std::string number_of_letter(const Task& task, const std::string& text) {
+    const auto shown = std::ranges::find(task.shown, text);
+    return task.exercise().kind == ExerciseKind::choose && shown != task.shown.end()
+               ? std::to_string(shown - task.shown.begin() + 1)
+               : text;
+}
+
 }  // namespace
 
 std::string written(const MatrixX& value, int digits) {
     const auto row_text = [&](const auto& row) {
         std::string text = "[";
-        for (Eigen::Index k = 0; k < row.size(); ++k) { text += (k > 0 ? ", " : "") + number_text(row(k), digits); }
+        for (Eigen::Index k = 0; k < row.size(); ++k) {
+            text += (k > 0 ? ", " : "") + number_text(row(k), digits);
+        }
         return text + "]";
     };
     if (value.size() == 1) { return number_text(value(0, 0), digits); }
@@ -127,13 +140,14 @@ std::vector<HandedMistake> mistaken_values(const Task& task) {
 
 Judged judge_value(const Task& task, const Handed& handed) {
     const Asked& asked = task.asked;
-    const GivenValue read = read_given_value(handed.text, asked.unit);
+    const GivenValue read = read_given_value(number_of_letter(task, handed.text), asked.unit);
     if (!read.problem.empty()) { return not_understood(read.problem); }
     const MatrixX given = in_shape_of(asked.right, read.value);
     if (given.rows() != asked.right.rows() || given.cols() != asked.right.cols()) {
         const bool turned = given.rows() == asked.right.cols() && given.cols() == asked.right.rows();
         Judged judged = not_understood(
-            "You wrote " + shape_of(given) + "; expected " + shape_of(asked.right) + (turned ? ": transposed." : "."));
+            "You wrote " + shape_of(given) + "; expected " + shape_of(asked.right) +
+            (turned ? ": transposed." : "."));
         if (turned) { judged.mistake = judged.title = "transposed"; }
         return judged;
     }

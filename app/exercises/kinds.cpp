@@ -26,11 +26,11 @@ const KindOfExercise& kind_of(ExerciseKind kind) {
             ExerciseKind::code, "Hand in a program: .py, .cpp, .m or .js. It reads JSON and writes JSON.",
             right_output, mistaken_outputs, judge_output, "program"},
         KindOfExercise{
-            ExerciseKind::repair, "Hand in the mended lesson file. Change as little as possible.", right_repair,
-            mistaken_repairs, judge_repair, ".toml"},
+            ExerciseKind::repair, "Hand in the mended lesson file. Change as little as possible.",
+            right_repair, mistaken_repairs, judge_repair, ".toml"},
         KindOfExercise{
-            ExerciseKind::build, "Hand in the lesson file with your joints added. Leave the rest as it is.", right_build,
-            mistaken_builds, judge_build, ".toml"},
+            ExerciseKind::build, "Hand in the lesson file with your joints added. Leave the rest as it is.",
+            right_build, mistaken_builds, judge_build, ".toml"},
         KindOfExercise{
             ExerciseKind::experiment, "Write the list of experiments, as after 'jointwise try --try'.",
             right_experiment, mistaken_experiments, judge_experiment, ""}};

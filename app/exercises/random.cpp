@@ -11,9 +11,7 @@ std::uint64_t Random::next() {
     return z ^ (z >> 31U);
 }
 
-int Random::below(int count) {
-    return static_cast<int>(next() % static_cast<std::uint64_t>(count));
-}
+int Random::below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
 
 std::uint64_t seed_of(std::string_view secret, std::string_view student, std::string_view exercise) {
     std::uint64_t hash = 0xCBF29CE484222325ULL;

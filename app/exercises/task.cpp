@@ -62,7 +62,12 @@ void show_choices(Task& task, Random& random) {
             task.asked.right = number;
         } else {
             task.asked.mistakes.push_back(
-                {"choice-" + std::to_string(k + 1), exercise.choices[k].text, exercise.choices[k].why, "", number, {}});
+                {"choice-" + std::to_string(k + 1),
+                 exercise.choices[k].text,
+                 exercise.choices[k].why,
+                 "",
+                 number,
+                 {}});
         }
     }
     task.asked.tolerance = 0.0;
@@ -80,7 +85,9 @@ void show_formulas(Task& task, Random& random) {
     std::vector<std::string> texts{"$" + task.asked.latex + "$"};
     for (const KnownMistake& mistake : wrong) { texts.push_back("$" + mistake.shown + "$"); }
     show_in_places(task, texts, random);
-    for (std::size_t k = 0; k < wrong.size(); ++k) { wrong[k].answer = number_of_choice(task, static_cast<int>(k) + 1); }
+    for (std::size_t k = 0; k < wrong.size(); ++k) {
+        wrong[k].answer = number_of_choice(task, static_cast<int>(k) + 1);
+    }
     task.asked.right = number_of_choice(task, 0);
     task.asked.mistakes = std::move(wrong);
     task.asked.tolerance = 0.0;
@@ -110,14 +117,21 @@ void show_items(Task& task, Random& random) {
         std::vector<int> swapped = order;
         std::swap(swapped[k], swapped[k + 1]);
         task.asked.mistakes.push_back(
-            {"order-" + std::to_string(k + 1), "two neighbours exchanged",
-             "Two neighbours are exchanged: \"" + items[k] + "\" comes before \"" + items[k + 1] + "\".", "",
-             numbers_in_order(task, swapped), {}});
+            {"order-" + std::to_string(k + 1),
+             "two neighbours exchanged",
+             "Two neighbours are exchanged: \"" + items[k] + "\" comes before \"" + items[k + 1] + "\".",
+             "",
+             numbers_in_order(task, swapped),
+             {}});
     }
     std::ranges::reverse(order);
     task.asked.mistakes.push_back(
-        {"reversed", "the order reversed", "This is the right order from its end to its beginning.", "",
-         numbers_in_order(task, order), {}});
+        {"reversed",
+         "the order reversed",
+         "This is the right order from its end to its beginning.",
+         "",
+         numbers_in_order(task, order),
+         {}});
 }
 
 /// What a student sees besides the question.
@@ -140,7 +154,8 @@ TaskMaker::TaskMaker(const Exercise& exercise) : exercise_(&exercise) {
 void TaskMaker::find_groups() {
     std::vector<Asked> samples;
     for (int k = 0; k < kMostSampleDraws && static_cast<int>(samples.size()) < kSamples; ++k) {
-        const VariantDraw draw = drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name));
+        const VariantDraw draw =
+            drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name));
         problem_ = draw.problem;
         if (!draw.variant) { continue; }
         Asked asked = asked_in(*draw.variant);
@@ -161,7 +176,9 @@ void TaskMaker::find_groups() {
         const bool comparable = std::ranges::all_of(samples, [&](const Asked& s) {
             return std::isfinite(difference_from(s.right, s.mistakes[k].answer, s));
         });
-        if (!comparable || always_same([](const Asked& s) -> const MatrixX& { return s.right; }, answer(k))) { continue; }
+        if (!comparable || always_same([](const Asked& s) -> const MatrixX& { return s.right; }, answer(k))) {
+            continue;
+        }
         leader_[k] = static_cast<int>(k);
         for (std::size_t before = 0; before < k; ++before) {
             if (leader_[before] == static_cast<int>(before) && always_same(answer(before), answer(k))) {
@@ -186,6 +203,10 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
     std::vector<std::size_t> position(asked.mistakes.size(), 0);
     for (std::size_t k = 0; k < asked.mistakes.size(); ++k) {
         if (leader_[k] == static_cast<int>(k)) {
+            if (!asked.mistakes[k].answer.allFinite()) {
+                why = "the mistake '" + asked.mistakes[k].name + "' has no finite answer";
+                return false;
+            }
             position[k] = apart.size();
             apart.push_back(asked.mistakes[k]);
         } else if (leader_[k] >= 0) {
@@ -194,7 +215,10 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
             if (title.find(other) == std::string::npos) { title += " or " + other; }
         }
     }
-    const double least = std::max(kTolerancesApart * asked.tolerance, smallest_difference(asked));
+    // programs are told apart by all of their cases (judge_output.cpp)
+    const bool by_cases = exercise_->kind == ExerciseKind::code;
+    const double least =
+        by_cases ? -1.0 : std::max(kTolerancesApart * asked.tolerance, smallest_difference(asked));
     for (std::size_t a = 0; a < apart.size(); ++a) {
         if (difference_from(asked.right, apart[a].answer, asked) <= least) {
             why = "the mistake '" + apart[a].name + "' gives nearly the right answer: " + apart[a].says;
@@ -202,7 +226,8 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
         }
         for (std::size_t b = 0; b < a; ++b) {
             if (difference_from(apart[b].answer, apart[a].answer, asked) > least) { continue; }
-            why = "the mistakes '" + apart[b].name + "' and '" + apart[a].name + "' give nearly the same answer";
+            why = "the mistakes '" + apart[b].name + "' and '" + apart[a].name +
+                  "' give nearly the same answer";
             return false;
         }
     }
@@ -236,7 +261,8 @@ Task TaskMaker::make(std::uint64_t seed) const {
         }
         if (exercise_->vary.empty()) { break; }
     }
-    task.problem = "no variant can be accepted after " + std::to_string(task.draws) + " draws; of the last one: " + why;
+    task.problem =
+        "no variant can be accepted after " + std::to_string(task.draws) + " draws; of the last one: " + why;
     return task;
 }
 

@@ -36,8 +36,8 @@ private:
     bool accept(Task& task, std::string& why) const;
 
     const Exercise* exercise_;
-    /// For each mistake the first one that always gives the same answer; −1: it is none here, since its answer
-    /// is the right one, or has another shape.
+    /// For each mistake the first one that always gives the same answer; −1: it is none here, since its
+    /// answer is the right one, or has another shape.
     std::vector<int> leader_;
     std::string problem_;
 };

@@ -18,20 +18,13 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 // powers of m, kg, s, rad
 constexpr std::array kUnits{
-    UnitName{"deg", {kDegree, {0, 0, 0, 1}}},
-    UnitName{"°", {kDegree, {0, 0, 0, 1}}},
-    UnitName{"degrees", {kDegree, {0, 0, 0, 1}}},
-    UnitName{"rad", {1.0, {0, 0, 0, 1}}},
-    UnitName{"m", {1.0, {1, 0, 0, 0}}},
-    UnitName{"cm", {0.01, {1, 0, 0, 0}}},
-    UnitName{"mm", {0.001, {1, 0, 0, 0}}},
-    UnitName{"s", {1.0, {0, 0, 1, 0}}},
-    UnitName{"ms", {0.001, {0, 0, 1, 0}}},
-    UnitName{"kg", {1.0, {0, 1, 0, 0}}},
-    UnitName{"g", {0.001, {0, 1, 0, 0}}},
-    UnitName{"N", {1.0, {1, 1, -2, 0}}},
-    UnitName{"kN", {1000.0, {1, 1, -2, 0}}},
-    UnitName{"J", {1.0, {2, 1, -2, 0}}},
+    UnitName{"deg", {kDegree, {0, 0, 0, 1}}},     UnitName{"°", {kDegree, {0, 0, 0, 1}}},
+    UnitName{"degrees", {kDegree, {0, 0, 0, 1}}}, UnitName{"rad", {1.0, {0, 0, 0, 1}}},
+    UnitName{"m", {1.0, {1, 0, 0, 0}}},           UnitName{"cm", {0.01, {1, 0, 0, 0}}},
+    UnitName{"mm", {0.001, {1, 0, 0, 0}}},        UnitName{"s", {1.0, {0, 0, 1, 0}}},
+    UnitName{"ms", {0.001, {0, 0, 1, 0}}},        UnitName{"kg", {1.0, {0, 1, 0, 0}}},
+    UnitName{"g", {0.001, {0, 1, 0, 0}}},         UnitName{"N", {1.0, {1, 1, -2, 0}}},
+    UnitName{"kN", {1000.0, {1, 1, -2, 0}}},      UnitName{"J", {1.0, {2, 1, -2, 0}}},
     UnitName{"Hz", {1.0, {0, 0, -1, 0}}}};
 
 /// Takes a power from the front: "^2", "²", "^-1".

@@ -31,7 +31,9 @@ std::string shuffled(std::array<int, N> numbers, Random& random) {
     constexpr int kCount = static_cast<int>(N) - 1;
     std::string text = "[";
     for (int k = 0; k < kCount; ++k) {
-        std::swap(numbers[static_cast<std::size_t>(k)], numbers[static_cast<std::size_t>(k + random.below(kCount - k))]);
+        std::swap(
+            numbers[static_cast<std::size_t>(k)],
+            numbers[static_cast<std::size_t>(k + random.below(kCount - k))]);
         const double size = static_cast<double>(numbers[static_cast<std::size_t>(k)]) / numbers[N - 1];
         text += (k > 0 ? ", " : "") + writing::number_text(random.below(2) == 0 ? size : -size);
     }
@@ -61,12 +63,17 @@ std::string drawn_numbers(const Draw& draw, Random& random) {
 
 std::string drawn_value(const Draw& draw, Random& random) {
     switch (draw.kind) {
-        case Draw::Kind::values: return draw.values[static_cast<std::size_t>(random.below(static_cast<int>(draw.values.size())))];
+        case Draw::Kind::values:
+            return draw.values[static_cast<std::size_t>(random.below(static_cast<int>(draw.values.size())))];
         case Draw::Kind::numbers: return drawn_numbers(draw, random);
-        case Draw::Kind::direction: return shuffled(kDirections[static_cast<std::size_t>(random.below(static_cast<int>(kDirections.size())))], random);
+        case Draw::Kind::direction:
+            return shuffled(
+                kDirections[static_cast<std::size_t>(random.below(static_cast<int>(kDirections.size())))],
+                random);
         case Draw::Kind::euler_parameters: break;
     }
-    return shuffled(kParameters[static_cast<std::size_t>(random.below(static_cast<int>(kParameters.size())))], random);
+    return shuffled(
+        kParameters[static_cast<std::size_t>(random.below(static_cast<int>(kParameters.size())))], random);
 }
 
 std::vector<SceneEdit> drawn_edits(const Exercise& exercise, Random& random) {
@@ -82,7 +89,8 @@ std::vector<SceneEdit> drawn_edits(const Exercise& exercise, Random& random) {
 std::string claims_of(const Exercise& exercise, const std::string& scene) {
     if (!exercise.asked.empty()) { return exercise.asked; }
     if (!exercise.expect.empty()) { return exercise.expect; }
-    const bool judged_by_claims = exercise.kind == ExerciseKind::repair || exercise.kind == ExerciseKind::build ||
+    const bool judged_by_claims = exercise.kind == ExerciseKind::repair ||
+                                  exercise.kind == ExerciseKind::build ||
                                   exercise.kind == ExerciseKind::experiment;
     return judged_by_claims ? claims_in(scene) : std::string();
 }
@@ -98,9 +106,13 @@ VariantDraw drawn_variant(const Exercise& exercise, std::uint64_t seed) {
     EditedScene edited = with_edits(exercise.scene, drawn_edits(exercise, random));
     if (!edited.problem.empty()) { return {std::nullopt, edited.problem}; }
     variant.scene = std::move(edited.text);
-    const std::string built = exercise.kind == ExerciseKind::build ? variant.scene + "\n" + exercise.solution : variant.scene;
-    ReadResult read = read_lesson_with_claims(built, exercise.scene_name, claims_of(exercise, exercise.scene));
-    if (!read.lesson) { return {std::nullopt, "a drawn scene is no lesson: " + read.diagnostics.front().message}; }
+    const std::string built =
+        exercise.kind == ExerciseKind::build ? variant.scene + "\n" + exercise.solution : variant.scene;
+    ReadResult read =
+        read_lesson_with_claims(built, exercise.scene_name, claims_of(exercise, exercise.scene));
+    if (!read.lesson) {
+        return {std::nullopt, "a drawn scene is no lesson: " + read.diagnostics.front().message};
+    }
     variant.lesson = std::move(*read.lesson);
     return {std::move(variant), {}};
 }

@@ -73,8 +73,8 @@ struct Exercise {
     std::vector<Draw> vary;
     double condition_below = 1e3;  ///< largest by smallest singular value that a variant may have
 
-    /// What is asked, as one claim in TOML whose value does not count (empty for choices, order, repair, build and
-    /// experiment); of a formula the first side is what is asked for, the last is how it is found.
+    /// What is asked, as one claim in TOML whose value does not count (empty for choices, order, repair,
+    /// build and experiment); of a formula the first side is what is asked for, the last is how it is found.
     std::string asked;
     std::string formula;              ///< the equation, empty if it is no formula
     std::vector<std::string> where;   ///< its definitions

@@ -33,14 +33,16 @@ void copy_keys(Fields& fields, const std::array<const char*, N>& keys, toml::tab
 }
 
 /// Reads the scene with these claims; what is wrong with them is said at the exercise.
-void check_claims_of(Fields& fields, const Exercise& exercise, const std::string& claims, std::string_view what) {
+void check_claims_of(
+    Fields& fields, const Exercise& exercise, const std::string& claims, std::string_view what) {
     // what else is wrong would only be said twice
     if (exercise.scene.empty() || fields.problems().errors_count() > 0) { return; }
     const ReadResult read = read_lesson_with_claims(exercise.scene, exercise.scene_name, claims);
     if (read.lesson) { return; }
     const Diagnostic& first = read.diagnostics.front();
     fields.problems().add(
-        Code::exercise_answer, fields.span(), std::string(what) + " does not fit the scene: " + first.message, first.hint);
+        Code::exercise_answer, fields.span(), std::string(what) + " does not fit the scene: " + first.message,
+        first.hint);
 }
 
 void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
@@ -53,7 +55,9 @@ void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
     }
     copy_keys(fields, kOfFormula, claim);
     if (const auto where = fields.texts("where")) {
-        for (const Located<std::string>& definition : where->value) { exercise.where.push_back(definition.value); }
+        for (const Located<std::string>& definition : where->value) {
+            exercise.where.push_back(definition.value);
+        }
     }
     if (const auto given = fields.texts("given")) {
         for (const Located<std::string>& symbol : given->value) { exercise.given.push_back(symbol.value); }
@@ -63,7 +67,8 @@ void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
 void read_quantity_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
     copy_keys(fields, kOfQuantity, claim);
     exercise.absolute = true;
-    for (const char* ending : {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
+    for (const char* ending :
+         {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
         const std::string key = std::string("tolerance") + ending;
         const auto tolerance = fields.positive(key);
         if (!tolerance) { continue; }
@@ -129,7 +134,9 @@ void read_choices(Fields& fields, Exercise& exercise) {
         exercise.choices.push_back(std::move(read));
     }
     if (exercise.choices.size() < 2) {
-        fields.problems().add(Code::wrong_count, fields.span("choices"), "expected two choices or more, one of them with right = true");
+        fields.problems().add(
+            Code::wrong_count, fields.span("choices"),
+            "expected two choices or more, one of them with right = true");
     }
 }
 
@@ -142,7 +149,8 @@ void read_items(Fields& fields, Exercise& exercise) {
         exercise.items.push_back(item.value);
     }
     if (exercise.items.size() < 3 || exercise.items.size() > kMostItems) {
-        fields.problems().add(Code::wrong_count, items->span, "expected 3 to " + std::to_string(kMostItems) + " items");
+        fields.problems().add(
+            Code::wrong_count, items->span, "expected 3 to " + std::to_string(kMostItems) + " items");
     }
 }
 
@@ -158,7 +166,8 @@ void read_hidden(Fields& fields, Exercise& exercise) {
 }
 
 void read_spoil(Fields& fields, Exercise& exercise) {
-    fields.require("spoil", "changes that make the scene sick: { key = \"joint.B.axis\", value = [1, 0, 0] }");
+    fields.require(
+        "spoil", "changes that make the scene sick: { key = \"joint.B.axis\", value = [1, 0, 0] }");
     for (Fields& edit : fields.tables("spoil", kMostEdits)) {
         edit.call("the change");
         edit.require("key", "what is changed, such as \"joint.B.axis\"");
@@ -170,7 +179,8 @@ void read_spoil(Fields& fields, Exercise& exercise) {
     }
     const EditedScene sick = with_edits(exercise.scene, exercise.spoil);
     if (!exercise.scene.empty() && !sick.problem.empty()) {
-        fields.problems().add(Code::exercise_edit, fields.span("spoil"), sick.problem + "; expected keys of the scene");
+        fields.problems().add(
+            Code::exercise_edit, fields.span("spoil"), sick.problem + "; expected keys of the scene");
     }
 }
 
@@ -215,9 +225,7 @@ void read_answer(Fields& fields, Exercise& exercise) {
         case ExerciseKind::choose:
             return fields.has("choices") ? read_choices(fields, exercise) : read_computed(fields, exercise);
         case ExerciseKind::order: return read_items(fields, exercise);
-        case ExerciseKind::repair:
-            read_hidden(fields, exercise);
-            return read_spoil(fields, exercise);
+        case ExerciseKind::repair: read_hidden(fields, exercise); return read_spoil(fields, exercise);
         case ExerciseKind::build:
             read_hidden(fields, exercise);
             fields.require("solution", "joints that solve it, as they stand in a lesson file");

@@ -19,8 +19,10 @@ void read_keys(Fields& fields, const Exercise& exercise, Draw& draw) {
     for (const Located<std::string>& key : keys) {
         if (!exercise.scene.empty() && value_in(exercise.scene, key.value).empty()) {
             fields.problems().add(
-                Code::exercise_edit, key.span, "the scene has no " + in_quotes(key.value) + "; expected a key that is there, by the names "
-                                                                       "of its tables",
+                Code::exercise_edit, key.span,
+                "the scene has no " + in_quotes(key.value) +
+                    "; expected a key that is there, by the names "
+                    "of its tables",
                 "for example \"joint.hinge.axis\" or \"body.crank.rotation.angle_deg\"");
         }
         draw.keys.push_back(key.value);
@@ -41,7 +43,8 @@ void read_range(Fields& fields, Draw& draw) {
     draw.step = step ? step->value : 1.0;
     draw.count = count ? count->value : 1;
     if (draw.to <= draw.from || (draw.to - draw.from) / draw.step > kMostSteps) {
-        fields.problems().add(Code::out_of_range, to->span, "'to' has to be above 'from', by at most a million steps");
+        fields.problems().add(
+            Code::out_of_range, to->span, "'to' has to be above 'from', by at most a million steps");
     }
 }
 
@@ -56,7 +59,8 @@ Draw read_draw(Fields& fields, const Exercise& exercise) {
     } else if (fields.has("values")) {
         draw.values = list_of_toml(fields, "values");
         if (draw.values.size() < 2) {
-            fields.problems().add(Code::wrong_count, fields.span("values"), "expected a list of two values or more");
+            fields.problems().add(
+                Code::wrong_count, fields.span("values"), "expected a list of two values or more");
         }
     } else {
         read_range(fields, draw);
@@ -68,7 +72,9 @@ Draw read_draw(Fields& fields, const Exercise& exercise) {
 }  // namespace
 
 void read_draws(Fields& fields, Exercise& exercise) {
-    for (Fields& draw : fields.tables("vary", kMostDraws)) { exercise.vary.push_back(read_draw(draw, exercise)); }
+    for (Fields& draw : fields.tables("vary", kMostDraws)) {
+        exercise.vary.push_back(read_draw(draw, exercise));
+    }
     if (const auto limit = fields.positive("condition_below")) { exercise.condition_below = limit->value; }
 }
 

@@ -27,7 +27,8 @@ std::string trimmed(std::string text) {
 
 bool is_name(const std::string& name) {
     const auto fits = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
     };
     return !name.empty() && name.size() <= 60 && std::ranges::all_of(name, fits);
 }
@@ -40,11 +41,14 @@ void read_exercise_name(Fields& fields, std::set<std::string>& names, Exercise& 
     exercise.name = name->value;
     if (!is_name(name->value)) {
         fields.problems().add(
-            Code::faulty_name, name->span, in_quotes(name->value) + " cannot be the name of a file; expected up to 60 letters, digits, "
-                                                 "'-' and '_'");
+            Code::faulty_name, name->span,
+            in_quotes(name->value) +
+                " cannot be the name of a file; expected up to 60 letters, digits, "
+                "'-' and '_'");
     } else if (!names.insert(name->value).second) {
         fields.problems().add(
-            Code::taken_name, name->span, "there are two exercises " + in_quotes(name->value) + "; expected each name once");
+            Code::taken_name, name->span,
+            "there are two exercises " + in_quotes(name->value) + "; expected each name once");
     }
 }
 
@@ -57,7 +61,8 @@ void read_words(Fields& fields, Exercise& exercise) {
     if (const auto why = fields.words("why")) { exercise.why = trimmed(why->value); }
     if (const auto hints = fields.texts("hints")) {
         if (hints->value.size() > kMostHints) {
-            fields.problems().add(Code::wrong_count, hints->span, "expected at most " + std::to_string(kMostHints) + " hints");
+            fields.problems().add(
+                Code::wrong_count, hints->span, "expected at most " + std::to_string(kMostHints) + " hints");
         }
         for (const Located<std::string>& hint : hints->value) {
             fields.check_words(hint);
@@ -70,7 +75,9 @@ void read_words(Fields& fields, Exercise& exercise) {
     }
     if (const auto points = fields.positive("points")) {
         exercise.points = points->value;
-        if (points->value > kMostPoints) { fields.problems().add(Code::out_of_range, points->span, "expected at most 1000 points"); }
+        if (points->value > kMostPoints) {
+            fields.problems().add(Code::out_of_range, points->span, "expected at most 1000 points");
+        }
     }
 }
 
@@ -79,7 +86,9 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     const auto scene = fields.text("scene");
     if (!scene) {
         const bool needs_none = exercise.kind == ExerciseKind::order || fields.has("choices");
-        if (exercise.scene.empty() && !needs_none) { fields.require("scene", "a lesson file, or a lesson as text of several lines"); }
+        if (exercise.scene.empty() && !needs_none) {
+            fields.require("scene", "a lesson file, or a lesson as text of several lines");
+        }
         return;
     }
     if (scene->value.find('\n') != std::string::npos) {
@@ -90,8 +99,10 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
         FileText file = read_file_text(path, kLargestExercises);
         if (!file.problem.empty()) {
             fields.problems().add(
-                Code::exercise_scene, scene->span, in_quotes(scene->value) + ": " + file.problem + "; expected a lesson file, relative to "
-                                                       "the file of exercises");
+                Code::exercise_scene, scene->span,
+                in_quotes(scene->value) + ": " + file.problem +
+                    "; expected a lesson file, relative to "
+                    "the file of exercises");
             return;
         }
         exercise.scene = std::move(file.text);
@@ -101,7 +112,8 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     if (read.lesson) { return; }
     const Diagnostic& first = read.diagnostics.front();
     fields.problems().add(
-        Code::exercise_scene, scene->span, "the scene is no lesson: line " + std::to_string(first.span.line) + ": " + first.message,
+        Code::exercise_scene, scene->span,
+        "the scene is no lesson: line " + std::to_string(first.span.line) + ": " + first.message,
         "'jointwise check' tells all that is wrong with a file");
 }
 
@@ -118,9 +130,7 @@ Exercise read_exercise(
     if (kind) { exercise.kind = *kind; }
     read_scene(fields, folder, exercise);
     reading::read_draws(fields, exercise);
-    if (kind) {
-        reading::read_answer(fields, exercise);
-    }
+    if (kind) { reading::read_answer(fields, exercise); }
     if (kind || fields.problems().errors_count() == errors) { fields.finish(); }
     return exercise;
 }
@@ -199,7 +209,12 @@ ExercisesRead read_exercise_file(const fs::path& path) {
     if (file.problem.empty()) { return read_exercises(std::move(file.text), path); }
     ExercisesRead read;
     read.diagnostics.push_back(
-        {path.string(), {}, Code::file_unreadable, file.problem + "; expected a file of exercises (.toml)", {}, Severity::error});
+        {path.string(),
+         {},
+         Code::file_unreadable,
+         file.problem + "; expected a file of exercises (.toml)",
+         {},
+         Severity::error});
     return read;
 }
 

@@ -89,7 +89,9 @@ toml::node* node_at(toml::table& root, const std::vector<std::string>& parts) {
 /// Lines at which tables with a header of their own begin.
 void collect_headers(const toml::node& node, std::set<std::size_t>& lines) {
     if (const toml::table* const table = node.as_table()) {
-        if (!table->is_inline() && table->source().begin.line > 0) { lines.insert(table->source().begin.line); }
+        if (!table->is_inline() && table->source().begin.line > 0) {
+            lines.insert(table->source().begin.line);
+        }
         for (const auto& [key, value] : *table) { collect_headers(value, lines); }
     } else if (const toml::array* const list = node.as_array()) {
         for (const toml::node& entry : *list) {
@@ -143,7 +145,8 @@ std::string remove_node(
 }
 
 /// A key that is not there yet is added after the header of its table.
-std::string add_key(const std::string& text, const toml::node& parent, const SceneEdit& edit, const std::string& key) {
+std::string add_key(
+    const std::string& text, const toml::node& parent, const SceneEdit& edit, const std::string& key) {
     const toml::table* const table = parent.as_table();
     if (table == nullptr || table->is_inline() || table->source().begin.line == 0) { return {}; }
     std::string changed = text;
@@ -159,7 +162,9 @@ std::string edited(const std::string& text, const SceneEdit& edit) {
     const std::string last = parts.back();
     parts.pop_back();
     toml::node* const parent = node_at(*root, parts);
-    if (parent == nullptr) { return {}; }
+    if (parent == nullptr || last.empty()) { return {}; }
+    // keys of the file as a whole would stand before its format
+    if (node == nullptr && parts.empty()) { return {}; }
     if (node == nullptr) { return edit.value.empty() ? std::string() : add_key(text, *parent, edit, last); }
     if (edit.value.empty()) { return remove_node(text, *root, *node, *parent, last); }
     if (node->source().begin.line == 0) { return {}; }
@@ -171,7 +176,7 @@ std::string edited(const std::string& text, const SceneEdit& edit) {
 
 // what a mechanism is; the others are its looks and words, or claims about it
 constexpr std::array<std::string_view, 12> kMechanical{
-    "body",  "joint",  "driver", "motion", "dynamics",         "order",
+    "body",  "joint",  "driver", "motion", "dynamics",          "order",
     "force", "torque", "spring", "format", "rotational_spring", "coordinates"};
 constexpr std::array<std::string_view, 4> kLooks{"text", "colour", "shape", "why"};
 
@@ -186,6 +191,11 @@ double number_in(const toml::node& node) {
 
 bool are_equal(const toml::node& a, const toml::node& b) {
     if (a.is_number() && b.is_number()) { return number_in(a) == number_in(b); }
+    if (a.is_array() && b.is_array()) {
+        return std::ranges::equal(*a.as_array(), *b.as_array(), [](const toml::node& x, const toml::node& y) {
+            return are_equal(x, y);
+        });
+    }
     return a.type() == b.type() && as_toml(a) == as_toml(b);
 }
 
@@ -203,14 +213,14 @@ public:
             const toml::node* const other = b.get(key.str());
             const std::string here = below(path, key.str());
             if (other == nullptr) {
-                found.removed.push_back(here);
+                add_all(here, value, found.removed);
             } else {
                 compare(here, value, *other);
             }
         }
         for (const auto& [key, value] : b) {
             if (!skips(path, key.str()) && !a.contains(key.str())) {
-                found.added.push_back(below(path, key.str()));
+                add_all(below(path, key.str()), value, found.added);
             }
         }
     }
@@ -223,6 +233,20 @@ private:
         return path.empty() ? std::string(key) : path + "." + std::string(key);
     }
 
+    /// A list of tables counts table by table.
+    static void add_all(const std::string& path, const toml::node& node, std::vector<std::string>& to) {
+        const toml::array* const list = node.as_array();
+        if (list == nullptr || !are_tables(*list)) {
+            to.push_back(path);
+            return;
+        }
+        for (std::size_t k = 0; k < list->size(); ++k) { to.push_back(below(path, name_of_entry(*list, k))); }
+    }
+    static std::string name_of_entry(const toml::array& list, std::size_t k) {
+        const auto name = (*list[k].as_table())["name"].value<std::string>();
+        return name ? *name : std::to_string(k);
+    }
+
     void compare(const std::string& path, const toml::node& a, const toml::node& b) {
         if (a.is_table() && b.is_table()) { return compare(path, *a.as_table(), *b.as_table()); }
         const bool lists = a.is_array() && b.is_array();
@@ -233,10 +257,6 @@ private:
     }
 
     void compare_named(const std::string& path, const toml::array& a, const toml::array& b) {
-        const auto name_of_entry = [](const toml::array& list, std::size_t k) {
-            const auto name = (*list[k].as_table())["name"].value<std::string>();
-            return name ? *name : std::to_string(k);
-        };
         for (std::size_t k = 0; k < a.size(); ++k) {
             const std::string name = name_of_entry(a, k);
             const auto other = index_in(b, name);
@@ -258,7 +278,9 @@ private:
 EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits) {
     for (const SceneEdit& edit : edits) {
         std::string changed = edited(scene, edit);
-        if (changed.empty()) { return {std::move(scene), "there is no '" + edit.key + "' that could be set"}; }
+        if (changed.empty()) {
+            return {std::move(scene), "there is no '" + edit.key + "' that could be set"};
+        }
         scene = std::move(changed);
     }
     return {std::move(scene), {}};

@@ -26,6 +26,24 @@ TEST_CASE("new writes a lesson whose claims hold, with a title made from its nam
     CHECK(run({"step", file}).status == 0);
 }
 
+TEST_CASE(
+    "new --exercise writes a lesson with an exercise that is sound, and from which a sheet is made",
+    "[app][new]") {
+    const Folder folder;
+    REQUIRE(run({"new", folder.path("mine"), "--exercise"}).status == 0);
+    const std::string file = folder.path("mine.toml");
+    const Ran checked = run({"check", file});
+    INFO(checked.out);
+    CHECK(checked.status == 0);
+    CHECK_THAT(checked.out, Catch::Contains("exercise tip"));
+    const std::string key = folder.file("key.toml", "format = 1\nsecret = \"a long secret\"\n");
+    const Ran sheet = run(
+        {"sheet", file, "--student", "ann", "--key", key, "--out", folder.path("sheets"), "--no-figures"});
+    INFO(sheet.err);
+    CHECK(sheet.status == 0);
+    CHECK_THAT(bytes_of(folder.path("sheets/ann/sheet.md")), Catch::Contains("Where is the tip?"));
+}
+
 TEST_CASE("new never overwrites a file, nor follows a link", "[app][new]") {
     const Folder folder;
     const std::string file = folder.file("mine.toml", "mine");

@@ -46,14 +46,27 @@ constexpr std::array<std::string_view, 10> kPanels{
 constexpr std::array<std::string_view, 8> kHost{"app/host/", "app/panels/", "app/session/", "core/",
                                                 "lessons/",  "render/",     "Eigen/",       "imgui.h"};
 
+// programs of students: the system alone
+constexpr std::array<std::string_view, 14> kRun{
+    "app/exercises/run/", "dirent.h", "fcntl.h",  "linux/",  "poll.h", "pwd.h", "sched.h",
+    "signal.h",           "sys/",     "unistd.h", "spawn.h", "time.h", "grp.h", "elf.h"};
+constexpr std::array<std::string_view, 10> kExercises{"app/exercises/", "app/session/", "core/",   "lessons/",
+                                                      "Eigen/",         "nlohmann/",    "fcntl.h", "poll.h",
+                                                      "sys/",           "unistd.h"};
 // the hard cases are run, not drawn
 constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
 // the first folder that fits counts
-constexpr std::array kFolders{FolderRule{"core/", kCore},         FolderRule{"lessons/", kLessons},
-                              FolderRule{"render/", kRender},     FolderRule{"app/session/", kSession},
-                              FolderRule{"app/panels/", kPanels}, FolderRule{"app/host/", kHost},
-                              FolderRule{"app/hard/", kHard}};
+constexpr std::array kFolders{
+    FolderRule{"core/", kCore},
+    FolderRule{"lessons/", kLessons},
+    FolderRule{"render/", kRender},
+    FolderRule{"app/session/", kSession},
+    FolderRule{"app/panels/", kPanels},
+    FolderRule{"app/host/", kHost},
+    FolderRule{"app/hard/", kHard},
+    FolderRule{"app/exercises/run/", kRun},
+    FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
 constexpr std::array<std::string_view, 30> kRooms{"core/numerics/",       "core/jets/",

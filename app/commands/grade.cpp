@@ -1,0 +1,234 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/course_option.hpp"
+#include "app/commands/format_option.hpp"
+#include "app/exercises/grading/grade_reports.hpp"
+#include "app/exercises/grading/workers.hpp"
+#include "render/atomic_file.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+    std::vector<std::string> folders;
+    std::vector<std::string> exercises;
+    std::string key;
+    std::string out;
+    std::string format;
+    int jobs = 0;
+    bool again = false;
+};
+
+CommandError bad_grading(const std::string& message) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + message);
+}
+
+/// A folder with answers.toml is a submission, any other one a folder of submissions.
+std::vector<fs::path> submissions_of(const std::vector<std::string>& folders) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const std::string& name : folders) {
+        const fs::path folder = fs::path(name).lexically_normal();
+        const fs::path clean = folder.filename().empty() ? folder.parent_path() : folder;
+        if (!fs::is_directory(clean, error) || fs::exists(fs::symlink_status(clean / kAnswersFile, error))) {
+            found.push_back(clean);
+            continue;
+        }
+        std::vector<fs::path> inside;
+        for (fs::directory_iterator entry(clean, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (entry->is_directory(error)) { inside.push_back(entry->path()); }
+        }
+        std::ranges::sort(inside);
+        if (inside.empty()) { inside.push_back(clean); }
+        std::ranges::move(inside, std::back_inserter(found));
+    }
+    std::set<fs::path> names;
+    for (const fs::path& folder : found) {
+        if (!names.insert(folder.filename()).second) {
+            throw bad_grading(
+                "two submissions are called '" + folder.filename().string() +
+                "'; expected different folders");
+        }
+    }
+    return found;
+}
+
+/// Results of an earlier run that still hold.
+class KeptGrades {
+public:
+    explicit KeptGrades(const GradeOptions& options)
+        : folder_(options.out.empty() ? fs::path() : fs::path(options.out) / "results"),
+          again_(options.again) {
+        std::error_code error;
+        if (folder_.empty()) { return; }
+        fs::create_directories(folder_, error);
+        if (error) {
+            throw bad_grading("cannot make the folder '" + folder_.string() + "': " + error.message());
+        }
+    }
+
+    bool find(const fs::path& submission, const std::string& digest, Grade& grade) const {
+        if (folder_.empty() || again_) { return false; }
+        std::ifstream file(path_of(submission), std::ios::binary);
+        std::string first;
+        if (!std::getline(file, first) || first != digest) { return false; }
+        std::ostringstream rest;
+        rest << file.rdbuf();
+        return read_grade(rest.str(), grade);
+    }
+
+    void keep(const fs::path& submission, const std::string& digest, const Grade& grade) const {
+        if (folder_.empty()) { return; }
+        render::write_file_atomically(path_of(submission), digest + "\n" + json_text(grade));
+    }
+
+private:
+    fs::path path_of(const fs::path& submission) const {
+        return folder_ / (submission.filename().string() + ".json");
+    }
+
+    fs::path folder_;
+    bool again_;
+};
+
+Grade refused(const ReadyCourse& course, const fs::path& submission, std::string why) {
+    Grade grade;
+    grade.submission = submission.filename().string();
+    grade.problem = std::move(why);
+    for (const CourseExercise& entry : course.exercises) {
+        ExerciseGrade e;
+        e.name = entry.exercise->name;
+        e.title = entry.exercise->title;
+        e.points = entry.exercise->points;
+        grade.exercises.push_back(std::move(e));
+    }
+    return grade;
+}
+
+std::vector<Grade> grade_all(
+    const ReadyCourse& course, const std::vector<fs::path>& submissions, const GradeOptions& options,
+    const Streams& streams) {
+    const KeptGrades kept(options);
+    std::vector<Grade> grades(submissions.size());
+    std::vector<std::string> digests(submissions.size());
+    std::vector<int> open;
+    for (std::size_t k = 0; k < submissions.size(); ++k) {
+        digests[k] = course.digest + "-" + digest_of(submissions[k]);
+        if (!kept.find(submissions[k], digests[k], grades[k])) { open.push_back(static_cast<int>(k)); }
+    }
+    ProgressBar progress(streams, "grading");
+    int finished = 0;
+    const auto place = [&](int piece) {
+        return static_cast<std::size_t>(open[static_cast<std::size_t>(piece)]);
+    };
+    const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    do_in_processes(
+        static_cast<int>(open.size()), jobs, {},
+        [&](int piece) { return json_text(grade_submission(course, submissions[place(piece)])); },
+        [&](int piece, const WorkDone& done) {
+            const std::size_t k = place(piece);
+            const bool read = done.problem.empty() && read_grade(done.result, grades[k]);
+            if (!read) {
+                grades[k] =
+                    refused(course, submissions[k], done.problem.empty() ? "Grading failed." : done.problem);
+            }
+            // what failed for want of time may succeed at the next run
+            if (read) { kept.keep(submissions[k], digests[k], grades[k]); }
+            progress.show(static_cast<double>(++finished) / static_cast<double>(open.size()));
+        });
+    return grades;
+}
+
+void warn_of_twins(const std::vector<Grade>& grades, const Streams& streams) {
+    std::set<std::string> known;
+    for (const Grade& grade : grades) {
+        if (grade.student.empty() || known.insert(grade.student).second) { continue; }
+        streams.err << "jointwise: warning: student '" << grade.student
+                    << "' hands in more than once, also as '" << grade.submission << "'\n";
+    }
+}
+
+void write_grades(const std::vector<Grade>& grades, const std::string& format, const Streams& streams) {
+    if (format == "json") {
+        streams.out << grades_json(grades);
+    } else if (format == "junit") {
+        streams.out << grades_junit(grades);
+    } else if (format == "csv") {
+        streams.out << grades_csv(grades);
+    } else if (format == "gradescope") {
+        streams.out << gradescope_json(grades.front());
+    } else {
+        for (const Grade& grade : grades) { streams.out << grade_text(grade); }
+    }
+}
+
+Exit grade(const GradeOptions& options, const Streams& streams) {
+    const CourseKey key = key_of(options.key);
+    std::vector<std::string> files = options.exercises;
+    if (files.empty()) {
+        for (const fs::path& file : key.exercises) { files.push_back(file.string()); }
+    }
+    if (files.empty()) {
+        throw bad_grading("which exercises? Expected --exercises FILE, or exercises = [...] in the key");
+    }
+    const ExerciseSet set = exercises_of(files);
+    const std::vector<fs::path> submissions = submissions_of(options.folders);
+    if (options.format == "gradescope" && submissions.size() != 1) {
+        throw bad_grading(
+            "--format gradescope is for one submission; there are " + std::to_string(submissions.size()));
+    }
+    const ReadyCourse course = ready_course(key.secret, set.exercises);
+    if (!course.problem.empty()) { throw bad_grading("no variants can be drawn:\n" + course.problem); }
+    const std::vector<Grade> grades = grade_all(course, submissions, options, streams);
+    warn_of_twins(grades, streams);
+    write_grades(grades, options.format, streams);
+    if (!options.out.empty()) {
+        const fs::path out = options.out;
+        render::write_file_atomically(out / "class.html", class_report_html(grades, set.title));
+        render::write_file_atomically(out / "grades.csv", grades_csv(grades));
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_grade(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("grade", "grade what students hand in");
+    auto options = std::make_shared<GradeOptions>();
+    command->add_option("FOLDER", options->folders, "submissions, or folders of submissions")
+        ->required()
+        ->type_name("");
+    command->add_option("--key", options->key, "the key of the course, as for 'sheet'")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--exercises", options->exercises, "files of exercises; default: those that the key names")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--out", options->out,
+            "folder for results, a report of the class and a table; what is there is not graded again")
+        ->type_name("FOLDER");
+    command->add_option("--jobs", options->jobs, "submissions graded at once; default: one per processor")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N");
+    command->add_flag("--again", options->again, "grade everything again");
+    add_format_option(*command, options->format, {"text", "json", "junit", "gradescope", "csv"});
+    command->footer("Example: jointwise grade submissions --key key.toml --out grades");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return grade(*options, streams); }; });
+}
+
+}  // namespace jw

@@ -1,0 +1,159 @@
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/course_option.hpp"
+#include "app/commands/exercise_figure.hpp"
+#include "app/commands/format_option.hpp"
+#include "app/exercises/grading/sheet.hpp"
+#include "render/atomic_file.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SheetOptions {
+    std::vector<std::string> files;
+    std::string student;
+    std::string roster;
+    int variants = 0;
+    std::string key;
+    std::string out;
+    std::string format;
+    bool solution = false;
+    bool without_figures = false;
+};
+
+CommandError bad_sheet(const std::string& message) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + message);
+}
+
+std::vector<std::string> students_of(const SheetOptions& options) {
+    const int ways =
+        (options.student.empty() ? 0 : 1) + (options.roster.empty() ? 0 : 1) + (options.variants > 0 ? 1 : 0);
+    if (ways != 1) { throw bad_sheet("expected one of --student ID, --class FILE and --variants N"); }
+    if (!options.student.empty()) {
+        const std::string fault = fault_of_student(options.student);
+        if (!fault.empty()) { throw bad_sheet(fault); }
+        return {options.student};
+    }
+    std::vector<std::string> students;
+    for (int k = 1; k <= options.variants; ++k) { students.push_back("variant-" + std::to_string(k)); }
+    if (options.variants > 0) { return students; }
+    Roster roster = read_roster(options.roster);
+    if (!roster.problem.empty()) { throw CommandError(Exit::bad_input, roster.problem); }
+    return std::move(roster.students);
+}
+
+void write_text(const fs::path& path, const std::string& text) { render::write_file_atomically(path, text); }
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) { throw bad_sheet("cannot make the folder '" + folder.string() + "': " + error.message()); }
+}
+
+void write_sheet(const Sheet& sheet, const fs::path& folder, bool solution) {
+    make_folder(folder);
+    bool figures = false;
+    for (const SheetEntry& entry : sheet.entries) {
+        if (!entry.file.empty()) { write_text(folder / entry.file, entry.file_text); }
+        if (entry.figure.empty()) { continue; }
+        if (!figures) { make_folder(folder / "figures"); }
+        figures = true;
+        render::write_file_atomically(
+            folder / "figures" / (entry.task.exercise().name + ".png"), entry.figure);
+    }
+    write_text(folder / "sheet.md", sheet_markdown(sheet, false));
+    write_text(folder / "sheet.html", sheet_html(sheet, false));
+    write_text(folder / kAnswersFile, answers_template(sheet, false));
+    if (!solution) { return; }
+    make_folder(folder / "solution");
+    write_text(folder / "solution" / "sheet.html", sheet_html(sheet, true));
+    write_text(folder / "solution" / kAnswersFile, answers_template(sheet, true));
+    for (const SheetEntry& entry : sheet.entries) {
+        const KindOfExercise& kind = kind_of(entry.task.exercise().kind);
+        if (std::string(kind.file) == ".toml") {
+            write_text(folder / "solution" / entry.file, kind.right(entry.task).text);
+        }
+    }
+}
+
+void write_quiz(
+    const std::vector<Sheet>& sheets, const std::string& title, const fs::path& out, const Streams& streams) {
+    make_folder(out);
+    write_text(out / "moodle.xml", moodle_xml(sheets, title));
+    for (const std::string& name : not_for_quizzes(sheets.front())) {
+        streams.err << "jointwise: note: exercise '" << name
+                    << "' asks for more than a quiz can; it is left out\n";
+    }
+}
+
+Exit make_sheets(const SheetOptions& options, const Streams& streams) {
+    const std::vector<std::string> students = students_of(options);
+    const ExerciseSet set = exercises_of(options.files);
+    const CourseKey key = key_of(options.key);
+    const ReadyCourse course = ready_course(key.secret, set.exercises);
+    if (!course.problem.empty()) { throw bad_sheet("no variants can be drawn:\n" + course.problem); }
+    std::unique_ptr<ExerciseFigures> figures;
+    FigureOf figure;
+    if (!options.without_figures) {
+        figures = std::make_unique<ExerciseFigures>(640, 400);
+        figure = [&](const Lesson& lesson, bool as_given) { return figures->png_of(lesson, as_given); };
+    }
+    ProgressBar progress(streams, "sheets");
+    std::vector<Sheet> sheets;
+    std::string problems;
+    for (std::size_t k = 0; k < students.size(); ++k) {
+        progress.show(static_cast<double>(k) / static_cast<double>(students.size()));
+        Sheet sheet = sheet_of(course, students[k], set.title, figure);
+        problems += sheet.problem;
+        if (options.format == "moodle") {
+            sheets.push_back(std::move(sheet));
+        } else {
+            write_sheet(sheet, fs::path(options.out) / students[k], options.solution);
+        }
+    }
+    if (options.format == "moodle") { write_quiz(sheets, set.title, options.out, streams); }
+    if (!problems.empty()) { throw CommandError(Exit::numerics, problems); }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_sheet(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command =
+        app.add_subcommand("sheet", "write sheets of exercises, with numbers of each student's own");
+    auto options = std::make_shared<SheetOptions>();
+    command->add_option("FILE", options->files, "files of exercises, or lessons with [[exercise]]")
+        ->required()
+        ->type_name("");
+    command->add_option("--student", options->student, "a sheet for one student")->type_name("ID");
+    command
+        ->add_option(
+            "--class", options->roster, "a sheet for each student in the first column of a list (CSV)")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--variants", options->variants, "so many sheets for nobody in particular, as for a quiz")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command->add_option("--key", options->key, "the key of the course, a file with a secret")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "folder; each student gets one in it")
+        ->required()
+        ->type_name("FOLDER");
+    command->add_flag("--solution", options->solution, "write the solutions, too");
+    command->add_flag("--no-figures", options->without_figures, "draw nothing");
+    add_format_option(*command, options->format, {"files", "moodle"});
+    command->footer(
+        "Example: jointwise sheet lessons/exercises/vectors.toml --student s1 --key key.toml --out sheets");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return make_sheets(*options, streams); }; });
+}
+
+}  // namespace jw

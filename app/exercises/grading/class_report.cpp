@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/exercises/grading/grade_reports.hpp"
+#include "app/exercises/grading/markup.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr const char* kStyle =
+    "body{font:16px/1.45 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#1d2733;"
+    "background:#fff}h1,h2{line-height:1.2}h2{margin-top:2.2rem;font-size:1.15rem}table{border-collapse:"
+    "collapse;"
+    "width:100%}td,th{padding:.25rem .6rem;text-align:left;border-bottom:1px solid "
+    "#dfe4ea}td.n,th.n{text-align:right;"
+    "font-variant-numeric:tabular-nums}.bar{display:flex;height:1.1rem;width:100%;background:#eef1f4}.bar "
+    "i{display:"
+    "block;height:100%}.right{background:#2f7d4f}.partly{background:#8fb99f}.wrong{background:#c4572c}.lost{"
+    "background:"
+    "#e0b04c}.missing{background:#c9d0d8}.key span{margin-right:1.2rem}.key "
+    "i{display:inline-block;width:.9rem;height:"
+    ".9rem;margin-right:.35rem;vertical-align:-.1rem}.hist{display:flex;align-items:flex-end;height:9rem;gap:"
+    "2px;"
+    "border-bottom:1px solid #7a8794}.hist "
+    "div{flex:1;background:#3d6ea5;position:relative;min-height:1px}.hist b{"
+    "position:absolute;bottom:100%;width:100%;text-align:center;font-size:.75rem;font-weight:400}.axis{"
+    "display:flex;"
+    "font-size:.8rem;gap:2px}.axis "
+    "span{flex:1;text-align:center}@media(prefers-color-scheme:dark){body{background:"
+    "#14191f;color:#e6ebf0}td,th{border-color:#333d47}}";
+
+constexpr int kBins = 10;
+
+std::string width_of(int count, int all) {
+    return "style=\"width:" + number_text(all > 0 ? 100.0 * count / all : 0.0, 4) + "%\"";
+}
+
+std::string histogram(const std::vector<Grade>& grades) {
+    std::vector<int> bins(kBins, 0);
+    for (const Grade& grade : grades) {
+        const double share = grade.points() > 0.0 ? grade.earned() / grade.points() : 0.0;
+        ++bins[static_cast<std::size_t>(std::min(kBins - 1, static_cast<int>(kBins * share)))];
+    }
+    const int most = std::max(1, *std::ranges::max_element(bins));
+    std::string html = "<div class=\"hist\" role=\"img\" aria-label=\"students by share of points\">";
+    for (const int count : bins) {
+        html += "<div style=\"height:" + number_text(100.0 * count / most * 0.85, 4) + "%\"><b>" +
+                (count > 0 ? std::to_string(count) : "") + "</b></div>";
+    }
+    html += "</div><div class=\"axis\">";
+    for (int k = 0; k < kBins; ++k) {
+        html += "<span>" + std::to_string(100 * k / kBins) + "–" + std::to_string(100 * (k + 1) / kBins) +
+                "&nbsp;%</span>";
+    }
+    return html + "</div>\n";
+}
+
+std::string count_bar(const ExerciseCount& c, int all) {
+    return "<div class=\"bar\"><i class=\"right\" " + width_of(c.right, all) + "></i><i class=\"partly\" " +
+           width_of(c.partly, all) + "></i><i class=\"wrong\" " + width_of(c.wrong, all) +
+           "></i><i class=\"lost\" " + width_of(c.not_understood, all) + "></i><i class=\"missing\" " +
+           width_of(c.missing, all) + "></i></div>\n";
+}
+
+std::string about_exercise(const ExerciseCount& c, int all) {
+    std::string html = "<h2 id=\"" + markup_text(c.name) + "\">" + html_words(c.title) + " <small>(" +
+                       markup_text(c.name) + ")</small></h2>\n" + count_bar(c, all);
+    html += "<p>" + std::to_string(c.right) + " right, " + std::to_string(c.partly) + " partly, " +
+            std::to_string(c.wrong) + " wrong, " + std::to_string(c.not_understood) + " not understood, " +
+            std::to_string(c.missing) + " not handed in.</p>\n";
+    if (c.mistakes.empty()) { return html; }
+    html += "<table><tr><th>mistake</th><th class=\"n\">students</th><th>answered by</th></tr>\n";
+    for (const ExerciseCount::Mistake& m : c.mistakes) {
+        html += "<tr><td>" + html_words(m.title) + "</td><td class=\"n\">" + std::to_string(m.count) +
+                "</td><td>" +
+                (m.slide.empty() ? "" : "<code>jointwise list \"" + markup_text(m.slide) + "\"</code>") +
+                "</td></tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+std::string about_refused(const std::vector<Grade>& grades) {
+    std::string rows;
+    for (const Grade& grade : grades) {
+        if (grade.problem.empty()) { continue; }
+        rows += "<tr><td>" + markup_text(grade.submission) + "</td><td>" + markup_text(grade.problem) +
+                "</td></tr>\n";
+    }
+    return rows.empty()
+               ? rows
+               : "<h2>Not graded</h2><table><tr><th>submission</th><th>why</th></tr>\n" + rows + "</table>\n";
+}
+
+}  // namespace
+
+std::string class_report_html(const std::vector<Grade>& grades, const std::string& title) {
+    const int all = static_cast<int>(grades.size());
+    double sum = 0.0;
+    double points = 0.0;
+    for (const Grade& grade : grades) {
+        sum += grade.earned();
+        points = std::max(points, grade.points());
+    }
+    const double mean = all > 0 ? sum / all : 0.0;
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width\"><title>" +
+        markup_text(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + markup_text(title) +
+        "</h1>\n<p>" + std::to_string(all) + " submissions, " + number_text(mean, 3) + " of " +
+        number_text(points, 6) + " points in the mean.</p>\n" + histogram(grades);
+    html +=
+        "<p class=\"key\"><span><i class=\"right\"></i>right</span><span><i "
+        "class=\"partly\"></i>partly</span><span><i "
+        "class=\"wrong\"></i>wrong</span><span><i class=\"lost\"></i>not understood</span><span><i "
+        "class=\"missing\"></i>not handed in</span></p>\n";
+    for (const ExerciseCount& count : counts_of(grades)) { html += about_exercise(count, all); }
+    return html + about_refused(grades) + "</body></html>\n";
+}
+
+}  // namespace jw

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/exercises/kinds.hpp"
+
+/// Grades what one student hands in.
+namespace jw {
+
+/// An exercise with what makes its tasks.
+struct CourseExercise {
+    const Exercise* exercise = nullptr;
+    TaskMaker maker;
+};
+
+/// Exercises of a course, made ready once. `exercises` must outlive it.
+struct ReadyCourse {
+    std::string secret;
+    std::vector<CourseExercise> exercises;
+    std::string digest;   ///< of everything that grades depend on besides what is handed in
+    std::string problem;  ///< an exercise of which no task can be made
+};
+ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises);
+
+/// The task of a student.
+Task task_of(const ReadyCourse& course, const CourseExercise& exercise, const std::string& student);
+
+struct ExerciseGrade {
+    std::string name;
+    std::string title;
+    double points = 0.0;  ///< that there are
+    double earned = 0.0;
+    bool handed_in = false;
+    Judged judged;
+};
+
+struct Grade {
+    std::string submission;  ///< name of the folder
+    std::string student;     ///< empty if it is not known
+    std::string problem;     ///< why nothing was graded; empty if it was
+    std::vector<ExerciseGrade> exercises;
+
+    double points() const;
+    double earned() const;
+};
+
+/// Grades a folder: answers.toml, lesson files NAME.toml and programs NAME.py, NAME.cpp ... Nothing outside
+/// is read, links are not followed, programs run in a sandbox or not at all.
+Grade grade_submission(const ReadyCourse& course, const std::filesystem::path& folder);
+
+/// Digest of all that a folder hands in; empty if it cannot be read.
+std::string digest_of(const std::filesystem::path& folder);
+
+/// A grade as JSON and back.
+std::string json_text(const Grade& grade);
+/// @return false if it is none
+bool read_grade(const std::string& json, Grade& grade);
+
+}  // namespace jw

@@ -1,0 +1,166 @@
+#include "app/exercises/grading/grade_reports.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exercises/grading/markup.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string points_text(double points) { return number_text(points, 6); }
+
+/// Control characters of what a student wrote do nothing to a terminal.
+std::string safe(const std::string& text) {
+    std::string shown;
+    for (const char c : text) {
+        const bool control = static_cast<unsigned char>(c) < 0x20U || c == '\x7f';
+        shown += control && c != '\n' ? '?' : c;
+    }
+    return shown;
+}
+
+std::string csv_field(const std::string& text) {
+    // a spreadsheet takes these for formulas
+    const bool formula = !text.empty() && std::string("=+-@\t").find(text.front()) != std::string::npos;
+    const std::string plain = formula ? "'" + text : text;
+    if (plain.find_first_of(",\"\n\r") == std::string::npos) { return plain; }
+    std::string quoted = "\"";
+    for (const char c : plain) { quoted += c == '"' ? std::string("\"\"") : std::string(1, c); }
+    return quoted + "\"";
+}
+
+std::string verdict_of(const ExerciseGrade& e) {
+    if (!e.handed_in) { return "not handed in"; }
+    if (!e.judged.understood) { return "not understood"; }
+    if (e.judged.right && e.judged.share >= 1.0) { return "right"; }
+    return e.judged.title.empty() ? "wrong" : "wrong: " + e.judged.title;
+}
+
+std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
+    std::string text;
+    for (const std::string& sentence : e.judged.feedback) { text += before + safe(sentence) + "\n"; }
+    return text;
+}
+
+}  // namespace
+
+std::string grade_text(const Grade& grade) {
+    const std::string who = grade.student.empty() ? grade.submission : grade.student;
+    std::string text =
+        safe(who) + ": " + points_text(grade.earned()) + " of " + points_text(grade.points()) + " points\n";
+    if (!grade.problem.empty()) { return text + "  nothing could be graded: " + safe(grade.problem) + "\n"; }
+    for (const ExerciseGrade& e : grade.exercises) {
+        text += "  " + points_text(e.earned) + "/" + points_text(e.points) + "  " + e.name + ": " +
+                verdict_of(e) + "\n";
+        text += feedback_text(e, "        ");
+    }
+    return text;
+}
+
+std::string grades_csv(const std::vector<Grade>& grades) {
+    std::string text = "student,submission,points,of";
+    if (!grades.empty()) {
+        for (const ExerciseGrade& e : grades.front().exercises) {
+            text += "," + csv_field(e.name) + "," + csv_field(e.name + " mistake");
+        }
+    }
+    text += ",problem\n";
+    for (const Grade& grade : grades) {
+        text += csv_field(grade.student) + "," + csv_field(grade.submission) + "," +
+                points_text(grade.earned()) + "," + points_text(grade.points());
+        for (const ExerciseGrade& e : grade.exercises) {
+            text += "," + points_text(e.earned) + "," + csv_field(e.judged.mistake);
+        }
+        text += "," + csv_field(safe(grade.problem)) + "\n";
+    }
+    return text;
+}
+
+std::string grades_junit(const std::vector<Grade>& grades) {
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    for (const Grade& grade : grades) {
+        const std::string who = grade.student.empty() ? grade.submission : grade.student;
+        const auto failures = std::ranges::count_if(
+            grade.exercises, [](const ExerciseGrade& e) { return e.earned < e.points; });
+        text += "  <testsuite name=\"" + markup_text(who) + "\" tests=\"" +
+                std::to_string(grade.exercises.size()) + "\" failures=\"" + std::to_string(failures) +
+                "\">\n";
+        for (const ExerciseGrade& e : grade.exercises) {
+            text +=
+                "    <testcase classname=\"" + markup_text(who) + "\" name=\"" + markup_text(e.name) + "\"";
+            if (e.earned >= e.points) {
+                text += "/>\n";
+                continue;
+            }
+            const std::string said = grade.problem.empty() ? feedback_text(e, "") : grade.problem;
+            text += ">\n      <failure message=\"" + markup_text(verdict_of(e)) + "\">" + markup_text(said) +
+                    "</failure>\n    </testcase>\n";
+        }
+        text += "  </testsuite>\n";
+    }
+    return text + "</testsuites>\n";
+}
+
+std::string gradescope_json(const Grade& grade) {
+    Json tests = Json::array();
+    for (const ExerciseGrade& e : grade.exercises) {
+        tests.push_back(
+            {{"name", e.title + " (" + e.name + ")"},
+             {"score", e.earned},
+             {"max_score", e.points},
+             {"output",
+              grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "") : safe(grade.problem)},
+             {"visibility", "visible"}});
+    }
+    const Json json{{"score", grade.earned()}, {"tests", std::move(tests)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string grades_json(const std::vector<Grade>& grades) {
+    std::string text = "[\n";
+    for (std::size_t k = 0; k < grades.size(); ++k) { text += (k > 0 ? ",\n" : "") + json_text(grades[k]); }
+    return text + "]\n";
+}
+
+std::vector<ExerciseCount> counts_of(const std::vector<Grade>& grades) {
+    std::vector<ExerciseCount> counts;
+    for (const Grade& grade : grades) {
+        for (const ExerciseGrade& e : grade.exercises) {
+            auto count = std::ranges::find(counts, e.name, &ExerciseCount::name);
+            if (count == counts.end()) {
+                counts.push_back({});
+                counts.back().name = e.name;
+                counts.back().title = e.title;
+                count = counts.end() - 1;
+            }
+            if (!e.handed_in) {
+                ++count->missing;
+            } else if (!e.judged.understood) {
+                ++count->not_understood;
+            } else if (e.judged.right && e.judged.share >= 1.0) {
+                ++count->right;
+            } else {
+                ++(e.earned > 0.0 ? count->partly : count->wrong);
+            }
+            if (e.judged.title.empty()) { continue; }
+            auto mistake = std::ranges::find(count->mistakes, e.judged.title, &ExerciseCount::Mistake::title);
+            if (mistake == count->mistakes.end()) {
+                count->mistakes.push_back({e.judged.title, e.judged.slide, 0});
+                mistake = count->mistakes.end() - 1;
+            }
+            ++mistake->count;
+        }
+    }
+    for (ExerciseCount& count : counts) {
+        std::ranges::stable_sort(count.mistakes, std::greater{}, &ExerciseCount::Mistake::count);
+    }
+    return counts;
+}
+
+}  // namespace jw

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/exercises/grading/grade.hpp"
+
+/// Grades for people and for other programs.
+namespace jw {
+
+/// One student, for a terminal.
+std::string grade_text(const Grade& grade);
+/// A table: a line for each student, a column for each exercise.
+std::string grades_csv(const std::vector<Grade>& grades);
+/// A test case for each exercise of each student.
+std::string grades_junit(const std::vector<Grade>& grades);
+/// results.json of a Gradescope autograder.
+std::string gradescope_json(const Grade& grade);
+/// All grades in one list.
+std::string grades_json(const std::vector<Grade>& grades);
+
+/// A page about the class: points, and for each exercise which mistakes were made how often.
+std::string class_report_html(const std::vector<Grade>& grades, const std::string& title);
+
+/// How a class did an exercise.
+struct ExerciseCount {
+    std::string name;
+    std::string title;
+    int right = 0;
+    int partly = 0;
+    int wrong = 0;
+    int not_understood = 0;
+    int missing = 0;
+    struct Mistake {
+        std::string title;
+        std::string slide;
+        int count = 0;
+    };
+    std::vector<Mistake> mistakes;  ///< the most frequent first
+};
+std::vector<ExerciseCount> counts_of(const std::vector<Grade>& grades);
+
+}  // namespace jw

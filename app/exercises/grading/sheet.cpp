@@ -1,0 +1,238 @@
+#include "app/exercises/grading/sheet.hpp"
+
+#include "app/exercises/grading/markup.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "lessons/exact_text.hpp"
+#include "lessons/exercise/handed_in.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw {
+
+namespace {
+
+// more digits than the tightest tolerance asks for
+constexpr int kDigits = 6;
+
+std::string latex_of(const MatrixX& m) {
+    if (m.size() == 1) { return number_text(m(0, 0), kDigits); }
+    std::string text = "\\begin{bmatrix} ";
+    for (Eigen::Index r = 0; r < m.rows(); ++r) {
+        if (r > 0) { text += " \\\\ "; }
+        for (Eigen::Index c = 0; c < m.cols(); ++c) {
+            text += (c > 0 ? " & " : "") + number_text(m(r, c), kDigits);
+        }
+    }
+    return text + " \\end{bmatrix}";
+}
+
+/// "1e-05" in LaTeX would be 1 times e minus 05.
+std::string without_exponents(std::string text) {
+    for (std::size_t at = text.find('e'); at != std::string::npos; at = text.find('e', at + 1)) {
+        const bool digit = at > 0 && text[at - 1] >= '0' && text[at - 1] <= '9';
+        if (!digit) { continue; }
+        std::size_t end = at + 1;
+        while (end < text.size() &&
+               (text[end] == '-' || text[end] == '+' || (text[end] >= '0' && text[end] <= '9'))) {
+            ++end;
+        }
+        const int power = std::stoi(text.substr(at + 1, end - at - 1));
+        text.replace(at, end - at, " \\cdot 10^{" + std::to_string(power) + "}");
+    }
+    return text;
+}
+
+bool hands_out_file(const Exercise& exercise) {
+    switch (exercise.kind) {
+        case ExerciseKind::repair:
+        case ExerciseKind::build:
+        case ExerciseKind::experiment: return true;
+        case ExerciseKind::code:
+        case ExerciseKind::order: return false;
+        default: return !exercise.asked.empty() && exercise.formula.empty();
+    }
+}
+
+/// A figure of a formula at random states would show none of them.
+bool has_figure(const Exercise& exercise) {
+    return !exercise.scene.empty() && exercise.kind != ExerciseKind::code &&
+           exercise.kind != ExerciseKind::order;
+}
+
+bool is_as_given(const Task& task) {
+    if (hands_out_file(task.exercise()) && task.exercise().asked.empty()) { return true; }
+    const std::vector<Claim>& claims = task.variant.lesson.claims;
+    return claims.empty() || !std::holds_alternative<AfterAddition>(claims.front().when);
+}
+
+std::string line_of(const Exercise& exercise, const std::string& value) {
+    return exercise.name + " = " + value;
+}
+
+std::string empty_line(const Exercise& exercise) {
+    return line_of(exercise, exercise.kind == ExerciseKind::experiment ? "[]" : "\"\"");
+}
+
+std::string list_in_toml(const std::vector<std::string>& list) {
+    std::string text = "[";
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        text += (k > 0 ? ", " : "") + writing::string_text(list[k]);
+    }
+    return text + "]";
+}
+
+/// The scene as the student gets it: of a repair the sick one.
+std::vector<std::uint8_t> figure_of(const SheetEntry& entry, const FigureOf& figure) {
+    if (entry.file_text.empty() || !entry.task.exercise().asked.empty()) {
+        return figure(entry.task.variant.lesson, is_as_given(entry.task));
+    }
+    const ReadResult read = read_lesson(entry.file_text, entry.file);
+    return read.lesson ? figure(*read.lesson, true) : std::vector<std::uint8_t>{};
+}
+
+SheetEntry entry_of(Task task, int number, const FigureOf& figure) {
+    SheetEntry entry;
+    entry.task = std::move(task);
+    entry.number = std::to_string(number);
+    const Exercise& exercise = entry.task.exercise();
+    if (exercise.kind != ExerciseKind::code) {
+        for (const GivenSymbol& symbol : entry.task.asked.given) {
+            entry.given.push_back(
+                "$" + symbol.latex + " = " + without_exponents(latex_of(symbol.value)) + "$");
+        }
+    }
+    if (hands_out_file(exercise)) {
+        entry.file = exercise.name + ".toml";
+        entry.file_text = handed_out(entry.task);
+    }
+    if (figure && has_figure(exercise)) { entry.figure = figure_of(entry, figure); }
+    if (std::string(kind_of(exercise.kind).file).empty()) { entry.template_line = empty_line(exercise); }
+    return entry;
+}
+
+std::string given_markdown(const SheetEntry& entry) {
+    std::string text;
+    for (const std::string& given : entry.given) { text += "- " + markdown_words(given) + "\n"; }
+    return text.empty() ? text : text + "\n";
+}
+
+std::string shown_markdown(const SheetEntry& entry) {
+    std::string text;
+    for (std::size_t k = 0; k < entry.task.shown.size(); ++k) {
+        text += std::to_string(k + 1) + ". " + markdown_words(entry.task.shown[k]) + "\n";
+    }
+    return text.empty() ? text : text + "\n";
+}
+
+std::string solution_markdown(const SheetEntry& entry) {
+    const Exercise& exercise = entry.task.exercise();
+    std::string text = "**Solution.** " + solution_text(entry) + "\n\n";
+    if (!entry.task.asked.latex.empty()) { text += "$$" + entry.task.asked.latex + "$$\n\n"; }
+    if (!exercise.why.empty()) { text += markdown_words(exercise.why) + "\n\n"; }
+    for (const KnownMistake& mistake : entry.task.asked.mistakes) {
+        text += "- " + written(mistake.answer, 5) + ": " + markdown_words(mistake.title) + ". " +
+                mistake.says + "\n";
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+Sheet sheet_of(
+    const ReadyCourse& course, const std::string& student, const std::string& title, const FigureOf& figure) {
+    Sheet sheet;
+    sheet.title = title;
+    sheet.student = student;
+    int number = 0;
+    for (const CourseExercise& exercise : course.exercises) {
+        Task task = task_of(course, exercise, student);
+        if (task.problem.empty()) {
+            sheet.entries.push_back(entry_of(std::move(task), ++number, figure));
+        } else {
+            sheet.problem +=
+                "exercise " + exercise.exercise->name + ", student " + student + ": " + task.problem + "\n";
+        }
+    }
+    return sheet;
+}
+
+std::string head_text(const SheetEntry& entry) {
+    const Exercise& exercise = entry.task.exercise();
+    std::string text = number_text(exercise.points, 4) + (exercise.points == 1.0 ? " point" : " points");
+    if (!exercise.source.empty()) { text += ", " + exercise.source; }
+    return text +
+           (exercise.allowed == Allowed::paper ? ", without the program" : ", the program may be used");
+}
+
+std::string solution_text(const SheetEntry& entry) {
+    const Exercise& exercise = entry.task.exercise();
+    switch (exercise.kind) {
+        case ExerciseKind::code: return "A program for the formula.";
+        case ExerciseKind::repair: {
+            std::string text;
+            for (const SceneEdit& edit : exercise.spoil) { text += (text.empty() ? "" : ", ") + edit.key; }
+            return "What was changed: " + text + ".";
+        }
+        case ExerciseKind::build: return "Added joints:\n\n```\n" + exercise.solution + "```";
+        case ExerciseKind::experiment: return list_in_toml(exercise.does);
+        default:
+            return written(entry.task.asked.right, 6) +
+                   (entry.task.asked.unit.empty() ? "" : " " + entry.task.asked.unit);
+    }
+}
+
+std::string sheet_markdown(const Sheet& sheet, bool solution) {
+    std::string text = "# " + markdown_words(sheet.title) + "\n\n" + sheet.student +
+                       (solution ? ", solutions" : "") + "\n\n";
+    for (const SheetEntry& entry : sheet.entries) {
+        const Exercise& exercise = entry.task.exercise();
+        text += "## " + entry.number + ". " + markdown_words(exercise.title) + "\n\n*" + head_text(entry) +
+                "; answer `" + exercise.name + "`*\n\n" + markdown_words(exercise.ask) + "\n\n";
+        if (!entry.figure.empty()) {
+            text += "![the scene of " + exercise.name + "](figures/" + exercise.name + ".png)\n\n";
+        }
+        text += given_markdown(entry) + shown_markdown(entry);
+        if (!entry.file.empty()) { text += "The scene is in the file `" + entry.file + "`. "; }
+        if (!entry.task.asked.unit.empty()) { text += "The answer is in " + entry.task.asked.unit + ". "; }
+        text += std::string(kind_of(exercise.kind).hand_in) + "\n\n";
+        if (exercise.kind == ExerciseKind::code) {
+            text += "Inputs of a case:";
+            for (const std::string& name : input_names(exercise)) { text += " `" + name + "`"; }
+            text += ".\n\n";
+        }
+        if (solution) { text += solution_markdown(entry); }
+    }
+    return text;
+}
+
+std::string answers_template(const Sheet& sheet, bool solution) {
+    std::string text = "format = 1\nstudent = " + writing::string_text(sheet.student) + "\n\n[answers]\n";
+    for (const SheetEntry& entry : sheet.entries) {
+        const Exercise& exercise = entry.task.exercise();
+        if (entry.template_line.empty()) { continue; }
+        const Handed right = kind_of(exercise.kind).right(entry.task);
+        const std::string value = exercise.kind == ExerciseKind::experiment
+                                      ? list_in_toml(right.list)
+                                      : writing::string_text(right.text);
+        text += solution ? line_of(exercise, value) : entry.template_line;
+        if (!entry.task.asked.unit.empty()) { text += "  # " + entry.task.asked.unit; }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t k = 0; k < bytes.size(); k += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - k);
+        unsigned group = 0;
+        for (std::size_t b = 0; b < 3; ++b) { group = (group << 8U) | (b < count ? bytes[k + b] : 0U); }
+        for (std::size_t c = 0; c < 4; ++c) {
+            text += c <= count ? kLetters[(group >> (18U - 6U * static_cast<unsigned>(c))) & 63U] : '=';
+        }
+    }
+    return text;
+}
+
+}  // namespace jw
