@@ -53,10 +53,12 @@ def wrong_lessons(path):
 
 def right_lessons(root):
     """Path and content of the lessons that come with the program."""
-    for folder in ("lessons/catalogue", "lessons/benchmark", "app/commands"):
-        for path in sorted((root / folder).rglob("*.toml")):
-            if path.name != "course.toml":
-                yield path, tomllib.loads(path.read_text())
+    paths = [root / "app/commands/new_lesson.toml"]
+    for folder in ("lessons/catalogue", "lessons/benchmark", "lessons/exercises/scenes"):
+        paths += sorted((root / folder).rglob("*.toml"))
+    for path in paths:
+        if path.name != "course.toml":
+            yield path, tomllib.loads(path.read_text())
 
 
 def main():
