@@ -43,7 +43,7 @@ constexpr int kStudents = 5;
 /// The exercises of a lesson or of a file of exercises.
 void check_exercises_of(const std::string& file, CheckedLesson& checked) {
     const ExercisesRead read = read_exercise_file(file);
-    if (!read.diagnostics.empty()) { throw CommandError(Exit::bad_input, read.report()); }
+    if (!read.diagnostics.empty()) { throw FaultyFile(read.report(), read.diagnostics); }
     if (checked.title.empty()) { checked.title = read.title; }
     std::ranges::move(check_exercises(read.exercises, kStudents), std::back_inserter(checked.claims));
 }
