@@ -26,49 +26,26 @@ using math::Row;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Feedback with the thing it is about.
-std::string said(std::string_view says, const std::string& what) {
-    std::string text(says);
-    if (const std::size_t at = text.find("{}"); at != std::string::npos) { text.replace(at, 2, what); }
-    return text;
-}
-
 /// The formula of an exercise and what its symbols mean in a variant.
 class AskedFormula {
 public:
-    AskedFormula(const Variant& variant, const FormulaClaim& claim, const Instant& instant)
-        : exercise_(*variant.exercise), meanings_(formula::meanings_of(claim.formula.subject, instant)) {
-        for (const std::string& definition : exercise_.where) {
-            where_.push_back(math::read_math(definition).row);
-        }
-        sides_ = formula::sides_of(math::read_math(exercise_.formula).row);
-    }
+    AskedFormula(const FormulaPlan& plan, const FormulaClaim& claim, const Instant& instant)
+        : plan_(plan), meanings_(formula::meanings_of(claim.formula.subject, instant)) {}
 
     /// What is asked for, and how it is found: the first and the last side.
-    MatrixX asked() const { return value(sides_.front(), where_); }
-    MatrixX found() const { return value(sides_.back(), where_); }
+    MatrixX asked() const { return value(plan_.asked, plan_.where); }
+    MatrixX found() const { return value(plan_.found, plan_.where); }
     /// Empty where the expression has no value.
-    MatrixX value_or_empty(const Row& expression, const std::vector<Row>& where) const {
-        try {
-            return value(expression, where);
-        } catch (const formula::NotEvaluated&) { return {}; } catch (const formula::Mismatch&) {
-            return {};
-        }
-    }
-    MatrixX value_or_empty(const std::string& expression) const {
-        return value_or_empty(math::read_math(expression).row, where_);
-    }
-    std::string latex() const { return math::write_latex(sides_.back()); }
+    MatrixX value_or_empty(const Row& expression) const { return value_or_empty(expression, plan_.where); }
 
     /// Answers of all mistakes in the last side, and in the definitions.
     std::vector<KnownMistake> mistakes() const {
         std::vector<KnownMistake> all;
-        for (const FormulaMistake& mistake : formula_mistakes()) {
-            for (const Altered& altered : mistake.alter(sides_.back())) {
-                add(mistake, altered, value_or_empty(altered.row, where_), math::write_latex(altered.row),
-                    all);
-            }
-            for (std::size_t k = 0; k < where_.size(); ++k) { add_in_definition(mistake, k, all); }
+        for (const PlannedMistake& planned : plan_.mistakes) {
+            const FormulaMistake& mistake = *planned.mistake;
+            all.push_back(
+                {mistake.name, mistake.title, planned.says, mistake.slide,
+                 value_or_empty(planned.expression, planned.where), planned.shown});
         }
         return all;
     }
@@ -81,32 +58,16 @@ private:
         }
         return found.d[0];
     }
-
-    void add_in_definition(
-        const FormulaMistake& mistake, std::size_t k, std::vector<KnownMistake>& all) const {
-        const std::vector<Row> sides = formula::sides_of(where_[k]);
-        for (const Altered& altered : mistake.alter(sides.back())) {
-            std::vector<Row> where = where_;
-            where[k] = sides.front();
-            const Row equals = math::own_math("=");
-            where[k].insert(where[k].end(), equals.begin(), equals.end());
-            where[k].insert(where[k].end(), altered.row.begin(), altered.row.end());
-            add(mistake, altered, value_or_empty(sides_.back(), where), math::write_latex(where[k]), all);
+    MatrixX value_or_empty(const Row& expression, const std::vector<Row>& where) const {
+        try {
+            return value(expression, where);
+        } catch (const formula::NotEvaluated&) { return {}; } catch (const formula::Mismatch&) {
+            return {};
         }
     }
 
-    static void add(
-        const FormulaMistake& mistake, const Altered& altered, MatrixX answer, std::string shown,
-        std::vector<KnownMistake>& all) {
-        all.push_back(
-            {mistake.name, mistake.title, said(mistake.says, altered.what), mistake.slide, std::move(answer),
-             std::move(shown)});
-    }
-
-    const Exercise& exercise_;
+    const FormulaPlan& plan_;
     formula::Meanings meanings_;
-    std::vector<Row> where_;
-    std::vector<Row> sides_;
 };
 
 /// Two ways to the same value, up to rounding.
@@ -124,7 +85,7 @@ MatrixX with_position(const Vec3& r, const MatrixX& p) {
 
 /// A pose asks for r, too.
 void ask_for_pose(const AskedFormula& f, Asked& asked) {
-    const MatrixX r = f.value_or_empty("r");
+    const MatrixX r = f.value_or_empty(math::own_math("r"));
     if (r.size() != 3 || asked.right.size() != 4) {
         asked.problem = "a pose needs 'body', and a formula of p if there is one";
         return;
@@ -137,25 +98,29 @@ void ask_for_pose(const AskedFormula& f, Asked& asked) {
     }
 }
 
+MatrixX as_matrix(double value) { return MatrixX::Constant(1, 1, value); }
+
+void add_answer(Asked& asked, const ValueMistake& mistake, MatrixX answer) {
+    asked.mistakes.push_back(
+        {mistake.name, mistake.title, said(mistake.says, asked.unit), mistake.slide, std::move(answer), {}});
+}
+
+void add_value(Asked& asked, const ValueMistake& mistake, double value) {
+    add_answer(asked, mistake, as_matrix(value));
+}
+
 /// The right answer in degrees where radians are asked for, and the reverse.
-void add_mixed_units(const std::string& written_unit, Asked& asked) {
-    const std::optional<WrittenUnit> unit = read_unit(written_unit);
+void add_mixed_units(Asked& asked) {
+    const std::optional<WrittenUnit> unit = read_unit(asked.unit);
     if (!unit || unit->powers[3] == 0) { return; }
     // 1 deg is 0.017 rad: units of degrees have a factor
     const bool in_degrees = unit->factor != 1.0;
-    const double other = in_degrees ? unit->factor : kDegreesPerRadian;
-    asked.mistakes.push_back(
-        {"degrees",
-         "degrees and radians mixed up",
-         in_degrees ? "This is the answer with radians; it is asked for in " + written_unit + "."
-                    : "This is the answer with degrees; it is asked for in " + written_unit + ".",
-         "",
-         asked.right * other,
-         {}});
+    add_answer(asked, kMixedUnits, asked.right * (in_degrees ? unit->factor : kDegreesPerRadian));
 }
 
 void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instant& instant, Asked& asked) {
-    const AskedFormula f(variant, claim, instant);
+    const FormulaPlan& plan = *variant.plan;
+    const AskedFormula f(plan, claim, instant);
     try {
         asked.right = f.asked();
         if (!agree(asked.right, f.found())) {
@@ -166,61 +131,27 @@ void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instan
         asked.problem = std::string("its formula has no value: ") + error.what();
         return;
     }
-    asked.latex = f.latex();
+    asked.latex = math::write_latex(plan.found);
     asked.mistakes = f.mistakes();
-    for (const std::string& symbol : variant.exercise->given) {
-        asked.given.push_back({math::write_latex(math::read_math(symbol).row), f.value_or_empty(symbol)});
-        if (asked.given.back().value.size() == 0) { asked.problem = "'" + symbol + "' has no value here"; }
+    for (const Row& symbol : plan.given) {
+        asked.given.push_back({math::write_latex(symbol), f.value_or_empty(symbol)});
+        if (asked.given.back().value.size() == 0) {
+            asked.problem = "'" + math::write_plain(symbol) + "' has no value here";
+        }
     }
     if (variant.exercise->kind == ExerciseKind::pose) { ask_for_pose(f, asked); }
-    add_mixed_units(variant.exercise->unit, asked);
+    asked.unit = variant.exercise->unit;
+    add_mixed_units(asked);
 }
-
-MatrixX as_matrix(double value) { return MatrixX::Constant(1, 1, value); }
-
-struct CountMistake {
-    Count count;
-    const char* name;
-    const char* title;
-    const char* says;
-    const char* slide;
-};
-
-constexpr std::array kCountMistakes{
-    CountMistake{
-        Count::rows, "rows-for-rank", "equations counted",
-        "This is the number of equations; not all of them "
-        "need be independent.",
-        "slide 5"},
-    CountMistake{
-        Count::rank, "rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"},
-    CountMistake{
-        Count::dof, "freedoms", "the freedoms", "This is the number of freedoms: columns minus rank.", ""},
-    CountMistake{
-        Count::redundant, "redundant", "the redundant equations",
-        "This is the number of equations that are "
-        "not independent.",
-        "slide 5"},
-    CountMistake{
-        Count::columns, "columns", "the columns", "This is the number of columns: six for each moving body.",
-        ""},
-    CountMistake{
-        Count::mobility_by_counting, "counting", "Grübler's count",
-        "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}};
 
 void ask_count(const CountClaim& claim, const Instant& instant, Asked& asked) {
     const RankReport report = rank_of(*instant.system, instant.state, instant.t);
     if (!report.decided) { asked.problem = "the rank is undecided there"; }
     asked.right = as_matrix(count_of(report, claim.count));
-    for (const CountMistake& mistake : kCountMistakes) {
-        if (mistake.count == claim.count) { continue; }
-        asked.mistakes.push_back(
-            {mistake.name,
-             mistake.title,
-             mistake.says,
-             mistake.slide,
-             as_matrix(count_of(report, mistake.count)),
-             {}});
+    for (const CountMistake& of_count : kCountMistakes) {
+        if (of_count.count != claim.count) {
+            add_value(asked, of_count.mistake, count_of(report, of_count.count));
+        }
     }
 }
 
@@ -233,26 +164,13 @@ void ask_dropped(const DroppedClaim& claim, const Instant& instant, Asked& asked
     asked.right = as_matrix(dropped + 1);
     for (int k = 0; k < 3; ++k) {
         if (k == dropped) { continue; }
-        asked.mistakes.push_back(
-            {"wrong-two",
-             "the wrong two of three",
-             "The rule leaves out the equation of the largest global component of s_i, not this one: the two "
-             "that are "
-             "left would become dependent sooner.",
-             "slide 5",
-             as_matrix(k + 1),
-             {}});
+        add_value(asked, kWrongTwo, k + 1);
     }
 }
 
 double quantity_at(const QuantityClaim& claim, const Instant& instant) {
     return evaluate(claim.quantity, instant, claim.derivative)
         .derivatives[static_cast<std::size_t>(claim.derivative)];
-}
-
-void add_value(
-    Asked& asked, const char* name, const char* title, const char* says, const char* slide, double value) {
-    asked.mistakes.push_back({name, title, says, slide, as_matrix(value), {}});
 }
 
 /// The value where the scene is assembled the other way.
@@ -273,24 +191,18 @@ void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose
     asked.unit = unit_text(dimension_of(claim.quantity), claim.derivative, claim.in_degrees);
     const bool is_angle = claim.derivative == 0 && is_modulo_turn(claim.quantity);
     if (is_angle) { asked.turn = factor * 2.0 * std::numbers::pi; }
-    add_value(asked, "sign", "wrong sign", "This is the right answer with the opposite sign.", "", -value);
+    add_value(asked, kOppositeSign, -value);
     const std::optional<WrittenUnit> unit = read_unit(asked.unit);
-    add_mixed_units(asked.unit, asked);
+    add_mixed_units(asked);
     if (!is_angle && unit && unit->powers == std::array<int, 4>{0, 0, 0, 1}) {
         const double turn = factor * 2.0 * std::numbers::pi;
-        add_value(
-            asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.",
-            "slide 11", value - turn);
-        add_value(
-            asked, "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.",
-            "slide 11", value + turn);
+        add_value(asked, kFullTurn, value - turn);
+        add_value(asked, kFullTurn, value + turn);
     }
     if (!variant.exercise->branch.empty()) {
         const double other =
             factor * value_of_other_branch(variant, claim, variant.lesson.claims.front().when);
-        add_value(
-            asked, "branch", "the other branch",
-            "This belongs to the other way in which the same joints can be assembled.", "slide 23", other);
+        add_value(asked, kOtherBranch, other);
     }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "app/exercises/alterations.hpp"
@@ -79,5 +80,16 @@ constexpr std::array kFormulaMistakes{
 }  // namespace
 
 std::span<const FormulaMistake> formula_mistakes() { return kFormulaMistakes; }
+
+std::vector<std::string> mistake_names() {
+    std::vector<std::string> names;
+    for (const FormulaMistake& mistake : kFormulaMistakes) { names.emplace_back(mistake.name); }
+    for (const ValueMistake& mistake : kValueMistakes) {
+        // "sign" is one of formulas, too
+        if (std::ranges::find(names, mistake.name) == names.end()) { names.emplace_back(mistake.name); }
+    }
+    for (const CountMistake& of_count : kCountMistakes) { names.emplace_back(of_count.mistake.name); }
+    return names;
+}
 
 }  // namespace jw

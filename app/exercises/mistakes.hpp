@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/exercises/alter.hpp"
+#include "lessons/claims.hpp"
 
 /// Mistakes that students make, each as a function of the right formula.
 namespace jw {
@@ -19,14 +21,60 @@ struct FormulaMistake {
 };
 std::span<const FormulaMistake> formula_mistakes();
 
-/// A mistake in a value, whatever its formula.
+/// A mistake in a value, whatever its formula: an entry of kValueMistakes.
 struct ValueMistake {
     const char* name;
     const char* title;
-    const char* says;
-    const char* slide;
+    const char* says;   ///< {} is the unit that is asked for
+    const char* slide;  ///< may be empty
 };
-/// Names of all mistakes, of formulas and of values.
+
+inline constexpr ValueMistake kOppositeSign{
+    "sign", "wrong sign", "This is the right answer with the opposite sign.", ""};
+inline constexpr ValueMistake kMixedUnits{
+    "degrees", "degrees and radians mixed up",
+    "This is the answer with the other one of degrees and radians; it is asked for in {}.", ""};
+inline constexpr ValueMistake kFullTurn{
+    "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11"};
+inline constexpr ValueMistake kOtherBranch{
+    "branch", "the other branch", "This belongs to the other way in which the same joints can be assembled.",
+    "slide 23"};
+inline constexpr ValueMistake kWrongTwo{
+    "wrong-two", "the wrong two of three",
+    "The rule leaves out the equation of the largest global component of s_i, not this one. The two that are "
+    "left "
+    "would become dependent sooner.",
+    "slide 5"};
+inline constexpr std::array kValueMistakes{kOppositeSign, kMixedUnits, kFullTurn, kOtherBranch, kWrongTwo};
+
+/// Another number of the same pose in place of the one that is asked for.
+struct CountMistake {
+    Count count;
+    ValueMistake mistake;
+};
+inline constexpr std::array kCountMistakes{
+    CountMistake{
+        Count::rows,
+        {"rows", "equations counted", "This is the number of equations; not all of them need be independent.",
+         "slide 5"}},
+    CountMistake{
+        Count::rank,
+        {"rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"}},
+    CountMistake{
+        Count::dof, {"dof", "the freedoms", "This is the number of freedoms: columns minus rank.", ""}},
+    CountMistake{
+        Count::redundant,
+        {"redundant", "the redundant equations", "This is the number of equations that are not independent.",
+         "slide 5"}},
+    CountMistake{
+        Count::columns,
+        {"columns", "the columns", "This is the number of columns: six for each moving body.", ""}},
+    CountMistake{
+        Count::mobility_by_counting,
+        {"counting", "Grübler's count",
+         "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}}};
+
+/// Names of all mistakes that an exercise can look for: of formulas, of values and of counts.
 std::vector<std::string> mistake_names();
 
 }  // namespace jw

@@ -5,7 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
+#include "lessons/diagnostics.hpp"
 
 namespace jw {
 
@@ -134,6 +136,18 @@ void show_items(Task& task, Random& random) {
          {}});
 }
 
+/// A name in the list of mistakes that are looked for, but of none; empty if all are known.
+std::string unknown_mistake(const Exercise& exercise) {
+    const std::vector<std::string> names = mistake_names();
+    for (const std::string& name : exercise.only) {
+        if (std::ranges::find(names, name) != names.end()) { continue; }
+        const std::string meant = did_you_mean(name, names);
+        return "there is no mistake '" + name + "'; " +
+               (meant.empty() ? "expected one of " + comma_list(names) : meant);
+    }
+    return {};
+}
+
 /// What a student sees besides the question.
 void show(Task& task) {
     Random random(task.variant.seed ^ 0x5DEECE66DULL);
@@ -148,14 +162,16 @@ void show(Task& task) {
 }  // namespace
 
 TaskMaker::TaskMaker(const Exercise& exercise) : exercise_(&exercise) {
-    if (is_computed(exercise)) { find_groups(); }
+    problem_ = unknown_mistake(exercise);
+    if (!exercise.formula.empty()) { plan_ = std::make_shared<const FormulaPlan>(formula_plan(exercise)); }
+    if (problem_.empty() && is_computed(exercise)) { find_groups(); }
 }
 
 void TaskMaker::find_groups() {
     std::vector<Asked> samples;
     for (int k = 0; k < kMostSampleDraws && static_cast<int>(samples.size()) < kSamples; ++k) {
         const VariantDraw draw =
-            drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name));
+            drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name), plan_);
         problem_ = draw.problem;
         if (!draw.variant) { continue; }
         Asked asked = asked_in(*draw.variant);
@@ -243,7 +259,7 @@ Task TaskMaker::make(std::uint64_t seed) const {
     Random random(seed);
     std::string why;
     for (int k = 0; k < kMostDraws; ++k) {
-        VariantDraw draw = drawn_variant(*exercise_, k == 0 ? seed : random.next());
+        VariantDraw draw = drawn_variant(*exercise_, k == 0 ? seed : random.next(), plan_);
         if (!draw.variant) {
             task.problem = draw.problem;
             return task;

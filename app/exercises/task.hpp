@@ -36,6 +36,7 @@ private:
     bool accept(Task& task, std::string& why) const;
 
     const Exercise* exercise_;
+    std::shared_ptr<const FormulaPlan> plan_;
     /// For each mistake the first one that always gives the same answer; −1: it is none here, since its
     /// answer is the right one, or has another shape.
     std::vector<int> leader_;

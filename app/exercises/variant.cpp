@@ -97,10 +97,12 @@ std::string claims_of(const Exercise& exercise, const std::string& scene) {
 
 }  // namespace
 
-VariantDraw drawn_variant(const Exercise& exercise, std::uint64_t seed) {
+VariantDraw drawn_variant(
+    const Exercise& exercise, std::uint64_t seed, std::shared_ptr<const FormulaPlan> plan) {
     Variant variant;
     variant.exercise = &exercise;
     variant.seed = seed;
+    variant.plan = std::move(plan);
     if (exercise.scene.empty()) { return {std::move(variant), {}}; }
     Random random(seed);
     EditedScene edited = with_edits(exercise.scene, drawn_edits(exercise, random));

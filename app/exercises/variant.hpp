@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "app/exercises/formula_plan.hpp"
 #include "lessons/exercise/exercise.hpp"
 #include "lessons/lesson.hpp"
 
@@ -15,7 +17,8 @@ struct Variant {
     const Exercise* exercise = nullptr;
     std::uint64_t seed = 0;
     std::string scene;  ///< the lesson file with the drawn values in it; empty without a scene
-    Lesson lesson;      ///< of that file, with what is asked (or expected) as its claims
+    std::shared_ptr<const FormulaPlan> plan;  ///< of its formula; nothing without one
+    Lesson lesson;  ///< of that file, with what is asked (or expected) as its claims
 };
 
 /// One draw, accepted or not.
@@ -25,6 +28,8 @@ struct VariantDraw {
 };
 
 /// The variant of a seed, whether it is a good one or not. `exercise` must outlive it.
-VariantDraw drawn_variant(const Exercise& exercise, std::uint64_t seed);
+/// @param plan  of its formula, made once for all variants
+VariantDraw drawn_variant(
+    const Exercise& exercise, std::uint64_t seed, std::shared_ptr<const FormulaPlan> plan);
 
 }  // namespace jw

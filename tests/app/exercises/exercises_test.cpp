@@ -10,6 +10,7 @@
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
+#include "tests/app/program.hpp"
 
 using namespace jw;
 
@@ -219,4 +220,20 @@ spoil = [{ key = "joint.hinge.axis", value = [0, 0, 2] }]
     const ExerciseCheck check = check_exercise(read.exercises.front(), 1);
     REQUIRE_FALSE(check.holds());
     CHECK(check.problems.front().find("nothing is asked") != std::string::npos);
+}
+
+TEST_CASE("docs/exercises.md names every mistake, and an unknown one is an error", "[exercises]") {
+    const std::string docs = test::bytes_of(test::source_path("docs/exercises.md"));
+    for (const std::string& name : mistake_names()) {
+        CAPTURE(name);
+        CHECK(docs.find("`" + name + "`") != std::string::npos);
+    }
+    const ExercisesRead read = read_exercises(
+        about_arms(
+            "kind = \"number\"\nas_given = true\nformula = '\\Phi = s_i^T s_j'\nmistakes = [\"singn\"]\n"),
+        "x.toml");
+    REQUIRE(read.exercises.size() == 1);
+    const ExerciseCheck check = check_exercise(read.exercises.front(), 1);
+    REQUIRE_FALSE(check.holds());
+    CHECK(check.problems.front().find("did you mean 'sign'") != std::string::npos);
 }
