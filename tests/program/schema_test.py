@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The schema for editors agrees with the reader: schema_test.py JOINTWISE SOURCE_ROOT
 
 It accepts every shipped lesson, and refuses every wrong lesson whose mistake a schema can see: a value of a
