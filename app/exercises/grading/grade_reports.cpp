@@ -6,6 +6,7 @@
 
 #include "app/exercises/grading/markup.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
@@ -39,12 +40,12 @@ std::string verdict_of(const ExerciseGrade& e) {
     if (!e.handed_in) { return "not handed in"; }
     if (!e.judged.understood) { return "not understood"; }
     if (e.judged.right && e.judged.share >= 1.0) { return "right"; }
-    return e.judged.title.empty() ? "wrong" : "wrong: " + e.judged.title;
+    return e.judged.title.empty() ? "wrong" : "wrong: " + math::plain_words(e.judged.title);
 }
 
 std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
     std::string text;
-    for (const std::string& sentence : e.judged.feedback) { text += before + safe(sentence) + "\n"; }
+    for (const std::string& sentence : e.judged.feedback) { text += before + safe(math::plain_words(sentence)) + "\n"; }
     return text;
 }
 

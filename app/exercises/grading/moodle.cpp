@@ -148,7 +148,7 @@ std::string short_answers(const SheetEntry& entry) {
 std::string items_html(const SheetEntry& entry) {
     std::string html = "<ol>";
     for (const std::string& item : entry.task.shown) { html += "<li>" + html_words(item) + "</li>"; }
-    return html + "</ol><p>" + markup_text(kind_of(entry.task.exercise().kind).hand_in) + "</p>";
+    return html + "</ol><p>" + markup_text(hand_in_text(entry)) + "</p>";
 }
 
 std::string unit_html(const SheetEntry& entry) {

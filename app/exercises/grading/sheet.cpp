@@ -163,6 +163,13 @@ std::string head_text(const SheetEntry& entry) {
            (exercise.allowed == Allowed::paper ? ", without the program" : ", the program may be used");
 }
 
+std::string hand_in_text(const SheetEntry& entry) {
+    const bool counts = entry.task.asked.tolerance == 0.0;
+    return entry.task.exercise().kind == ExerciseKind::number && counts
+               ? "Write a whole number."
+               : kind_of(entry.task.exercise().kind).hand_in;
+}
+
 std::string solution_text(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     switch (exercise.kind) {
@@ -193,7 +200,7 @@ std::string sheet_markdown(const Sheet& sheet, bool solution) {
         text += given_markdown(entry) + shown_markdown(entry);
         if (!entry.file.empty()) { text += "The scene is in the file `" + entry.file + "`. "; }
         if (!entry.task.asked.unit.empty()) { text += "The answer is in " + entry.task.asked.unit + ". "; }
-        text += std::string(kind_of(exercise.kind).hand_in) + "\n\n";
+        text += hand_in_text(entry) + "\n\n";
         if (exercise.kind == ExerciseKind::code) {
             text += "Inputs of a case:";
             for (const std::string& name : input_names(exercise)) { text += " `" + name + "`"; }

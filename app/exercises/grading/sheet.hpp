@@ -47,6 +47,8 @@ std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& cate
 /// Names of exercises that no quiz can ask.
 std::vector<std::string> not_for_quizzes(const Sheet& sheet);
 
+/// How the exercise is handed in.
+std::string hand_in_text(const SheetEntry& entry);
 /// How a right answer is written on the sheet of solutions.
 std::string solution_text(const SheetEntry& entry);
 /// "2 points", with the source of the exercise.

@@ -69,7 +69,7 @@ std::string hand_in_html(const SheetEntry& entry) {
     if (!entry.task.asked.unit.empty()) {
         html += "The answer is in " + markup_text(entry.task.asked.unit) + ". ";
     }
-    html += markup_text(kind_of(exercise.kind).hand_in);
+    html += markup_text(hand_in_text(entry));
     if (exercise.kind == ExerciseKind::code) {
         html += " Inputs of a case:";
         for (const std::string& name : input_names(exercise)) {
