@@ -12,6 +12,7 @@ pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(fmt 9 REQUIRED)
 pkg_check_modules(glfw3 REQUIRED IMPORTED_TARGET glfw3)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/language_option.hpp"
 #include "app/commands/usage.hpp"
 #include "app/session/view/inspection.hpp"
 #include "lessons/diagnostics.hpp"
@@ -82,6 +83,8 @@ int run_program(
         return "jointwise: error: " + usage_fault(command, error) + "\nhint: jointwise " +
                (commands.empty() ? "" : command.get_name() + " ") + "--help\n";
     });
+    std::string language_tag;
+    add_language_option(app, language_tag);
     Run run;
     for (const auto add :
          {add_open, add_list, add_new, add_check, add_explain, add_schema, add_step, add_inspect, add_try,
@@ -100,6 +103,7 @@ int run_program(
         if (last_first.empty()) { last_first = {"open"}; }
         app.parse(last_first);
         check_numbers(app);
+        choose_language(language_tag);
         return status(run());
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == 0;  // --help, --version

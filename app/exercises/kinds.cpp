@@ -4,7 +4,8 @@ namespace jw {
 
 namespace {
 
-constexpr const char* kNumber = "Write a number, such as 0.5236, 1/3 or sqrt(3)/2, with its unit where it has one.";
+constexpr const char* kNumber =
+    "Write a number, such as 0.5236, 1/3 or sqrt(3)/2, with its unit where it has one.";
 constexpr const char* kVector = "Write the numbers in brackets: [1, 2, 3].";
 constexpr const char* kMatrix = "Write the rows in brackets: [[1, 2], [3, 4]].";
 

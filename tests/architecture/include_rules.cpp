@@ -24,11 +24,18 @@ constexpr std::array<std::string_view, 11> kRender{
     "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
     "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
 // of render only plain values: what there is to draw and from where it is looked at
-constexpr std::array<std::string_view, 9> kSession{"app/session/",       "core/",
-                                                   "lessons/",           "Eigen/",
-                                                   "render/scene.hpp",   "render/camera.hpp",
-                                                   "render/framing.hpp", "render/palette.hpp",
-                                                   "nlohmann/"};
+constexpr std::array<std::string_view, 11> kSession{
+    "app/session/",
+    "app/languages/",
+    "fmt/",
+    "core/",
+    "lessons/",
+    "Eigen/",
+    "render/scene.hpp",
+    "render/camera.hpp",
+    "render/framing.hpp",
+    "render/palette.hpp",
+    "nlohmann/"};
 // of render what one needs to set text and to find a point on the picture
 constexpr std::array<std::string_view, 10> kPanels{
     "app/panels/",
@@ -117,6 +124,7 @@ constexpr std::array kLibraries{
     // singular values are those of core/numerics/svd: Eigen's BDCSVD is wrong on some Jacobians
     LibraryRule{"Eigen/SVD", "tests/.*"},
     LibraryRule{"Eigen/Dense", "tests/.*"},
+    LibraryRule{"fmt/", "app/session/wording/messages\\.[ch]pp"},
     LibraryRule{"lapacke.h", "tests/support/lapack_svd\\.hpp"},
 };
 

@@ -45,7 +45,9 @@ std::string verdict_of(const ExerciseGrade& e) {
 
 std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
     std::string text;
-    for (const std::string& sentence : e.judged.feedback) { text += before + safe(math::plain_words(sentence)) + "\n"; }
+    for (const std::string& sentence : e.judged.feedback) {
+        text += before + safe(math::plain_words(sentence)) + "\n";
+    }
     return text;
 }
 

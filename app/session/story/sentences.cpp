@@ -7,6 +7,7 @@
 
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/numerics/variants.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 // rounding of a pose whose joints were given by one global point and axis
 constexpr double kMet = 1e-12;
-constexpr const char* kAllBefore = "the equations before";
+constexpr std::size_t kMostOwners = 6;  // named one by one
 
 const Joint& joint_at(const Mechanism& mechanism, int index) {
     return mechanism.joints[static_cast<std::size_t>(index)];
@@ -29,28 +30,31 @@ const std::string& body_name(const Mechanism& mechanism, int index) {
 /// "Joint D" or "Driver crank drive"
 std::string subject_name(const Lesson& lesson, const Addition& subject) {
     const auto k = static_cast<std::size_t>(subject.index);
-    return subject.kind == Addition::Kind::joint ? "Joint " + lesson.mechanism.joints[k].name
-                                                 : "Driver " + lesson.mechanism.drivers[k].name;
+    return subject.kind == Addition::Kind::joint ? tr("Joint {0}", lesson.mechanism.joints[k].name)
+                                                 : tr("Driver {0}", lesson.mechanism.drivers[k].name);
 }
 
-/// "a, b and c"
 std::string number_word(int n) {
-    constexpr std::array words{"no", "one", "two", "three", "four", "five", "six"};
-    return n >= 0 && n < 7 ? words[static_cast<std::size_t>(n)] : std::to_string(n);
+    constexpr std::array words{tr_later("no"),   tr_later("one"),  tr_later("two"), tr_later("three"),
+                               tr_later("four"), tr_later("five"), tr_later("six")};
+    return n >= 0 && n < 7 ? tr(words[static_cast<std::size_t>(n)]) : std::to_string(n);
 }
 
-/// "s 3, p1 2 of 3"
+/// "3 from s, 2 of 3 from p1"
 std::string counts_by_primitive(const System& system, int joint) {
     std::string text;
     for (const Constraint& c : system.constraints()) {
         if (c.joint != joint) { continue; }
         const int kept = c.rows();
-        text += (text.empty() ? "" : ", ") + std::to_string(kept);
-        if (kept < c.equations) { text += " of " + std::to_string(c.equations); }
-        text += " from " + name_of_role(c.role, joint_at(system.mechanism(), joint).parallel_form);
+        const std::string role = name_of_role(c.role, joint_at(system.mechanism(), joint).parallel_form);
+        const std::string part = kept < c.equations ? tr("{0} of {1} from {2}", kept, c.equations, role)
+                                                    : tr("{0} from {1}", kept, role);
+        text = text.empty() ? part : tr("{0}, {1}", text, part);
     }
     return text;
 }
+
+std::string equations_count(int count) { return tr_count(count, "{0} equation", "{0} equations"); }
 
 /// Rows of the joint or driver.
 std::vector<int> rows_of(const System& system, const Addition& subject) {
@@ -69,61 +73,66 @@ std::vector<int> rows_of(const System& system, const Addition& subject) {
 std::string bodies_sentence(const Lesson& lesson, const Step& step) {
     const Mechanism& m = lesson.mechanism;
     const int moving = m.moving_bodies_count();
-    if (moving == 0) { return "No body can move: there are no coordinates."; }
+    if (moving == 0) { return tr("No body can move: there are no coordinates."); }
     std::vector<std::string> names;
     for (const int b : step.system->moving_bodies()) {
         if (names.size() < 8) { names.push_back(body_name(m, b)); }
     }
     if (moving > static_cast<int>(names.size())) {
-        names.push_back(std::to_string(moving - static_cast<int>(names.size())) + " more");
+        names.push_back(tr("{0} more", moving - static_cast<int>(names.size())));
     }
-    return count_text(moving, "body is free", "bodies are free") + ": " + listed(names) + ". That is " +
-           std::to_string(7 * moving) + " coordinates (r, p) with " +
-           count_text(moving, "equation", "equations") + " pᵀp = 1 among them, so " +
-           std::to_string(6 * moving) + " freedoms; as velocities, " + std::to_string(6 * moving) +
-           " columns (r, ω′).";
+    return tr_count(
+        moving,
+        "{0} body is free: {1}. That is {2} coordinates (r, p) with {0} equation pᵀp = 1 among them, so {3} "
+        "freedoms; as velocities, {3} columns (r, ω′).",
+        "{0} bodies are free: {1}. That is {2} coordinates (r, p) with {0} equations pᵀp = 1 among them, so "
+        "{3} freedoms; as velocities, {3} columns (r, ω′).",
+        listed(names), 7 * moving, 6 * moving);
 }
 
 std::string equations_sentence(const Lesson& lesson, const Step& step, const Addition& subject) {
     const System& system = *step.system;
     const std::vector<int> rows = rows_of(system, subject);
     if (rows.empty()) {
-        return subject_name(lesson, subject) + " brings no equation: all of them are taken out. " +
-               count_text(system.rows(), "equation") + " in all.";
+        return tr_count(
+            system.rows(), "{1} brings no equation: all of them are taken out. {0} equation in all.",
+            "{1} brings no equation: all of them are taken out. {0} equations in all.",
+            subject_name(lesson, subject));
     }
-    std::string text =
-        subject_name(lesson, subject) + " brings " + count_text(static_cast<int>(rows.size()), "equation");
+    std::string brought = equations_count(static_cast<int>(rows.size()));
     if (subject.kind == Addition::Kind::joint) {
-        text += " (" + counts_by_primitive(system, subject.index) + ")";
+        brought = tr("{0} ({1})", brought, counts_by_primitive(system, subject.index));
         if (joint_at(lesson.mechanism, subject.index).type->artificial > 0) {
-            text += " and an artificial coordinate θ";
+            brought = tr("{0} and an artificial coordinate θ", brought);
         }
     }
-    text += ", " + std::to_string(system.rows()) + " in all. At the start estimate ";
+    const std::string text =
+        tr("{0} brings {1}, {2} in all.", subject_name(lesson, subject), brought, system.rows());
 
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(step.state, step.t);
     const auto size = [&](int row) { return std::abs(assembler.phi()(row)); };
     const int largest = *std::ranges::max_element(rows, {}, size);
-    if (size(largest) < kMet) { return text + "they hold already."; }
-    return text + "the largest is " + row_label(system, largest) + " = " +
-           number_text(assembler.phi()(largest), 3) + ".";
+    if (size(largest) < kMet) { return followed(text, tr("At the start estimate they hold already.")); }
+    return followed(
+        text, tr("At the start estimate the largest is {0} = {1}.", row_label(system, largest),
+                 number_text(assembler.phi()(largest), 3)));
 }
 
 std::string newton_sentence(const System& system, const NewtonStep& newton) {
-    std::string text = "Iteration " + std::to_string(newton.iteration) +
-                       " found ‖Φ‖ = " + small_text(newton.phi_norm) + ", the largest equation " +
-                       row_label(system, newton.largest_row) + " = " + small_text(newton.largest_value) +
-                       ". Its step Φq Δq = −Φ, already taken in the picture, has length " +
-                       small_text(newton.delta_norm);
-    if (newton.turn > 0.0) {
-        text += " and turns no body by more than " +
-                number_text(newton.fraction * newton.turn * kDegreesPerRadian, 3) + "°";
-    }
+    std::string step =
+        newton.turn > 0.0
+            ? tr("has length {0} and turns no body by more than {1}°", small_text(newton.delta_norm),
+                 number_text(newton.fraction * newton.turn * kDegreesPerRadian, 3))
+            : tr("has length {0}", small_text(newton.delta_norm));
     if (newton.fraction < 1.0) {
-        text += " (limited: " + number_text(100.0 * newton.fraction, 2) + " % of the full step)";
+        step = tr("{0} (limited: {1} % of the full step)", step, number_text(100.0 * newton.fraction, 2));
     }
-    return text + ".";
+    return tr(
+        "Iteration {0} found ‖Φ‖ = {1}, the largest equation {2} = {3}. Its step Φq Δq = −Φ, already taken "
+        "in the picture, {4}.",
+        newton.iteration, small_text(newton.phi_norm), row_label(system, newton.largest_row),
+        small_text(newton.largest_value), step);
 }
 
 std::string iteration_sentence(const Step& step) {
@@ -131,9 +140,10 @@ std::string iteration_sentence(const Step& step) {
         Overloaded{
             [&](const NewtonStep& newton) { return newton_sentence(*step.system, newton); },
             [&](const WrongBranch& wrong) {
-                return "All equations hold, but on the wrong branch: " + branch_text(*step.system, wrong) +
-                       ". In the picture that is already turned by half a turn; Newton-Raphson starts again "
-                       "from there.";
+                return tr(
+                    "All equations hold, but on the wrong branch: {0}. In the picture that is already turned "
+                    "by half a turn; Newton-Raphson starts again from there.",
+                    branch_text(*step.system, wrong));
             },
         },
         step.events.back());
@@ -148,13 +158,14 @@ std::string closing_text(const Step& step) {
             residual = newton->residual;
         }
     }
-    if (iterations == 0) { return "Everything holds already: no iteration was needed."; }
-    return count_text(iterations, "Newton iteration") + " closed it; the largest |Φ| left is " +
-           small_text(residual) + ".";
+    if (iterations == 0) { return tr("Everything holds already: no iteration was needed."); }
+    return tr_count(
+        iterations, "{0} Newton iteration closed it; the largest |Φ| left is {1}.",
+        "{0} Newton iterations closed it; the largest |Φ| left is {1}.", small_text(residual));
 }
 
 /// Owners of the equations that a redundant row repeats, in the order of addition.
-std::string repeated_owners(const System& system, const std::vector<RedundantRow>& redundant) {
+std::vector<std::string> repeated_owners(const System& system, const std::vector<RedundantRow>& redundant) {
     std::vector<std::string> owners;
     for (const RedundantRow& r : redundant) {
         const std::string self = row_owner(system, r.row);
@@ -165,25 +176,34 @@ std::string repeated_owners(const System& system, const std::vector<RedundantRow
             }
         }
     }
-    return owners.size() > 6 ? kAllBefore : listed(owners);
+    return owners;
 }
 
 std::string freedoms_text(int dof) {
-    if (dof == 0) { return "No freedom is left: the pose is determined."; }
-    return count_text(dof, "freedom is left", "freedoms are left") + ".";
+    if (dof == 0) { return tr("No freedom is left: the pose is determined."); }
+    return tr_count(dof, "{0} freedom is left.", "{0} freedoms are left.");
 }
 
 /// "three repeat what A, B and C already say"
 std::string repetition_text(const System& system, const RankReport& rank, int repeating) {
-    const bool one = repeating == 1;
+    const std::string number = number_word(repeating);
     const bool empty =
         std::ranges::all_of(rank.redundant_rows, [](const RedundantRow& r) { return r.terms.empty(); });
-    if (empty) { return number_word(repeating) + (one ? " says" : " say") + " nothing here"; }
-    const std::string owners = repeated_owners(system, rank.redundant_rows);
-    const std::string repeat = number_word(repeating) + (one ? " repeats" : " repeat");
-    if (owners.empty()) { return repeat + " the others of the same joint"; }
-    const bool several = owners.find(" and ") != std::string::npos || owners == kAllBefore;
-    return repeat + " what " + owners + " already " + (several ? "say" : "says");
+    if (empty) { return tr_count(repeating, "{1} says nothing here", "{1} say nothing here", number); }
+    const std::vector<std::string> owners = repeated_owners(system, rank.redundant_rows);
+    if (owners.empty()) {
+        return tr_count(
+            repeating, "{1} repeats the others of the same joint", "{1} repeat the others of the same joint",
+            number);
+    }
+    if (owners.size() == 1) {
+        return tr_count(
+            repeating, "{1} repeats what {2} already says", "{1} repeat what {2} already says", number,
+            owners.front());
+    }
+    return tr_count(
+        repeating, "{1} repeats what {2} already say", "{1} repeat what {2} already say", number,
+        owners.size() > kMostOwners ? tr("the equations before") : listed(owners));
 }
 
 std::string assembled_sentence(
@@ -192,12 +212,15 @@ std::string assembled_sentence(
     const int redundant_before = step.rank_before ? step.rank_before->redundant() : 0;
     const auto count = static_cast<int>(rows_of(*step.system, subject).size());
     const int repeating = rank.redundant() - redundant_before;
-    std::string text = subject_name(lesson, subject) + " adds " + count_text(count, "equation") +
-                       ", the rank grows by " + std::to_string(rank.rank - before) + " (" +
-                       std::to_string(before) + " → " + std::to_string(rank.rank) + ")";
-    if (repeating > 0) { text += ": " + repetition_text(*step.system, rank, repeating); }
-    text += ". " + freedoms_text(rank.dof) + " " + closing_text(step);
-    return rank.decided ? text : text + " " + undecided_text(rank);
+    const std::string equations = equations_count(count);
+    const std::string name = subject_name(lesson, subject);
+    std::string text = repeating > 0 ? tr("{0} adds {1}, the rank grows by {2} ({3} → {4}): {5}.", name,
+                                          equations, rank.rank - before, before, rank.rank,
+                                          repetition_text(*step.system, rank, repeating))
+                                     : tr("{0} adds {1}, the rank grows by {2} ({3} → {4}).", name, equations,
+                                          rank.rank - before, before, rank.rank);
+    text = followed(followed(text, freedoms_text(rank.dof)), closing_text(step));
+    return followed(text, undecided_text(rank));
 }
 
 /// Describes the reactions that the arrows in the picture stand for.
@@ -209,52 +232,75 @@ std::string reactions_text(const Mechanism& m, const Reactions& found) {
     if (largest == nullptr) { return ""; }
     const std::string name = largest->joint >= 0 ? m.joints[static_cast<std::size_t>(largest->joint)].name
                                                  : m.drivers[static_cast<std::size_t>(largest->driver)].name;
-    std::string text =
-        " The arrows show what joints do to their second bodies: forces, and with two heads torques; the "
-        "largest force is " +
-        number_text(largest->wrench.force.norm(), 3) + " N, in " + name + ".";
-    if (!found.unique()) {
-        text += " Pale ones are one answer of many: equations that repeat each other leave them open.";
+    const std::string text =
+        tr("The arrows show what joints do to their second bodies: forces, and with two heads torques; the "
+           "largest force is {0} N, in {1}.",
+           number_text(largest->wrench.force.norm(), 3), name);
+    if (found.unique()) { return text; }
+    return followed(
+        text, tr("Pale ones are one answer of many: equations that repeat each other leave them open."));
+}
+
+/// What determines the motion at a moment.
+std::string determined_text(const Lesson& lesson, const RankReport& rank) {
+    if (rank.dof == 0) {
+        return tr(
+            "rank {0} of {1} columns, so positions, velocities and accelerations are determined.", rank.rank,
+            rank.columns);
     }
-    return text;
+    if (lesson.dynamics && !lesson.motion) {
+        return tr_count(
+            rank.dof, "rank {1} of {2} columns; masses and forces decide about {0} freedom.",
+            "rank {1} of {2} columns; masses and forces decide about {0} freedoms.", rank.rank, rank.columns);
+    }
+    if (lesson.mechanism.drivers.empty()) {
+        return tr("rank {0} of {1} columns; nothing is driven, so nothing moves.", rank.rank, rank.columns);
+    }
+    return tr_count(
+        rank.dof,
+        "rank {1} of {2} columns; {0} freedom not driven: the velocities shown are the ones nearest to those "
+        "before, the accelerations the shortest.",
+        "rank {1} of {2} columns; {0} freedoms not driven: the velocities shown are the ones nearest to "
+        "those "
+        "before, the accelerations the shortest.",
+        rank.rank, rank.columns);
+}
+
+/// "a change point ..." with its numbers.
+std::string change_point_text(const RankReport& rank) {
+    return tr_count(
+        rank.columns,
+        "a change point, or very near one. Of {0} column {1} are independent here, the last of them with a "
+        "singular value of {2}. The motion goes on along the tangent on which it came.",
+        "a change point, or very near one. Of {0} columns {1} are independent here, the last of them with a "
+        "singular value of {2}. The motion goes on along the tangent on which it came.",
+        rank.rank, number_text(rank.last_value(), 2));
 }
 
 std::string motion_sentence(const Lesson& lesson, const Step& step, const RankReport& rank) {
-    std::string text = "t = " + fixed_text(step.t, 3) + " s: ";
-    const Mechanism& m = lesson.mechanism;
-    if (step.change_point) {
-        text +=
-            "a change point, or very near one. Of " + count_text(rank.columns, "column") + " " +
-            std::to_string(rank.rank) + " are independent here, the last of them with a singular value of " +
-            number_text(rank.last_value(), 2) + ". The motion goes on along the tangent on which it came.";
-        return text;
+    const std::string moment = fixed_text(step.t, 3);
+    if (step.change_point) { return tr("t = {0} s: {1}", moment, change_point_text(rank)); }
+    std::string text = tr("t = {0} s: {1}", moment, determined_text(lesson, rank));
+    text = followed(text, undecided_text(rank));
+    if (const auto reactions = reactions_of(step)) {
+        text = followed(text, reactions_text(lesson.mechanism, *reactions));
     }
-    text += "rank " + std::to_string(rank.rank) + " of " + std::to_string(rank.columns) + " columns";
-    if (rank.dof == 0) {
-        text += ", so positions, velocities and accelerations are determined";
-    } else if (lesson.dynamics && !lesson.motion) {
-        text += "; masses and forces decide about " + count_text(rank.dof, "freedom");
-    } else if (m.drivers.empty()) {
-        text += "; nothing is driven, so nothing moves";
-    } else {
-        text += "; " + count_text(rank.dof, "freedom") + " not driven: the velocities shown are the ones " +
-                "nearest to those before, the accelerations the shortest";
+    if (step.rows_switched) {
+        text = followed(text, tr("On the way here another choice of p1 and p2 equations was made."));
     }
-    text += ".";
-    if (!rank.decided) { text += " " + undecided_text(rank); }
-    if (const auto reactions = reactions_of(step)) { text += reactions_text(m, *reactions); }
-    if (step.rows_switched) { text += " On the way here another choice of p1 and p2 equations was made."; }
-    if (!step.note.empty()) { text += " Note: " + step.note + "."; }
+    if (!step.note.empty()) { text = followed(text, tr("Note: {0}.", step.note)); }
     return text;
 }
 
 }  // namespace
 
 std::string title_of(const Lesson& lesson, const Step& step) {
-    if (step.kind == Step::Kind::bodies) { return "The free bodies"; }
-    if (step.kind == Step::Kind::question) { return "A question"; }
-    if (step.kind == Step::Kind::answer) { return "The answer"; }
-    if (step.kind == Step::Kind::motion) { return step.failed() ? "The motion ends" : "The motion"; }
+    if (step.kind == Step::Kind::bodies) { return tr("The free bodies"); }
+    if (step.kind == Step::Kind::question) { return tr("A question"); }
+    if (step.kind == Step::Kind::answer) { return tr("The answer"); }
+    if (step.kind == Step::Kind::motion) {
+        return tr(step.failed() ? tr_later("The motion ends") : tr_later("The motion"));
+    }
     const std::optional<Addition> subject = subject_of(lesson, step);
     const Mechanism& m = lesson.mechanism;
     std::string title = subject_name(lesson, *subject);
@@ -274,31 +320,37 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
         case Step::Kind::iteration: return iteration_sentence(step);
         case Step::Kind::assembled: return assembled_sentence(lesson, step, *subject, rank);
         case Step::Kind::failed:
-            return subject_name(lesson, *subject) + " cannot be closed. The last good pose is kept.";
-        case Step::Kind::question: return "Predict, then see.";
-        case Step::Kind::answer: return "This is what came out.";
+            return tr("{0} cannot be closed. The last good pose is kept.", subject_name(lesson, *subject));
+        case Step::Kind::question: return tr("Predict, then see.");
+        case Step::Kind::answer: return tr("This is what came out.");
         case Step::Kind::motion: break;
     }
     if (step.failed()) {
-        return "The motion cannot be followed beyond t = " + number_text(step.t) +
-               " s. This is the last good pose.";
+        return tr(
+            "The motion cannot be followed beyond t = {0} s. This is the last good pose.",
+            number_text(step.t));
     }
     return motion_sentence(lesson, step, rank);
 }
 
 std::string once_assembled_text(int here, int once) {
-    const std::string ranks =
-        "Rank " + std::to_string(here) + " here, " + std::to_string(once) + " once assembled";
-    if (once > here) { return ranks + ": some rows are independent only at the solution."; }
+    if (once > here) {
+        return tr(
+            "Rank {0} here, {1} once assembled: some rows are independent only at the solution.", here, once);
+    }
     const int fewer = here - once;
-    return ranks + ": " + number_word(fewer) + (fewer == 1 ? " row repeats" : " rows repeat") +
-           " others at the solution only.";
+    return tr_count(
+        fewer, "Rank {1} here, {2} once assembled: {3} row repeats others at the solution only.",
+        "Rank {1} here, {2} once assembled: {3} rows repeat others at the solution only.", here, once,
+        number_word(fewer));
 }
 
 std::string failure_text(const Step& step) {
     if (step.failure) { return failure_text(*step.system, *step.failure); }
     std::string text = step.ended;
-    if (!text.empty()) { text.front() = static_cast<char>(std::toupper(text.front())); }
+    if (!text.empty()) {
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    }
     return text;
 }
 

@@ -4,29 +4,33 @@
 #include <cmath>
 
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
 
 std::string branch_text(const System& system, const WrongBranch& wrong) {
     const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
-    const std::string joint = "joint " + system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
+    const std::string& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
     switch (wrong.kind) {
         case WrongBranch::Kind::anti_parallel:
-            return "the axes sᵢ and sⱼ of " + joint + " point in opposite directions (cosine " +
-                   number_text(wrong.measure, 3) + ")";
+            return tr(
+                "the axes sᵢ and sⱼ of joint {0} point in opposite directions (cosine {1})", joint,
+                number_text(wrong.measure, 3));
         case WrongBranch::Kind::half_turn:
-            return "the side vectors of " + joint + " are half a turn away from where they started";
+            return tr("the side vectors of joint {0} are half a turn away from where they started", joint);
         case WrongBranch::Kind::screw_angle: break;
     }
-    return "θ of " + joint + " is half a turn off the angle between its bodies";
+    return tr("θ of joint {0} is half a turn off the angle between its bodies", joint);
 }
 
 std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms) {
     std::string text = row_label(system, redundant.row) + " = ";
-    if (redundant.terms.empty()) { return text + "0: it says nothing here"; }
+    if (redundant.terms.empty()) {
+        return tr("{0} = 0: it says nothing here", row_label(system, redundant.row));
+    }
     for (std::size_t k = 0; k < redundant.terms.size(); ++k) {
-        if (k == most_terms) { return text + " + " + std::to_string(redundant.terms.size() - k) + " more"; }
+        if (k == most_terms) { return tr("{0} + {1} more", text, redundant.terms.size() - k); }
         const RedundantRow::Term& term = redundant.terms[k];
         const double size = std::abs(term.coefficient);
         const bool negative = term.coefficient < 0.0;
@@ -57,24 +61,27 @@ std::string free_motion_text(const System& system, const FreeMotion& motion) {
         }
         text += (text.empty() ? "" : "; ") + owner + ": " + entries;
     }
-    if (owners.size() == 1 && only_turns) { return text + " (it turns on its own)"; }
+    if (owners.size() == 1 && only_turns) { return tr("{0} (it turns on its own)", text); }
     return text;
 }
 
 std::string undecided_text(const RankReport& report) {
     if (report.decided) { return {}; }
     if (!report.sound) {
-        return "The rank cannot be told: the singular values do not pass their check and may be off by " +
-               small_text(report.singular_value_error) + ".";
+        return tr(
+            "The rank cannot be told: the singular values do not pass their check and may be off by {0}.",
+            small_text(report.singular_value_error));
     }
     const auto last = static_cast<Eigen::Index>(report.rank) - 1;
     const bool may_vanish =
         last >= 0 &&
         report.singular_values(last) - report.pose_error - report.singular_value_error <= report.threshold;
     const Eigen::Index doubtful = may_vanish ? last : last + 1;
-    return "The rank cannot be told: a singular value of " + small_text(report.singular_values(doubtful)) +
-           " may be zero or not, since the pose (largest |Φ| " + small_text(report.residual) +
-           ") decides it only to " + small_text(std::max(report.threshold, report.pose_error)) + ".";
+    return tr(
+        "The rank cannot be told: a singular value of {0} may be zero or not, since the pose (largest |Φ| "
+        "{1}) decides it only to {2}.",
+        small_text(report.singular_values(doubtful)), small_text(report.residual),
+        small_text(std::max(report.threshold, report.pose_error)));
 }
 
 std::vector<std::string> doubts_of(const System& system, const RankReport& report) {
@@ -83,15 +90,15 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
     for (const RedundantRow& row : report.redundant_rows) {
         if (row.misfit <= row.bound) { continue; }
         doubts.push_back(
-            "The combination for " + row_label(system, row.row) + " misses by " + small_text(row.misfit) +
-            ", of which rounding explains " + small_text(row.bound) + ".");
+            tr("The combination for {0} misses by {1}, of which rounding explains {2}.",
+               row_label(system, row.row), small_text(row.misfit), small_text(row.bound)));
     }
     for (std::size_t k = 0; k < report.free_motion_proofs.size(); ++k) {
         const FreeMotionProof& proof = report.free_motion_proofs[k];
         if (proof.holds()) { continue; }
         doubts.push_back(
-            "Free motion " + std::to_string(k + 1) + " changes the equations by " +
-            small_text(proof.residual) + ", of which rounding explains " + small_text(proof.bound) + ".");
+            tr("Free motion {0} changes the equations by {1}, of which rounding explains {2}.", k + 1,
+               small_text(proof.residual), small_text(proof.bound)));
     }
     return doubts;
 }
@@ -120,7 +127,7 @@ std::vector<std::string> free_motion_texts(const System& system, const std::vect
         });
         if (!of_free_body) { texts.push_back(free_motion_text(system, motion)); }
     }
-    if (!free.empty()) { texts.push_back(free + ": all six, nothing holds it yet"); }
+    if (!free.empty()) { texts.push_back(tr("{0}: all six, nothing holds it yet", free)); }
     return texts;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics.hpp"
@@ -28,7 +29,7 @@ const Driver& driver_at(const System& system, int driver) {
 
 std::string angle_text(double radians) { return number_text(radians * kDegreesPerRadian, 3) + "°"; }
 
-std::string moment_of(const PositionFailure& failure) { return " at t = " + number_text(failure.t) + " s"; }
+std::string moment_of(const PositionFailure& failure) { return number_text(failure.t); }
 
 /// "the axes of D stay 0.0573° apart"
 std::string gap_text(const System& system, const Contradiction& c) {
@@ -36,22 +37,21 @@ std::string gap_text(const System& system, const Contradiction& c) {
     const std::string metres = number_text(c.gap, 3) + " m";
     const std::string angle = angle_text(c.gap);
     switch (c.role) {
-        case Role::same_point: return "the points of " + joint + " stay " + metres + " apart";
-        case Role::axes_parallel: return "the axes of " + joint + " stay " + angle + " apart";
-        case Role::distance_parallel: return "the points of " + joint + " stay " + metres + " off its axis";
+        case Role::same_point: return tr("the points of {0} stay {1} apart", joint, metres);
+        case Role::axes_parallel: return tr("the axes of {0} stay {1} apart", joint, angle);
+        case Role::distance_parallel: return tr("the points of {0} stay {1} off its axis", joint, metres);
         case Role::distance_perpendicular:
-            return "the points of " + joint + " stay " + metres + " apart along its axis";
+            return tr("the points of {0} stay {1} apart along its axis", joint, metres);
         case Role::distance_perpendicular_j:
-            return "the points of " + joint + " stay " + metres + " apart along its second axis";
-        case Role::axes_perpendicular:
-            return "the axes of " + joint + " stay " + angle + " off a right angle";
+            return tr("the points of {0} stay {1} apart along its second axis", joint, metres);
+        case Role::axes_perpendicular: return tr("the axes of {0} stay {1} off a right angle", joint, angle);
         case Role::sides_perpendicular:
-            return "the sides of " + joint + " stay " + angle + " off a right angle";
-        case Role::length: return "the points of " + joint + " stay " + metres + " off their distance";
-        case Role::screw_advance: return "the advance of " + joint + " stays off by " + metres;
+            return tr("the sides of {0} stay {1} off a right angle", joint, angle);
+        case Role::length: return tr("the points of {0} stay {1} off their distance", joint, metres);
+        case Role::screw_advance: return tr("the advance of {0} stays off by {1}", joint, metres);
         case Role::screw_angle: break;
     }
-    return "θ of " + joint + " stays " + angle + " off the angle between its bodies";
+    return tr("θ of {0} stays {1} off the angle between its bodies", joint, angle);
 }
 
 /// Direction of the joint's axis in one of its bodies; nothing where it has none there.
@@ -79,8 +79,8 @@ std::string tilted_axes_text(const System& system, const std::vector<int>& joint
                 const double angle = std::atan2(s->cross(*other).norm(), std::abs(s->dot(*other)));
                 if (angle < kSameDirection || angle > kMeantParallel) { continue; }
                 texts.push_back(
-                    "in body " + in_quotes(m.bodies[body].name) + " the axes of " + first.name + " and " +
-                    second.name + " are " + angle_text(angle) + " apart");
+                    tr("in body {0} the axes of {1} and {2} are {3} apart", in_quotes(m.bodies[body].name),
+                       first.name, second.name, angle_text(angle)));
             }
         }
     }
@@ -91,23 +91,25 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
     const Contradiction& c = *failure.contradiction;
     std::vector<std::string> names;
     for (const int joint : c.joints) { names.push_back(joint_name(system, joint)); }
-    std::string text;
-    if (names.size() == 1) {
-        text =
-            "Joint " + names.front() + " cannot be closed" + moment_of(failure) + ": " + gap_text(system, c);
-    } else {
-        text = "Joints " + listed(names) + " cannot all be closed" + moment_of(failure) +
-               ": with the others closed, " + gap_text(system, c);
-    }
-    text += " (shared out among all, " + row_label(system, failure.row) + " is off by " +
-            small_text(failure.value) + "). ";
+    const bool one = names.size() == 1;
+    const std::string gap =
+        tr("{0} (shared out among all, {1} is off by {2})", gap_text(system, c),
+           row_label(system, failure.row), small_text(failure.value));
+    const std::string text =
+        one ? tr("Joint {0} cannot be closed at t = {1} s: {2}.", names.front(), moment_of(failure), gap)
+            : tr("Joints {0} cannot all be closed at t = {1} s: with the others closed, {2}.", listed(names),
+                 moment_of(failure), gap);
     const std::string tilted =
         c.role == Role::axes_parallel ? tilted_axes_text(system, c.joints) : std::string();
     if (!tilted.empty()) {
-        return text + "Check the axes: " + tilted +
-               ". A spherical and a cylindrical joint in place of two hinges would not ask for that.";
+        return followed(
+            text, tr("Check the axes: {0}. A spherical and a cylindrical joint in place of two hinges would "
+                     "not ask for that.",
+                     tilted));
     }
-    return text + "Check lengths, points and axes of " + (names.size() == 1 ? "it" : "these joints") + ".";
+    return followed(
+        text, one ? tr("Check lengths, points and axes of it.")
+                  : tr("Check lengths, points and axes of these joints."));
 }
 
 /// "62.25°" of what a driver prescribes, to a hundredth of the gap: the fit that found it is no better.
@@ -123,21 +125,27 @@ std::string measure_text(const Driver& driver, double value, double gap) {
 std::string drivers_text(const System& system, const PositionFailure& failure) {
     const Contradiction& c = *failure.contradiction;
     const Driver& last = driver_at(system, c.drivers.back());
-    const std::string when = " at t = " + number_text(failure.t) + " s";
+    const std::string when = moment_of(failure);
     const std::string asks = measure_text(last, c.asked, c.gap);
     const std::string finds = measure_text(last, c.found, c.gap);
     const std::string apart = measure_text(last, c.gap, c.gap);
     if (c.drivers.size() == 1) {
-        return "Driver " + last.name + " leads where the mechanism cannot follow" + when + ": it asks for " +
-               asks + ", and the nearest that can be reached is " + finds + ", " + apart +
-               " away. Let it end within reach, or change the lengths.";
+        return tr(
+            "Driver {0} leads where the mechanism cannot follow at t = {1} s: it asks for {2}, and the "
+            "nearest that can be reached is {3}, {4} away. Let it end within reach, or change the lengths.",
+            last.name, when, asks, finds, apart);
     }
     std::vector<std::string> names;
     for (const int driver : c.drivers) { names.push_back(driver_at(system, driver).name); }
-    const std::string others = c.drivers.size() == 2 ? names.front() + " leads" : "the others lead";
-    return "Drivers " + listed(names) + " contradict each other" + when + ": " + last.name + " asks for " +
-           asks + " where " + others + " to " + finds + ", " + apart +
-           " apart. Leave one of them out, or make their functions agree.";
+    const std::string others =
+        c.drivers.size() == 2
+            ? tr("{0} asks for {1} where {2} leads to {3}, {4} apart", last.name, asks, names.front(), finds,
+                 apart)
+            : tr("{0} asks for {1} where the others lead to {2}, {3} apart", last.name, asks, finds, apart);
+    return tr(
+        "Drivers {0} contradict each other at t = {1} s: {2}. Leave one of them out, or make their "
+        "functions agree.",
+        listed(names), when, others);
 }
 
 std::string cannot_close_text(const System& system, const PositionFailure& failure) {
@@ -145,33 +153,54 @@ std::string cannot_close_text(const System& system, const PositionFailure& failu
         return failure.contradiction->drivers.empty() ? joints_text(system, failure)
                                                       : drivers_text(system, failure);
     }
-    return "The equations cannot be met together" + moment_of(failure) + ": the closest fit leaves " +
-           row_label(system, failure.row) + " off by " + small_text(failure.value) +
-           ". Check lengths, points and axes of this joint and of those before it" +
-           (system.drivers().empty() ? "" : ", and what the drivers ask for") + ".";
+    const std::string text =
+        tr("The equations cannot be met together at t = {0} s: the closest fit leaves {1} off by {2}.",
+           moment_of(failure), row_label(system, failure.row), small_text(failure.value));
+    return followed(
+        text, system.drivers().empty()
+                  ? tr("Check lengths, points and axes of this joint and of those before it.")
+                  : tr("Check lengths, points and axes of this joint and of those before it, and what the "
+                       "drivers ask for."));
 }
 
 std::string singular_text(const System& system, const PositionFailure& failure) {
-    std::string text = "The way" + moment_of(failure) +
-                       " leads through a singular position, where equations lose their independence";
-    if (failure.residual >= kHolds) {
-        text += " (" + row_label(system, failure.row) + " is off by " + small_text(failure.value) + " there)";
-    }
-    return text + ". Start on the intended side of it" +
-           (system.drivers().empty() ? "." : ", or drive another coordinate.");
+    const std::string text =
+        failure.residual >= kHolds
+            ? tr("The way at t = {0} s leads through a singular position, where equations lose their "
+                 "independence ({1} is off by {2} there).",
+                 moment_of(failure), row_label(system, failure.row), small_text(failure.value))
+            : tr("The way at t = {0} s leads through a singular position, where equations lose their "
+                 "independence.",
+                 moment_of(failure));
+    return followed(
+        text, system.drivers().empty()
+                  ? tr("Start on the intended side of it.")
+                  : tr("Start on the intended side of it, or drive another coordinate."));
 }
 
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
-    std::string text = "Newton-Raphson did not converge" + moment_of(failure) + " within " +
-                       count_text(failure.iterations, "iteration");
-    if (failure.residual >= kHolds) {
-        text += ": " + row_label(system, failure.row) + " is off by " + small_text(failure.value);
-    } else {
-        text += ": the pose that it found satisfies the equations, but this pose does not lead there";
-    }
-    return text +
-           ". Whether there is a pose that meets all equations is not known; a start pose nearer to it" +
-           (system.drivers().empty() ? "" : " or a slower driver") + " may help.";
+    const std::string within = tr_count(failure.iterations, "{0} iteration", "{0} iterations");
+    const std::string text =
+        failure.residual >= kHolds
+            ? tr("Newton-Raphson did not converge at t = {0} s within {1}: {2} is off by {3}.",
+                 moment_of(failure), within, row_label(system, failure.row), small_text(failure.value))
+            : tr("Newton-Raphson did not converge at t = {0} s within {1}: the pose that it found satisfies "
+                 "the equations, but this pose does not lead there.",
+                 moment_of(failure), within);
+    return followed(
+        text, system.drivers().empty()
+                  ? tr("Whether there is a pose that meets all equations is not known; a start pose nearer "
+                       "to it may help.")
+                  : tr("Whether there is a pose that meets all equations is not known; a start pose nearer "
+                       "to it or a slower driver may help."));
+}
+
+std::string wrong_branch_text(const System& system, const PositionFailure& failure) {
+    const std::string text =
+        failure.branch ? tr("Only solutions on a wrong branch were found at t = {0} s: {1}.",
+                            moment_of(failure), branch_text(system, *failure.branch))
+                       : tr("Only solutions on a wrong branch were found at t = {0} s.", moment_of(failure));
+    return followed(text, tr("Give a start pose nearer to the intended one."));
 }
 
 }  // namespace
@@ -179,10 +208,7 @@ std::string no_convergence_text(const System& system, const PositionFailure& fai
 std::string failure_text(const System& system, const PositionFailure& failure) {
     switch (failure.cause) {
         case FailureCause::cannot_close: return cannot_close_text(system, failure);
-        case FailureCause::wrong_branch:
-            return "Only solutions on a wrong branch were found" + moment_of(failure) +
-                   (failure.branch ? ": " + branch_text(system, *failure.branch) : "") +
-                   ". Give a start pose nearer to the intended one.";
+        case FailureCause::wrong_branch: return wrong_branch_text(system, failure);
         case FailureCause::singular: return singular_text(system, failure);
         case FailureCause::no_convergence: break;
     }

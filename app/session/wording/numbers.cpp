@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/session/wording/messages.hpp"
+
 namespace jw {
 
 namespace {
@@ -47,12 +49,15 @@ std::string count_text(int count, const std::string& singular, const std::string
 }
 
 std::string listed(const std::vector<std::string>& items) {
-    std::string text;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        text += k == 0 ? "" : (k + 1 == items.size() ? " and " : ", ");
-        text += items[k];
-    }
-    return text;
+    if (items.empty()) { return {}; }
+    std::string text = items.front();
+    for (std::size_t k = 1; k + 1 < items.size(); ++k) { text = tr("{0}, {1}", text, items[k]); }
+    return items.size() == 1 ? text : tr("{0} and {1}", text, items.back());
+}
+
+std::string followed(const std::string& sentence, const std::string& next) {
+    if (sentence.empty() || next.empty()) { return sentence + next; }
+    return tr("{0} {1}", sentence, next);
 }
 
 }  // namespace jw

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
@@ -34,16 +35,16 @@ double factor_of_unit(const Quantity& quantity) {
 std::string absence_text(Absence absence) {
     switch (absence) {
         case Absence::none: return "";
-        case Absence::no_masses: return "there are no masses and forces here";
-        case Absence::no_acceleration: return "no accelerations are known here";
-        case Absence::no_derivative: return "it has no such derivative";
-        case Absence::not_unique: return "it is not unique: redundant equations leave it open";
-        case Absence::not_there: return "its joint or driver is not present here";
-        case Absence::no_motion_of_it: return "the pose is not part of the motion by masses and forces";
-        case Absence::rank_lost: return "the rows have lost rank, so there is no condition";
+        case Absence::no_masses: return tr("there are no masses and forces here");
+        case Absence::no_acceleration: return tr("no accelerations are known here");
+        case Absence::no_derivative: return tr("it has no such derivative");
+        case Absence::not_unique: return tr("it is not unique: redundant equations leave it open");
+        case Absence::not_there: return tr("its joint or driver is not present here");
+        case Absence::no_motion_of_it: return tr("the pose is not part of the motion by masses and forces");
+        case Absence::rank_lost: return tr("the rows have lost rank, so there is no condition");
         case Absence::singular: break;
     }
-    return "it is not differentiable here";
+    return tr("it is not differentiable here");
 }
 
 std::string column_of_before(const std::string& today) {

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/session/wording/message_catalogue.hpp"
+
+/// The program's own sentences in the language of the reader.
+///
+/// The English sentence is the key of its translations (app/languages/TAG.po). Arguments stand in braces with
+/// their place, {0}, {1}, so that a translation may have them in another order. A message is a whole sentence
+/// or a part that means the same wherever it stands: no grammar is put together from pieces.
+///
+/// What is read again stays English: names of joint types, quantities and experiments, commands, keys of
+/// JSON.
+namespace jw {
+
+struct Language {
+    const char* tag;   ///< "zh-Hant", as in `--language` and in the names of files
+    const char* name;  ///< in the language itself
+    MessageCatalogue messages;
+};
+
+/// English, which needs no translations, then the others.
+std::span<const Language> languages();
+
+/// Makes the language with that tag the one of all messages from now on, in all threads. Texts that were made
+/// before stay as they are.
+/// @return false, and nothing is changed, if there is none
+bool set_language(std::string_view tag);
+/// Tag of the present language.
+std::string_view language();
+
+/// The message in the present language; lives as long as the program if `english` does.
+const char* tr(const char* english);
+
+namespace messages {
+
+/// The translation of `key`, else `english`, with the arguments put in. A translation that asks for arguments
+/// that are not there is not used.
+std::string filled(
+    std::string_view key, std::string_view english, int count, const fmt::format_args& arguments);
+
+inline std::string_view view_of(fmt::string_view text) { return {text.data(), text.size()}; }
+
+}  // namespace messages
+
+/// The message with its arguments; those of the English one are checked when it is compiled.
+template <class... Arguments>
+requires(sizeof...(Arguments) > 0) std::string
+    tr(fmt::format_string<const Arguments&...> english, const Arguments&... arguments) {
+    const std::string_view text = messages::view_of(english);
+    return messages::filled(text, text, 1, fmt::make_format_args(arguments...));
+}
+
+/// A message about `count` things; {0} is the count, {1} and so on are the others.
+template <class... Arguments>
+std::string tr_count(
+    int count, fmt::format_string<const int&, const Arguments&...> one,
+    fmt::format_string<const int&, const Arguments&...> several, const Arguments&... arguments) {
+    const std::string_view key = messages::view_of(one);
+    return messages::filled(
+        key, count == 1 ? key : messages::view_of(several), count,
+        fmt::make_format_args(count, arguments...));
+}
+
+/// Marks a text of a table as a message, to be translated by `tr` when it is shown.
+constexpr const char* tr_later(const char* english) { return english; }
+
+}  // namespace jw

@@ -1,0 +1,15 @@
+# FOLDER/TAG.mo as an array of bytes in FOLDER/TAG.hpp: kZhHant for zh-Hant.
+file(READ ${FOLDER}/${TAG}.mo bytes HEX)
+string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+string(REPEAT "." 100 line)
+string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
+string(REPLACE "-" ";" words ${TAG})
+set(name k)
+foreach(word IN LISTS words)
+  string(SUBSTRING ${word} 0 1 first)
+  string(SUBSTRING ${word} 1 -1 others)
+  string(TOUPPER ${first} first)
+  string(APPEND name ${first}${others})
+endforeach()
+file(WRITE ${FOLDER}/${TAG}.hpp
+  "#pragma once\n\nnamespace jw::languages_data {\ninline constexpr unsigned char ${name}[] = {\n${bytes}};\n}\n")

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/session/wording/messages.hpp"
+
+namespace jw::test {
+
+/// The language of all messages while it lives.
+class InLanguage {
+public:
+    explicit InLanguage(std::string_view tag) : before_(language()) { set_language(tag); }
+    ~InLanguage() { set_language(before_); }
+    InLanguage(const InLanguage&) = delete;
+    InLanguage& operator=(const InLanguage&) = delete;
+
+private:
+    std::string before_;
+};
+
+}  // namespace jw::test
