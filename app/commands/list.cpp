@@ -8,6 +8,7 @@
 #include "app/session/wording/text_table.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/search.hpp"
 
@@ -31,7 +32,8 @@ struct ListRequest {
 struct ListedLesson {
     CourseLessons::Entry place;
     Lesson lesson;
-    std::string path;  ///< from the folder one is in
+    std::string path;                ///< from the folder one is in
+    std::size_t exercises_here = 0;  ///< how many belong to it
 
     const std::string& chapter() const { return lesson.chapter.empty() ? place.folder : lesson.chapter; }
 };
@@ -62,6 +64,8 @@ void write_text(const std::vector<ListedLesson>& lessons, std::ostream& out) {
         before = &l;
         out << "  " << l.path << std::string(widest - l.path.size() + 2, ' ') << l.lesson.title;
         if (!l.lesson.source.empty()) { out << " (" << l.lesson.source << ')'; }
+        if (l.exercises_here == 1) { out << ", 1 exercise"; }
+        if (l.exercises_here > 1) { out << ", " << l.exercises_here << " exercises"; }
         out << '\n';
     }
 }
@@ -87,9 +91,10 @@ Json json_of(const ListedLesson& l) {
             joints.push_back(joint.type->name);
         }
     }
-    return {
-        {"file", l.path},   {"chapter", l.chapter()}, {"title", l.lesson.title}, {"source", l.lesson.source},
-        {"slides", slides}, {"joints", joints},       {"text", l.lesson.text}};
+    return {{"file", l.path},          {"chapter", l.chapter()},
+            {"title", l.lesson.title}, {"source", l.lesson.source},
+            {"slides", slides},        {"joints", joints},
+            {"text", l.lesson.text},   {"exercises", l.exercises_here}};
 }
 
 void write_json(
@@ -116,6 +121,7 @@ Exit list(const ListOptions& options, const Streams& streams) {
     }
     Exit exit = course.report.empty() ? Exit::done : Exit::bad_input;
     streams.err << course.report;
+    const std::vector<IndexedExercise> exercises = exercises_of_course(request.folder);
     std::vector<ListedLesson> lessons;
     for (const CourseLessons::Entry& entry : course.lessons) {
         ReadResult read = read_lesson_file(entry.file);
@@ -123,7 +129,11 @@ Exit list(const ListOptions& options, const Streams& streams) {
             streams.err << read.report();
             exit = Exit::bad_input;
         } else if (fits(searchable_of(*read.lesson, entry.file), request.words)) {
-            lessons.push_back({entry, std::move(*read.lesson), fs::relative(entry.file).string()});
+            const auto count =
+                std::ranges::count(exercises, lesson_name(entry.file), &IndexedExercise::lesson);
+            lessons.push_back(
+                {entry, std::move(*read.lesson), fs::relative(entry.file).string(),
+                 static_cast<std::size_t>(count)});
         }
     }
     if (lessons.empty() && exit == Exit::done) {

@@ -61,6 +61,7 @@ struct Exercise {
     std::string title;
     ExerciseKind kind = ExerciseKind::number;
     std::string source;  ///< slides or pages
+    std::string lesson;  ///< that it belongs to, "vectors/frames"; may be empty
     std::string ask;     ///< with formulas between dollar signs, like `why` and `hints`
     std::string why;     ///< shown with the solution
     std::vector<std::string> hints;

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/reader.hpp"
@@ -81,6 +82,28 @@ void read_words(Fields& fields, Exercise& exercise) {
     }
 }
 
+/// The lesson of the catalogue that the exercise belongs to; within a lesson it is that one.
+void read_lesson_key(Fields& fields, Exercise& exercise) {
+    const auto lesson = fields.text("lesson");
+    if (!lesson) { return; }
+    if (!exercise.lesson.empty()) {
+        fields.problems().add(
+            Code::exclusive_keys, lesson->span,
+            "an exercise within a lesson belongs to that lesson; expected no key 'lesson' here",
+            "take it out, or move the exercise into a file of exercises");
+        return;
+    }
+    exercise.lesson = lesson->value;
+    const std::vector<std::string> names = names_of_lessons();
+    if (std::ranges::find(names, lesson->value) != names.end()) { return; }
+    const std::string meant = did_you_mean(lesson->value, names);
+    fields.problems().add(
+        Code::unknown_name, lesson->span,
+        "there is no lesson " + in_quotes(lesson->value) +
+            "; expected the folder and the name of a lesson of the catalogue, such as \"vectors/frames\"",
+        meant.empty() ? "'jointwise list' shows them" : meant);
+}
+
 /// A file beside the exercises, or a lesson in place.
 void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     const auto scene = fields.text("scene");
@@ -124,6 +147,7 @@ Exercise read_exercise(
     fields.call("the exercise");
     read_exercise_name(fields, names, exercise);
     read_words(fields, exercise);
+    read_lesson_key(fields, exercise);
     fields.require("kind", comma_list(words_of(kExerciseKinds)));
     const int errors = fields.problems().errors_count();
     const auto kind = fields.word("kind", kExerciseKinds);
@@ -178,6 +202,7 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
             if (!lesson.lesson) { return read; }
             read.title = lesson.lesson->title;
             defaults.source = lesson.lesson->source;
+            defaults.lesson = lesson_name(path);
             defaults.scene = read.source;
             defaults.scene_name = path.string();
             read.diagnostics.clear();

@@ -77,6 +77,22 @@ TEST_CASE("The JSON of list has the chapters of the course and the joints of eac
     CHECK((*four_bar)["slides"] == slides);
 }
 
+TEST_CASE(
+    "list counts the exercises of each lesson, those within it and those of files beside", "[app][list]") {
+    const Folder folder;
+    folder.file(
+        "lessons/vectors/frames.toml",
+        "format = 1\ntitle = \"F\"\n[[body]]\nname = \"b\"\n[[exercise]]\nname = \"inside\"\n");
+    folder.file(
+        "exercises/one.toml",
+        "format = 1\n[[exercise]]\nname = \"a\"\nlesson = \"vectors/frames\"\n"
+        "[[exercise]]\nname = \"b\"\nlesson = \"vectors/other\"\n[[exercise]]\nname = \"c\"\n");
+    const Ran text = run({"list", folder.path("lessons")});
+    CHECK_THAT(text.out, Catch::Contains("F, 2 exercises"));
+    const Ran chapter = run({"list", folder.path("lessons/vectors"), "--format", "json"});
+    CHECK(nlohmann::json::parse(chapter.out)["lessons"][0]["exercises"] == 2);
+}
+
 TEST_CASE("list and check report a course with mistakes with its place", "[app][list]") {
     const Folder folder;
     write_crank(folder, "five", "slide 5");

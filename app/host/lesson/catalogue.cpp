@@ -50,11 +50,15 @@ std::vector<CatalogueEntry> catalogue_of(
             ++count;
         }
     };
+    const std::vector<IndexedExercise> exercises = exercises_of_course(folder);
     add(unsaved, "Not saved");
     add(recent, "Opened last");
     const CourseLessons course = course_lessons(folder);
     for (const fs::path& faulty : course.faulty) { entries.push_back(entry_of(faulty)); }
     for (const CourseLessons::Entry& lesson : course.lessons) { entries.push_back(entry_of(lesson.file)); }
+    for (CatalogueEntry& entry : entries) {
+        entry.exercises = exercises_of_lesson(exercises, lesson_name(entry.path));
+    }
     return entries;
 }
 

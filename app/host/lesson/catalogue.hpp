@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/search.hpp"
 
 /// The lessons that can be opened: those of the catalogue by chapter, and the ones opened last.
@@ -16,7 +17,8 @@ struct CatalogueEntry {
     std::string source;
     std::string text;  ///< the lesson's introduction
     Searchable searchable;
-    std::string error;          ///< first of its mistakes, empty if there is none
+    std::vector<IndexedExercise> exercises;  ///< that belong to it
+    std::string error;                       ///< first of its mistakes, empty if there is none
     void* thumbnail = nullptr;  ///< small picture for ImGui (ImTextureID), nullptr until there is one
 };
 

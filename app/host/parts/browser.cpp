@@ -27,6 +27,14 @@ constexpr float kWordsHeight = 74.0F;
 constexpr float kCardGap = 14.0F;
 constexpr float kChapterHeight = 28.0F;
 
+/// What a card says below the title: "slide 2 · 3 exercises".
+std::string origin_text(const CatalogueEntry& e) {
+    const std::size_t count = e.exercises.size();
+    if (count == 0) { return e.source; }
+    const std::string exercises = count == 1 ? "1 exercise" : std::to_string(count) + " exercises";
+    return e.source.empty() ? exercises : e.source + "  ·  " + exercises;
+}
+
 void draw_card(
     const Canvas& canvas, ImDrawList* list, const Box& card, const CatalogueEntry& e, bool chosen,
     bool hovered) {
@@ -49,7 +57,7 @@ void draw_card(
     panels::cut_top(words, height + canvas.px(2.0F));
     panels::paragraph(
         canvas, words, canvas.fonts().small, e.error.empty() ? theme::kSoft : theme::kRedundant,
-        e.error.empty() ? e.source : e.error, e.error.empty() ? 1 : 2);
+        e.error.empty() ? origin_text(e) : e.error, e.error.empty() ? 1 : 2);
     const render::Colour edge = chosen ? theme::kSubjectMark : (hovered ? theme::kAccent : theme::kLine);
     canvas.outline(card, edge, chosen ? canvas.px(3.0F) : panels::hairline(canvas), canvas.px(5.0F));
 }

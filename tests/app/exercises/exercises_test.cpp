@@ -189,6 +189,31 @@ TEST_CASE("A faulty exercise is reported at its place", "[exercises]") {
 }
 
 TEST_CASE(
+    "An exercise names its lesson, within a lesson it is that one, and an unknown one is an error",
+    "[exercises]") {
+    const auto read = [](const std::string& keys, const std::string& file) {
+        return read_exercises(
+            about_arms("kind = \"number\"\nas_given = true\nformula = '\\Phi = s_i^T s_j'\n" + keys), file);
+    };
+    const ExercisesRead good = read("lesson = \"vectors/frames\"\n", "x.toml");
+    REQUIRE(good.exercises.size() == 1);
+    CHECK(good.exercises.front().lesson == "vectors/frames");
+    const std::string wrong = read("lesson = \"vectors/frame\"\n", "x.toml").report();
+    CHECK(wrong.find("there is no lesson 'vectors/frame'") != std::string::npos);
+    CHECK(wrong.find("did you mean 'vectors/frames'") != std::string::npos);
+    const std::string lesson =
+        "format = 1\ntitle = \"L\"\n[[body]]\nname = \"a\"\n[[exercise]]\nname = \"x\"\n"
+        "title = \"X\"\nkind = \"order\"\nask = \"?\"\nitems = [\"1\", \"2\", \"3\"]\n";
+    const ExercisesRead within = read_exercises(lesson, "mine/own.toml");
+    CAPTURE(within.report());
+    REQUIRE(within.exercises.size() == 1);
+    CHECK(within.exercises.front().lesson == "mine/own");
+    const std::string twice =
+        read_exercises(lesson + "lesson = \"vectors/frames\"\n", "mine/own.toml").report();
+    CHECK(twice.find("belongs to that lesson") != std::string::npos);
+}
+
+TEST_CASE(
     "An exercise about files asks for something: the file as it is handed out does not meet all claims",
     "[exercises]") {
     const ExercisesRead read = read_exercises(
