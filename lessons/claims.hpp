@@ -7,6 +7,7 @@
 #include "core/quantity/quantity.hpp"
 #include "lessons/formula/subject.hpp"
 #include "lessons/source_span.hpp"
+#include "lessons/text.hpp"
 
 /// Claims of a lesson about its mechanism, proved by `jointwise check`. An [[expect]] block becomes one
 /// Claim for every fact in it.
@@ -80,7 +81,7 @@ struct Claim {
     Moment when;
     Fact fact;
     SourceSpan span;  ///< of the fact's value in the lesson file, for messages
-    std::string why;
+    Text why;
 };
 
 }  // namespace jw

@@ -27,6 +27,8 @@ enum class Code {
     lonely_key,
     unknown_word,
     too_much,
+    language_tag,
+    no_translation,
     // names
     unknown_name,
     faulty_name,
@@ -105,6 +107,8 @@ inline constexpr std::array kCodes{
     CodeEntry{Code::lonely_key, "JW207", "A key needs another one beside it"},
     CodeEntry{Code::unknown_word, "JW208", "A word is not one of those allowed"},
     CodeEntry{Code::too_much, "JW209", "More than the program takes"},
+    CodeEntry{Code::language_tag, "JW210", "A language tag is malformed"},
+    CodeEntry{Code::no_translation, "JW211", "Some texts are not translated"},
 
     CodeEntry{Code::unknown_name, "JW301", "A name stands for nothing of that kind"},
     CodeEntry{Code::faulty_name, "JW302", "A name cannot be used"},

@@ -92,9 +92,9 @@ Course course_in(Fields& root) {
         Chapter chapter;
         chapter.name = name_in(fields, names);
         fields.require("title", "the title of the chapter");
-        if (const auto title = fields.text("title")) { chapter.title = title->value; }
-        if (const auto about = fields.text("about")) { chapter.about = about->value; }
-        while (chapter.about.ends_with('\n')) { chapter.about.pop_back(); }
+        if (const auto title = fields.plain_words("title")) { chapter.title = title->value; }
+        if (const auto about = fields.plain_words("about")) { chapter.about = about->value; }
+        chapter.about.drop_line_feeds();
         chapter.needs = needs_in(fields, names);
         chapter.lessons = lessons_in(fields);
         fields.finish();
@@ -190,6 +190,7 @@ CourseRead read_course(std::string source, std::string file_name) {
         if (problems.errors_count() == 0) { read.course = std::move(course); }
     }
     read.diagnostics = problems.take();
+    read.texts = std::move(problems.texts());
     return read;
 }
 

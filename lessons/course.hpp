@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/diagnostics.hpp"
+#include "lessons/read_text.hpp"
 
 /// The order of a course: the file `course.toml` beside the folders of its chapters.
 namespace jw {
@@ -14,8 +15,8 @@ inline constexpr const char* kCourseFile = "course.toml";
 
 struct Chapter {
     std::string name;  ///< of its folder
-    std::string title;
-    std::string about;
+    Text title;
+    Text about;
     std::vector<std::string> needs;    ///< names of chapters before this one
     std::vector<std::string> lessons;  ///< names of files, in order
 };
@@ -34,6 +35,7 @@ struct CourseRead {
     Course course;
     std::vector<Diagnostic> diagnostics;  ///< by position
     std::string source;
+    std::vector<ReadText> texts;  ///< all texts for people in it
 
     std::string report() const;
 };
@@ -48,7 +50,7 @@ struct CourseLessons {
     struct Entry {
         std::filesystem::path file;
         std::string folder;         ///< of its chapter, empty where it is in none
-        std::string chapter_title;  ///< empty where no course names the chapter
+        Text chapter_title;  ///< empty where no course names the chapter
     };
     std::vector<Entry> lessons;
     std::vector<Chapter> chapters;              ///< those named by a course that have lessons here, in order

@@ -115,18 +115,22 @@ std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
 std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {
     note(key, "texts");
     const toml::node* node = find(key);
-    if (node == nullptr) { return std::nullopt; }
-    const toml::array* list = node->as_array();
+    return node != nullptr ? texts_in(*node, std::string(key), "a list of names") : std::nullopt;
+}
+
+std::optional<Located<std::vector<Located<std::string>>>> Fields::texts_in(
+    const toml::node& node, const std::string& what, std::string_view expected) {
+    const toml::array* list = node.as_array();
     if (list == nullptr) {
-        wrong_type(key, *node, "a list of names");
+        wrong_type(what, node, expected);
         return std::nullopt;
     }
-    Located<std::vector<Located<std::string>>> out{{}, span_of(node->source())};
+    Located<std::vector<Located<std::string>>> out{{}, span_of(node.source())};
     for (const toml::node& entry : *list) {
         if (!entry.is_string()) {
             problems_->add(
                 Code::wrong_type, span_of(entry.source()),
-                "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key) + " is " +
+                "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(what) + " is " +
                     kind_of(entry) + "; expected a name in quotes");
             return std::nullopt;
         }

@@ -85,43 +85,31 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
 std::optional<Located<std::string>> Fields::text(std::string_view key) {
     note(key, "text");
     const toml::node* node = find(key);
-    if (node == nullptr) { return std::nullopt; }
-    if (!node->is_string()) {
-        wrong_type(key, *node, "a text in quotes");
+    return node != nullptr ? text_in(*node, std::string(key)) : std::nullopt;
+}
+
+std::optional<Located<std::string>> Fields::text_in(const toml::node& node, const std::string& what) {
+    if (!node.is_string()) {
+        wrong_type(what, node, "a text in quotes");
         return std::nullopt;
     }
-    const SourceSpan where = span_of(node->source());
-    std::string value = node->as_string()->get();
+    const SourceSpan where = span_of(node.source());
+    std::string value = node.as_string()->get();
     if (value.size() > kLongestText) {
         problems_->add(
             Code::too_much, where,
-            in_quotes(key) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
+            in_quotes(what) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
                 std::to_string(kLongestText));
         return std::nullopt;
     }
     if (std::ranges::any_of(value, is_control)) {
         problems_->add(
             Code::character, where,
-            in_quotes(key) + " contains a control character; expected text that can be shown");
+            in_quotes(what) + " contains a control character; expected text that can be shown");
         return std::nullopt;
     }
     std::erase(value, '\r');
     return Located<std::string>{std::move(value), where};
-}
-
-std::optional<Located<std::string>> Fields::words(std::string_view key) {
-    note(key, "words");
-    auto words = text(key);
-    if (!words) { return words; }
-    check_words(*words);
-    return words;
-}
-
-void Fields::check_words(const Located<std::string>& words) {
-    for (math::Problem& problem : math::text_parts(words.value).problems) {
-        const SourceSpan place = place_in_text(problems_->source(), words.span, problem.at);
-        problems_->add(Code::unreadable_formula, place, std::move(problem.message), std::move(problem.hint));
-    }
 }
 
 std::optional<Located<std::string>> Fields::formula(std::string_view key) {
@@ -328,9 +316,13 @@ bool Fields::at_most_one(const std::vector<std::string>& keys) {
 
 void Fields::finish() {
     const std::vector<std::string> names(known_.begin(), known_.end());
+    if (!words_.empty()) {
+        for (const auto& [tag, table] : languages()) { finish_language(tag, *table); }
+    }
     for (const auto& [key, node] : *table_) {
         if (known_.contains(key.str())) { continue; }
         if (problems_->is_full()) { return; }
+        if (is_misnamed_language(key, node)) { continue; }
         problems_->add(
             Code::unknown_key, span_of(key.source()),
             "unknown key " + in_quotes(key.str()) + " in " + what_ + "; expected one of " + comma_list(names),

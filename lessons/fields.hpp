@@ -11,6 +11,7 @@
 #include "core/numerics/linear.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/problems.hpp"
+#include "lessons/text.hpp"
 #include "lessons/typed.hpp"
 
 /// Typed access to a TOML table that collects what is wrong instead of throwing.
@@ -48,11 +49,16 @@ public:
 
     // absent keys give nothing; wrong ones give nothing and a diagnostic
     std::optional<Located<std::string>> text(std::string_view key);
-    /// Words for people, with formulas between dollar signs (docs/mathematics.md). Reports formulas that
-    /// cannot be read.
-    std::optional<Located<std::string>> words(std::string_view key);
-    /// Reports formulas of such words that cannot be read.
-    void check_words(const Located<std::string>& words);
+    /// Words for people, with formulas between dollar signs (docs/mathematics.md), in every language in which
+    /// the table has them (below). Reports formulas that cannot be read.
+    ///
+    /// A subtable named by a language tag, as [zh-Hant], has the same keys with the same words in that
+    /// language.
+    std::optional<Located<Text>> words(std::string_view key);
+    /// Words without formulas.
+    std::optional<Located<Text>> plain_words(std::string_view key);
+    /// A list of words; in each language it has the same number of entries.
+    std::optional<Located<std::vector<Text>>> list_of_words(std::string_view key);
     /// A formula without dollar signs.
     std::optional<Located<std::string>> formula(std::string_view key);
     std::optional<Located<double>> number(std::string_view key);
@@ -103,7 +109,26 @@ public:
     void finish();
 
 private:
+    /// How the words of a key are taken.
+    enum class Formulas { none, checked };
+
     const toml::node* find(std::string_view key);
+    /// A text that can be shown, without carriage returns; reports others.
+    std::optional<Located<std::string>> text_in(const toml::node& node, const std::string& what);
+    std::optional<Located<Text>> words_in(std::string_view key, Formulas formulas);
+    /// The entries of a list of texts; reports others. @param expected said of the list, "a list of names"
+    std::optional<Located<std::vector<Located<std::string>>>> texts_in(
+        const toml::node& node, const std::string& what, std::string_view expected);
+    /// Subtables named by language tags.
+    std::vector<std::pair<std::string, const toml::table*>> languages() const;
+    /// Reports formulas of words that cannot be read.
+    void check_formulas(const Located<std::string>& words);
+    /// Keeps the text for those who check all of them (ReadResult::texts).
+    void record(std::string_view key, const SourceSpan& span, const Text& text);
+    /// Reports keys of a language that are no words of this table, and words of a language alone.
+    void finish_language(const std::string& tag, const toml::table& table);
+    /// True for a subtable that was meant as a language; reports what is wrong with its name.
+    bool is_misnamed_language(const toml::key& key, const toml::node& node);
     /// Tells who listens (asked_keys.hpp) that the key was asked for.
     void note(
         std::string_view key, const char* as, const std::vector<std::string>& words = {}, int least = 0,
@@ -123,6 +148,7 @@ private:
     std::string path_;  ///< keys that lead here, with dots
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
+    std::set<std::string, std::less<>> words_;  ///< keys read as words: those that a language may have
 };
 
 }  // namespace jw

@@ -122,22 +122,22 @@ inline Addition subject_of(const Fact& fact) {
 struct StepTexts {
     struct AtTime {
         double from = 0.0;  ///< shown from this time of the motion on [s]
-        std::string text;
+        Text text;
     };
-    std::string bodies;                ///< first step: the free bodies
-    std::vector<std::string> joints;   ///< one per joint of the mechanism
-    std::vector<std::string> drivers;  ///< one per driver
-    std::string motion;                ///< while it moves
-    std::vector<AtTime> times;         ///< sorted by time
+    Text bodies;                ///< first step: the free bodies
+    std::vector<Text> joints;   ///< one per joint of the mechanism
+    std::vector<Text> drivers;  ///< one per driver
+    Text motion;                ///< while it moves
+    std::vector<AtTime> times;  ///< sorted by time
 };
 
 struct Lesson {
     std::string file_name;  ///< as it was given to the reader
-    std::string title;
-    std::string chapter;
+    Text title;
+    Text chapter;
     std::string source;  ///< slides or book pages
-    std::string text;
-    std::string summary;  ///< what to remember, in two lines; shown at the end
+    Text text;
+    Text summary;  ///< what to remember, in two lines; shown at the end
 
     Mechanism mechanism;          ///< bodies[0] is the ground
     std::vector<Look> looks;      ///< one per body of the mechanism

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "lessons/diagnostics.hpp"
+#include "lessons/read_text.hpp"
 
 /// Collecting what is wrong with a lesson.
 namespace jw {
@@ -35,11 +36,14 @@ public:
     bool is_full() const { return list_.size() >= kMostProblems; }
     /// All of them, by position.
     std::vector<Diagnostic> take();
+    /// The texts for people that were read, in the order of reading.
+    std::vector<ReadText>& texts() { return texts_; }
 
 private:
     std::string file_;
     const std::string* source_;
     std::vector<Diagnostic> list_;
+    std::vector<ReadText> texts_;
     int errors_count_ = 0;
 };
 

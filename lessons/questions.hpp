@@ -30,7 +30,7 @@ struct QuantityAnswer {
 };
 /// One of several sentences.
 struct ChoiceAnswer {
-    std::vector<std::string> choices;
+    std::vector<Text> choices;
     int right = 0;  ///< index of the right one
 };
 /// Only a choice has its answer in the file: all others are computed.
@@ -41,9 +41,9 @@ struct Question {
     enum class Place { bodies, addition, motion };
     Place place = Place::addition;
     Addition addition{};  ///< what is added after the question, for Place::addition
-    std::string ask;
+    Text ask;
     Answer answer;
-    std::string why;  ///< shown with the answer
+    Text why;         ///< shown with the answer
     SourceSpan span;  ///< of its table in the lesson file
 };
 
@@ -53,7 +53,7 @@ bool applies(const Question& question, const Lesson& lesson);
 
 /// A proposal to try something.
 struct Trial {
-    std::string text;
+    Text text;
     std::vector<std::string> actions;  ///< experiments as `jointwise try --try` takes them
     bool breaks = false;               ///< the scene does not survive it, on purpose
     SourceSpan span;

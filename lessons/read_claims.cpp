@@ -210,7 +210,7 @@ void read_claim(Fields& fields, Reading& reading) {
     fields.finish();
     if (!when) { return; }
     for (auto& [fact, span] : facts) {
-        reading.lesson.claims.push_back({*when, fact, span, why ? why->value : ""});
+        reading.lesson.claims.push_back({*when, fact, span, why ? why->value : Text()});
     }
 }
 

@@ -204,7 +204,7 @@ void read_driver(Fields& fields, Reading& reading) {
     }
     if (reading.problems->errors_count() > errors) { reading.distrust(driver.name); }
     reading.lesson.order.push_back({Addition::Kind::driver, index});
-    reading.lesson.step_texts.drivers.push_back(words ? words->value : "");
+    reading.lesson.step_texts.drivers.push_back(words ? words->value : Text());
     drivers.push_back(std::move(driver));
 }
 

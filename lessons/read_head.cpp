@@ -11,18 +11,16 @@ constexpr int kMostSteps = 100000;
 }  // namespace
 
 void read_head(Fields& root, Lesson& lesson) {
-    const auto take = [&](const char* key, std::string& into) {
-        if (const auto text = root.text(key)) { into = text->value; }
-        while (into.ends_with('\n')) { into.pop_back(); }
-    };
-    take("title", lesson.title);
+    if (const auto title = root.plain_words("title")) { lesson.title = title->value; }
     root.require("title", "the title of the lesson");
-    take("chapter", lesson.chapter);
-    take("source", lesson.source);
+    if (const auto chapter = root.plain_words("chapter")) { lesson.chapter = chapter->value; }
+    if (const auto source = root.text("source")) { lesson.source = source->value; }
+    while (lesson.source.ends_with('\n')) { lesson.source.pop_back(); }
     if (const auto words = root.words("text")) { lesson.text = words->value; }
-    while (lesson.text.ends_with('\n')) { lesson.text.pop_back(); }
     if (const auto words = root.words("summary")) { lesson.summary = words->value; }
-    while (lesson.summary.ends_with('\n')) { lesson.summary.pop_back(); }
+    for (Text* text : {&lesson.title, &lesson.chapter, &lesson.text, &lesson.summary}) {
+        text->drop_line_feeds();
+    }
     lesson.coordinates = root.word("coordinates", kChoices).value_or(lesson.coordinates);
 }
 

@@ -84,7 +84,7 @@ void read_joint(Fields& fields, Reading& reading) {
     fields.finish();
     if (reading.problems->errors_count() > errors) { reading.distrust(joint.name); }
     reading.lesson.order.push_back({Addition::Kind::joint, index});
-    reading.lesson.step_texts.joints.push_back(words ? words->value : "");
+    reading.lesson.step_texts.joints.push_back(words ? words->value : Text());
     joints.push_back(std::move(joint));
 }
 

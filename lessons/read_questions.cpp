@@ -85,7 +85,7 @@ std::optional<Answer> read_quantity_answer(Fields& fields, const Reading& readin
 }
 
 std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
-    const auto choices = fields.texts("choices");
+    const auto choices = fields.list_of_words("choices");
     if (!choices) { return std::nullopt; }
     const auto count = choices->value.size();
     fields.require("answer", "the number of the right choice, from 1");
@@ -97,14 +97,8 @@ std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
                 std::to_string(kMostChoices));
         return std::nullopt;
     }
-    ChoiceAnswer answer;
-    for (const Located<std::string>& choice : choices->value) {
-        fields.check_words(choice);
-        answer.choices.push_back(choice.value);
-    }
     if (!right) { return std::nullopt; }
-    answer.right = right->value - 1;
-    return answer;
+    return ChoiceAnswer{choices->value, right->value - 1};
 }
 
 void read_question(Fields& fields, Reading& reading) {
@@ -115,8 +109,8 @@ void read_question(Fields& fields, Reading& reading) {
     fields.require("ask", "the question");
     if (const auto ask = fields.words("ask")) { question.ask = ask->value; }
     if (const auto why = fields.words("why")) { question.why = why->value; }
-    while (question.ask.ends_with('\n')) { question.ask.pop_back(); }
-    while (question.why.ends_with('\n')) { question.why.pop_back(); }
+    question.ask.drop_line_feeds();
+    question.why.drop_line_feeds();
     const std::vector<std::string> kinds{"count", "dropped", "quantity", "choices"};
     fields.at_most_one(kinds);
     if (std::ranges::none_of(kinds, [&](const std::string& key) { return fields.has(key); })) {
@@ -140,7 +134,7 @@ void read_trial(Fields& fields, Lesson& lesson) {
     trial.span = fields.span();
     fields.require("text", "what to try, and what to look at");
     if (const auto text = fields.words("text")) { trial.text = text->value; }
-    while (trial.text.ends_with('\n')) { trial.text.pop_back(); }
+    trial.text.drop_line_feeds();
     fields.require("do", "a list of experiments, as after --try");
     if (const auto actions = fields.texts("do")) {
         if (actions->value.empty() || actions->value.size() > kMostActions) {

@@ -12,7 +12,7 @@ Addition addition_of(const Named& named) {
     return {named.kind == Named::Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, named.index};
 }
 
-void set_text(Fields& fields, const Located<std::string>& at, const std::string& words, std::string& text) {
+void set_text(Fields& fields, const Located<std::string>& at, const Text& words, Text& text) {
     if (!text.empty()) {
         fields.problems().add(
             Code::named_twice, at.span,
@@ -22,7 +22,7 @@ void set_text(Fields& fields, const Located<std::string>& at, const std::string&
 }
 
 /// Finds the place for the text of a step; nullptr if there is no such step.
-std::string* text_of(const Located<std::string>& at, Reading& reading) {
+Text* text_of(const Located<std::string>& at, Reading& reading) {
     StepTexts& texts = reading.lesson.step_texts;
     if (at.value == "bodies") { return &texts.bodies; }
     if (at.value == "motion") { return &texts.motion; }
@@ -50,8 +50,8 @@ void read_step(Fields& fields, Reading& reading) {
         fields.require("at", "\"bodies\", \"motion\", a joint or a driver, or 'at_s' for a time");
     }
     fields.finish();
-    std::string words = text ? text->value : "";
-    while (words.ends_with('\n')) { words.pop_back(); }
+    Text words = text ? text->value : Text();
+    words.drop_line_feeds();
     if (at_s) {
         if (!moves_at(reading.lesson, at_s->value)) {
             reading.problems->add(
@@ -62,7 +62,7 @@ void read_step(Fields& fields, Reading& reading) {
         }
         reading.lesson.step_texts.times.push_back({at_s->value, words});
     } else if (at) {
-        if (std::string* into = text_of(*at, reading)) { set_text(fields, *at, words, *into); }
+        if (Text* into = text_of(*at, reading)) { set_text(fields, *at, words, *into); }
     }
 }
 

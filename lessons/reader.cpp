@@ -71,7 +71,7 @@ ReadResult no_lesson_but_course(std::string source, const std::string& file_name
         const std::string message = "this is the order of a course; expected a lesson (.toml)";
         course.diagnostics.push_back({file_name, {}, Code::course_no_lesson, message, {}, Severity::error});
     }
-    return {std::nullopt, std::move(course.diagnostics), std::move(course.source)};
+    return {std::nullopt, std::move(course.diagnostics), std::move(course.source), {}};
 }
 
 Lesson read_root(Fields& root, Problems& problems) {
@@ -128,6 +128,7 @@ ReadResult read_lesson(std::string source, std::string file_name) {
         read_table(*table, file_name, problems, result);
     }
     result.diagnostics = problems.take();
+    result.texts = std::move(problems.texts());
     return result;
 }
 
@@ -142,6 +143,7 @@ ReadResult read_lesson_with_claims(std::string source, std::string file_name, co
         read_table(*table, file_name, problems, result);
     }
     result.diagnostics = problems.take();
+    result.texts = std::move(problems.texts());
     return result;
 }
 

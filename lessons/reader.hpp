@@ -6,6 +6,7 @@
 
 #include "lessons/diagnostics.hpp"
 #include "lessons/lesson.hpp"
+#include "lessons/read_text.hpp"
 
 /// Lesson files: TOML as described in docs/writing-a-lesson.md.
 namespace jw {
@@ -16,6 +17,7 @@ struct ReadResult {
     std::optional<Lesson> lesson;
     std::vector<Diagnostic> diagnostics;  ///< by position
     std::string source;                   ///< the file's text, for printing diagnostics
+    std::vector<ReadText> texts;          ///< all texts for people in it, in the order of reading
 
     /// All diagnostics in compiler style, the first 50 of them.
     std::string report() const;

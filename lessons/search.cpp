@@ -103,6 +103,12 @@ void add(std::string& words, std::string_view text) {
     words += '\n';  // so that no word goes on in the next text
 }
 
+/// In every language: who knows one of them finds the lesson.
+void add(std::string& words, const Text& text) {
+    add(words, std::string_view(text.own()));
+    for (const auto& [tag, translated] : text.translations()) { add(words, std::string_view(translated)); }
+}
+
 }  // namespace
 
 std::vector<SlideRange> slides_in(std::string_view source) {
@@ -120,18 +126,17 @@ std::vector<SlideRange> slides_in(std::string_view source) {
 
 Searchable searchable_of(const Lesson& lesson, const std::filesystem::path& file) {
     std::string words;
-    for (const std::string& text : {lesson.title, lesson.chapter, lesson.source, lesson.text}) {
-        add(words, text);
-    }
-    add(words, file.stem().string());
+    for (const Text* text : {&lesson.title, &lesson.chapter, &lesson.text}) { add(words, *text); }
+    add(words, std::string_view(lesson.source));
+    add(words, std::string_view(file.stem().string()));
     for (const Joint& joint : lesson.mechanism.joints) {
-        add(words, joint.name);
+        add(words, std::string_view(joint.name));
         add(words, joint.type->name);
     }
     const StepTexts& steps = lesson.step_texts;
     add(words, steps.bodies);
-    for (const std::string& text : steps.joints) { add(words, text); }
-    for (const std::string& text : steps.drivers) { add(words, text); }
+    for (const Text& text : steps.joints) { add(words, text); }
+    for (const Text& text : steps.drivers) { add(words, text); }
     add(words, steps.motion);
     for (const StepTexts::AtTime& at : steps.times) { add(words, at.text); }
     return {lower(words), slides_in(lesson.source)};

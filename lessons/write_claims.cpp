@@ -136,8 +136,8 @@ void write_block(std::vector<const Claim*> block, const Written& written, Lines&
         std::rotate(block.begin(), block.begin() + 1, sizes);
     }
     for (const Claim* claim : block) { std::visit(FactWriter{written, lines}, claim->fact); }
-    const std::string& why = block.front()->why;
-    if (!why.empty()) { lines.key("why", string_text(why)); }
+    const Text& why = block.front()->why;
+    if (!why.own().empty()) { lines.text("why", why); }
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ void write_claims(const Written& written, Lines& lines) {
         if (!has_meaning(claim, written)) { continue; }
         const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
         // valid as long as the reader takes them in this order
-        const bool same_block = before != nullptr && before->when == claim.when && before->why == claim.why &&
+        const bool same_block = before != nullptr && before->when == claim.when && same_in_all_languages(before->why, claim.why) &&
                                 place_of(before->fact) < place_of(claim.fact);
         if (!same_block) { blocks.emplace_back(); }
         blocks.back().push_back(&claim);

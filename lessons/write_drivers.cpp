@@ -137,8 +137,8 @@ void write_drivers(const Written& written, Lines& lines) {
         lines.key("name", string_text(drivers[k].name));
         const bool angle = write_place(written, drivers[k], lines);
         write_time_function(drivers[k].function, angle, lines);
-        const std::string& text = written.lesson->step_texts.drivers[k];
-        if (!text.empty()) { lines.key("text", string_text(text)); }
+        const Text& text = written.lesson->step_texts.drivers[k];
+        if (!text.own().empty()) { lines.text("text", text); }
     }
 }
 

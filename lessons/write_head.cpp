@@ -20,11 +20,11 @@ void write_order(const Written& written, Lines& lines) {
     lines.key("order", '[' + names + ']');
 }
 
-void write_step(const std::string& at, const std::string& text, Lines& lines) {
-    if (text.empty()) { return; }
+void write_step(const std::string& at, const Text& text, Lines& lines) {
+    if (text.own().empty()) { return; }
     lines.table("[[step]]");
     lines.key("at", string_text(at));
-    lines.key("text", words_text(text));
+    lines.words("text", text);
 }
 
 }  // namespace
@@ -32,11 +32,11 @@ void write_step(const std::string& at, const std::string& text, Lines& lines) {
 void write_head(const Written& written, Lines& lines) {
     const Lesson& lesson = *written.lesson;
     lines.key("format", "1");
-    lines.key("title", words_text(lesson.title));
-    if (!lesson.chapter.empty()) { lines.key("chapter", words_text(lesson.chapter)); }
+    lines.words("title", lesson.title);
+    if (!lesson.chapter.own().empty()) { lines.words("chapter", lesson.chapter); }
     if (!lesson.source.empty()) { lines.key("source", words_text(lesson.source)); }
-    if (!lesson.text.empty()) { lines.key("text", words_text(lesson.text)); }
-    if (!lesson.summary.empty()) { lines.key("summary", words_text(lesson.summary)); }
+    if (!lesson.text.own().empty()) { lines.words("text", lesson.text); }
+    if (!lesson.summary.own().empty()) { lines.words("summary", lesson.summary); }
     write_order(written, lines);
     if (lesson.coordinates != Lesson().coordinates) {
         lines.key("coordinates", string_text(word_of(kChoices, lesson.coordinates)));
@@ -70,7 +70,7 @@ void write_steps(const Lesson& lesson, Lines& lines) {
     for (const StepTexts::AtTime& text : lesson.step_texts.times) {
         lines.table("[[step]]");
         lines.key("at_s", text.from);
-        lines.key("text", words_text(text.text));
+        lines.words("text", text.text);
     }
 }
 

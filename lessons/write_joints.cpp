@@ -55,7 +55,7 @@ void write_without(const Joint& joint, Lines& lines) {
     if (!labels.empty()) { lines.key("without", '[' + labels + ']', "taken out"); }
 }
 
-void write_joint(const Written& written, const Joint& joint, const std::string& text, Lines& lines) {
+void write_joint(const Written& written, const Joint& joint, const Text& text, Lines& lines) {
     lines.table("[[joint]]");
     lines.key("name", string_text(joint.name));
     lines.key("type", string_text(std::string(joint.type->name)));
@@ -67,7 +67,7 @@ void write_joint(const Written& written, const Joint& joint, const std::string& 
         lines.key("parallel", string_text(word_of(kParallelForms, joint.parallel_form)));
     }
     write_without(joint, lines);
-    if (!text.empty()) { lines.key("text", string_text(text)); }
+    if (!text.own().empty()) { lines.text("text", text); }
 }
 
 }  // namespace

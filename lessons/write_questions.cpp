@@ -9,12 +9,6 @@ namespace jw::writing {
 
 namespace {
 
-std::string list_of_texts(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts) { list += (list.empty() ? "" : ", ") + string_text(text); }
-    return "[" + list + "]";
-}
-
 struct AnswerWriter {
     const Written& written;
     Lines& lines;
@@ -40,7 +34,7 @@ struct AnswerWriter {
         lines.key("tolerance" + endings[typed.unit == "deg" ? 0 : 1], typed.values[0]);
     }
     void operator()(const ChoiceAnswer& a) const {
-        lines.key("choices", list_of_texts(a.choices));
+        lines.texts("choices", a.choices);
         lines.key("answer", std::to_string(a.right + 1));
     }
 };
@@ -63,13 +57,13 @@ void write_questions(const Written& written, Lines& lines) {
         if (!applies(question, lesson)) { continue; }
         lines.table("[[question]]");
         lines.key("at", string_text(place_text(question, written)));
-        lines.key("ask", string_text(question.ask));
+        lines.text("ask", question.ask);
         std::visit(AnswerWriter{written, lines}, question.answer);
-        if (!question.why.empty()) { lines.key("why", string_text(question.why)); }
+        if (!question.why.own().empty()) { lines.text("why", question.why); }
     }
     for (const Trial& trial : lesson.trials) {
         lines.table("[[try]]");
-        lines.key("text", string_text(trial.text));
+        lines.text("text", trial.text);
         lines.key("do", list_of_texts(trial.actions));
         if (trial.breaks) { lines.key("breaks", "true"); }
     }

@@ -1,6 +1,7 @@
 #include "lessons/writer.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "lessons/writing.hpp"
 
@@ -41,6 +42,40 @@ void Lines::key(const std::string& name, const Vec3& value, const std::string& c
     key(name, vector_text(value), comment);
 }
 
+void Lines::text(const std::string& name, const Text& text) {
+    key(name, string_text(text.own()));
+    translations(name, text, string_text);
+}
+
+void Lines::words(const std::string& name, const Text& text) {
+    key(name, words_text(text.own()));
+    translations(name, text, words_text);
+}
+
+void Lines::translations(
+    const std::string& name, const Text& text, std::string (*written)(const std::string&)) {
+    for (const auto& [tag, translated] : text.translations()) {
+        key(tag + '.' + name, written(translated));
+    }
+}
+
+void Lines::texts(const std::string& name, const std::vector<Text>& texts) {
+    std::map<std::string, std::vector<std::string>> lists;
+    std::vector<std::string> own;
+    for (const Text& text : texts) {
+        own.push_back(text.own());
+        for (const auto& [tag, translated] : text.translations()) { lists[tag]; }
+    }
+    key(name, list_of_texts(own));
+    for (auto& [tag, list] : lists) {
+        for (const Text& text : texts) {
+            const auto found = text.translations().find(tag);
+            list.push_back(found != text.translations().end() ? found->second : text.own());
+        }
+        key(tag + '.' + name, list_of_texts(list));
+    }
+}
+
 void Lines::angle(const std::string& name, double radians_of, const std::string& per) {
     const AngleTexts typed = typed_angles({&radians_of, 1});
     key(name + '_' + typed.unit + per, typed.values[0]);
@@ -79,6 +114,12 @@ const std::string& Written::name_of(const Addition& addition) const {
 
 const std::string& Written::body(int index) const {
     return lesson->mechanism.bodies[static_cast<std::size_t>(index)].name;
+}
+
+std::string list_of_texts(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) { list += (list.empty() ? "" : ", ") + string_text(text); }
+    return "[" + list + "]";
 }
 
 std::string Written::pair(int body_i, int body_j) const {

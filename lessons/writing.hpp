@@ -21,6 +21,12 @@ public:
     void key(const std::string& name, const std::string& value, const std::string& comment = {});
     void key(const std::string& name, double value, const std::string& comment = {});
     void key(const std::string& name, const Vec3& value, const std::string& comment = {});
+    /// A text in every language, "text = ..." and "zh-Hant.text = ...".
+    void text(const std::string& name, const Text& text);
+    /// The same of a text whose line feeds at the end do not count.
+    void words(const std::string& name, const Text& text);
+    /// A list of texts in every language that one of them has.
+    void texts(const std::string& name, const std::vector<Text>& texts);
     /// The unit is appended to the name.
     void angle(const std::string& name, double radians_of, const std::string& per = {});
     /// Writes several angles as one list.
@@ -29,6 +35,9 @@ public:
     std::string take() { return std::move(text_); }
 
 private:
+    /// The same text in other languages, as they are written by `written`.
+    void translations(const std::string& name, const Text& text, std::string (*written)(const std::string&));
+
     std::string text_;
 };
 
@@ -61,6 +70,8 @@ void write_claims(const Written& written, Lines& lines);
 void write_time_function(const TimeFunction& function, bool angle, Lines& lines);
 /// Keys `mass`, `centre`, `inertia`.
 void write_mass(const MassProperties& mass, Lines& lines);
+/// "["a", "b"]"
+std::string list_of_texts(const std::vector<std::string>& texts);
 /// Key `shape`.
 void write_shapes(const std::vector<Shape>& shapes, Lines& lines);
 /// "blue" or "#2f78b7".

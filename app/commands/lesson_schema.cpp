@@ -11,6 +11,10 @@ namespace {
 // what editors for TOML know: draft 7
 constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
+// BCP 47 as lessons/language_tag.hpp takes it
+constexpr const char* kLanguageTag =
+    "[a-z]{2,3}(-[A-Z][a-z]{3})?(-([A-Z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*$";
+
 Json definition(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
 
 Json list_of(const Json& entry, int least, int most) {
@@ -43,6 +47,7 @@ Json value_of(const Key& key) {
     switch (key.kind) {
         case KeyKind::text: return text_of(key);
         case KeyKind::words:
+        case KeyKind::plain_words:
         case KeyKind::formula: return {{"type", "string"}};
         case KeyKind::word: return {{"enum", key.words}};
         case KeyKind::number: return definition("number");
@@ -55,7 +60,8 @@ Json value_of(const Key& key) {
         case KeyKind::direction: return definition("vector");
         case KeyKind::numbers: return list_of(definition("number"), key.least, key.most);
         case KeyKind::tensor: return tensor();
-        case KeyKind::texts: return list_of({{"type", "string"}}, key.least, key.most);
+        case KeyKind::texts:
+        case KeyKind::list_of_words: return list_of({{"type", "string"}}, key.least, key.most);
         case KeyKind::table: return definition(key.table);
         case KeyKind::tables: {
             const Json entry = definition(key.table);
@@ -78,6 +84,22 @@ Json property(const Key& key) {
     return described;
 }
 
+/// The same texts in another language, under its tag; a key of the table itself is no language.
+void add_languages(const KeyTable& table, Json& out) {
+    Json texts = Json::object();
+    std::string keys;
+    for (const Key& key : table.keys) {
+        if (is_translated(key.kind)) { texts[key.name] = property(key); }
+        keys += (keys.empty() ? "" : "|") + key.name;
+    }
+    if (texts.empty()) { return; }
+    out["patternProperties"]["^(?!(" + keys + ")$)" + kLanguageTag] = {
+        {"description", "the same texts in another language"},
+        {"type", "object"},
+        {"properties", texts},
+        {"additionalProperties", false}};
+}
+
 Json table_of(const KeyTable& table) {
     Json properties = Json::object();
     Json required = Json::array();
@@ -86,6 +108,7 @@ Json table_of(const KeyTable& table) {
         if (key.required) { required.push_back(key.name); }
     }
     Json out{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    add_languages(table, out);
     if (!required.empty()) { out["required"] = required; }
     if (table.exactly_one) { out["minProperties"] = out["maxProperties"] = 1; }
     return out;

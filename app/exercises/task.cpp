@@ -110,7 +110,8 @@ MatrixX numbers_in_order(const Task& task, const std::vector<int>& order) {
 }
 
 void show_items(Task& task, Random& random) {
-    const std::vector<std::string>& items = task.exercise().items;
+    const std::vector<Text>& texts = task.exercise().items;
+    const std::vector<std::string> items(texts.begin(), texts.end());
     show_in_places(task, items, random);
     std::vector<int> order(items.size());
     std::iota(order.begin(), order.end(), 0);

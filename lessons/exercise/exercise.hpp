@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lessons/source_span.hpp"
+#include "lessons/text.hpp"
 
 /// Exercises as data: what an exercise file says. docs/exercises.md describes the file.
 namespace jw {
@@ -52,19 +53,19 @@ struct SceneEdit {
 
 /// One of several sentences to choose from.
 struct ExerciseChoice {
-    std::string text;
-    std::string why;  ///< why it is wrong, or right
+    Text text;
+    Text why;  ///< why it is wrong, or right
 };
 
 struct Exercise {
     std::string name;  ///< letters, digits, '-' and '_': it becomes the name of files
-    std::string title;
+    Text title;
     ExerciseKind kind = ExerciseKind::number;
     std::string source;  ///< slides or pages
     std::string lesson;  ///< that it belongs to, "vectors/frames"; may be empty
-    std::string ask;     ///< with formulas between dollar signs, like `why` and `hints`
-    std::string why;     ///< shown with the solution
-    std::vector<std::string> hints;
+    Text ask;            ///< with formulas between dollar signs, like `why` and `hints`
+    Text why;            ///< shown with the solution
+    std::vector<Text> hints;
     Allowed allowed = Allowed::paper;
     double points = 1.0;
     SourceSpan span;  ///< of its table
@@ -89,7 +90,7 @@ struct Exercise {
 
     std::vector<ExerciseChoice> choices;  ///< empty where they are formulas
     int right_choice = 0;
-    std::vector<std::string> items;  ///< order: in their right order
+    std::vector<Text> items;  ///< order: in their right order
 
     std::string expect;             ///< hidden claims, [[expect]] in TOML; empty: those of the scene
     std::vector<SceneEdit> spoil;   ///< repair: what makes the scene sick

@@ -142,12 +142,9 @@ void read_choices(Fields& fields, Exercise& exercise) {
 
 void read_items(Fields& fields, Exercise& exercise) {
     fields.require("items", "sentences in their right order");
-    const auto items = fields.texts("items");
+    const auto items = fields.list_of_words("items");
     if (!items) { return; }
-    for (const Located<std::string>& item : items->value) {
-        fields.check_words(item);
-        exercise.items.push_back(item.value);
-    }
+    exercise.items = items->value;
     if (exercise.items.size() < 3 || exercise.items.size() > kMostItems) {
         fields.problems().add(
             Code::wrong_count, items->span, "expected 3 to " + std::to_string(kMostItems) + " items");

@@ -21,11 +21,6 @@ constexpr std::size_t kMostExercises = 500;
 constexpr double kMostPoints = 1000.0;
 constexpr std::size_t kMostHints = 10;
 
-std::string trimmed(std::string text) {
-    while (text.ends_with('\n')) { text.pop_back(); }
-    return text;
-}
-
 bool is_name(const std::string& name) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -58,17 +53,17 @@ void read_words(Fields& fields, Exercise& exercise) {
     if (const auto title = fields.words("title")) { exercise.title = title->value; }
     if (const auto source = fields.text("source")) { exercise.source = source->value; }
     fields.require("ask", "what is asked");
-    if (const auto ask = fields.words("ask")) { exercise.ask = trimmed(ask->value); }
-    if (const auto why = fields.words("why")) { exercise.why = trimmed(why->value); }
-    if (const auto hints = fields.texts("hints")) {
+    if (const auto ask = fields.words("ask")) { exercise.ask = ask->value; }
+    if (const auto why = fields.words("why")) { exercise.why = why->value; }
+    exercise.ask.drop_line_feeds();
+    exercise.why.drop_line_feeds();
+    if (const auto hints = fields.list_of_words("hints")) {
         if (hints->value.size() > kMostHints) {
             fields.problems().add(
                 Code::wrong_count, hints->span, "expected at most " + std::to_string(kMostHints) + " hints");
         }
-        for (const Located<std::string>& hint : hints->value) {
-            fields.check_words(hint);
-            exercise.hints.push_back(trimmed(hint.value));
-        }
+        exercise.hints = hints->value;
+        for (Text& hint : exercise.hints) { hint.drop_line_feeds(); }
     }
     static const std::vector<std::string> kWords{"paper", "program"};
     if (const auto allowed = fields.word("allowed", kWords)) {

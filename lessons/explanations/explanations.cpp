@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "lessons/enum_words.hpp"
 #include "lessons/explanations/explanation_texts.hpp"
 #include "lessons/reader.hpp"
+#include "lessons/translations.hpp"
 
 namespace jw {
 
@@ -137,7 +139,10 @@ std::vector<Diagnostic> read_example(Setting setting, const std::string& example
         case Setting::behind:
         case Setting::masses: break;
     }
-    return read_lesson(text, "lesson.toml").diagnostics;
+    ReadResult read = read_lesson(text, "lesson.toml");
+    // what `jointwise check` adds
+    std::ranges::move(missing_translations("lesson.toml", read.texts), std::back_inserter(read.diagnostics));
+    return std::move(read.diagnostics);
 }
 
 std::string_view group_of(Code code) {

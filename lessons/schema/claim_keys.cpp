@@ -85,7 +85,7 @@ KeyTable question_keys() {
          {"quantity", KeyKind::text, "answer: a quantity at a time of the motion"},
          {"at_s", KeyKind::number, "time of the quantity [s]"},
          {"point", KeyKind::vector, "the point of \"crank.point.x\", local [m]"},
-         counted_key("choices", KeyKind::texts, "answer: one of these sentences", 2, 8),
+         counted_key("choices", KeyKind::list_of_words, "answer: one of these sentences", 2, 8),
          counted_key("answer", KeyKind::whole_number, "number of the right choice, from 1", 1, 8)}};
     add_in_all_units(question.keys, "tolerance", KeyKind::positive, "largest deviation that counts as right");
     return question;

@@ -11,9 +11,11 @@ namespace jw {
 /// Type of a key's value, by the access of `Fields` that reads it.
 enum class KeyKind {
     text,
-    words,    ///< text for people, with formulas between dollar signs
-    formula,  ///< a formula without dollar signs
-    word,     ///< one of a few words
+    words,          ///< text for people, with formulas between dollar signs
+    plain_words,    ///< text for people without formulas
+    list_of_words,  ///< several texts for people
+    formula,        ///< a formula without dollar signs
+    word,           ///< one of a few words
     number,
     positive,
     not_negative,
@@ -41,6 +43,11 @@ struct Key {
     int least = 0;                        ///< of a whole number, or of the entries of a list
     int most = 0;                         ///< likewise; 0 for a list: no limit
 };
+
+/// True for keys that a subtable named by a language may have too.
+constexpr bool is_translated(KeyKind kind) {
+    return kind == KeyKind::words || kind == KeyKind::plain_words || kind == KeyKind::list_of_words;
+}
 
 /// All keys of one kind of table.
 struct KeyTable {

@@ -301,6 +301,9 @@ public:
     void compare(const std::string& name, const std::string& a, const std::string& b) {
         if (a != b) { differ(name, '"' + a + '"', '"' + b + '"'); }
     }
+    void compare(const std::string& name, const Text& a, const Text& b) {
+        if (!same_in_all_languages(a, b)) { differ(name, '"' + a + '"', '"' + b + '"'); }
+    }
     template <class A>
     void compare(const std::string& name, const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<A>& b) {
         if (a != b) { differ(name, a.transpose().eval(), b.transpose().eval()); }

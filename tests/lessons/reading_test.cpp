@@ -242,7 +242,7 @@ TEST_CASE("Words are read for every kind of step", "[lessons][reading]") {
         "[[step]]\nat = \"j\"\ntext = \"hinge\"\n[[step]]\nat_s = 1.5\ntext = \"late\"\n" +
         "[[step]]\nat_s = 0.5\ntext = \"early\"\n[[step]]\nat = \"motion\"\ntext = \"go\"\n"));
     CHECK(lesson.step_texts.bodies == "free");
-    CHECK(lesson.step_texts.joints == std::vector<std::string>{"hinge"});
+    CHECK(lesson.step_texts.joints == std::vector<Text>{"hinge"});
     CHECK(lesson.step_texts.motion == "go");
     REQUIRE(lesson.step_texts.times.size() == 2);
     CHECK(lesson.step_texts.times[0].text == "early");

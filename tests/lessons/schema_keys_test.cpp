@@ -116,7 +116,9 @@ std::set<AskedKey> all_asked() {
 std::vector<std::string> accesses_of(KeyKind kind) {
     switch (kind) {
         case KeyKind::text: return {"text", "word"};  // a word of its own may be read as one
-        case KeyKind::words: return {"words", "text"};
+        case KeyKind::words: return {"words"};
+        case KeyKind::plain_words: return {"plain words"};
+        case KeyKind::list_of_words: return {"list of words"};
         case KeyKind::formula: return {"formula", "text"};
         case KeyKind::word: return {"word", "text"};
         case KeyKind::number: return {"number"};

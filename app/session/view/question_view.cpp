@@ -26,7 +26,9 @@ constexpr long kMostStepsOfAnswer = 100'000;
 std::vector<std::string> choices_of(const Question& question) {
     return std::visit(
         Overloaded{
-            [](const ChoiceAnswer& a) { return a.choices; },
+            [](const ChoiceAnswer& a) {
+                return std::vector<std::string>(a.choices.begin(), a.choices.end());
+            },
             [](const DroppedAnswer&) { return std::vector<std::string>(kAxes.begin(), kAxes.end()); },
             [](const CountAnswer&) { return std::vector<std::string>(); },
             [](const QuantityAnswer&) { return std::vector<std::string>(); },

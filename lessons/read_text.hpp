@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "lessons/source_span.hpp"
+#include "lessons/text.hpp"
+
+/// Texts with their places: for those who check all of a file.
+namespace jw {
+
+/// A text for people as it was read from a file.
+struct ReadText {
+    std::string table;  ///< "the lesson", "revolute joint 'hinge'"
+    std::string key;    ///< "text"
+    SourceSpan span;    ///< of the text in the language of the lesson
+    Text text;
+};
+
+}  // namespace jw
