@@ -16,6 +16,9 @@ constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that 
 constexpr float kAroundDisplay = 5.0F;
 constexpr float kDisplayIndent = 1.5F;
 
+// a formula breaks from Chinese as a Latin letter does
+constexpr char32_t kFormula = U'x';
+
 /// Pieces that stay on one line, and whether a space stands before them.
 struct Chunk {
     std::vector<RichPiece> pieces;  ///< x from the left end of the chunk
@@ -38,11 +41,9 @@ public:
                 ++at;
                 continue;
             }
-            std::size_t end = words.find_first_of(" \n", at);
-            end = std::min(end, words.size());
-            RichPiece piece;
-            piece.words = with_minus_signs(words.substr(at, end - at));
-            put(std::move(piece), text_width(*font_, words.substr(at, end - at)));
+            const std::size_t end = std::min(words.find_first_of(" \n", at), words.size());
+            const std::string word = with_minus_signs(std::string_view(words).substr(at, end - at));
+            for (const std::string_view part : parts_to_break(word)) { put_words(part); }
             at = end;
         }
     }
@@ -84,7 +85,18 @@ private:
         return font_ == fonts_->small ? small_text_formula_fonts(*fonts_) : formula_fonts(*fonts_);
     }
 
+    void put_words(std::string_view part) {
+        const std::u32string characters = from_utf8(part);
+        may_break_ = may_break_ || may_break_between(last_, characters.front());
+        RichPiece piece;
+        piece.words = part;
+        put(std::move(piece), text_width(*font_, part));
+        last_ = characters.back();
+    }
+
     void put_formula(Formula formula) {
+        may_break_ = may_break_ || may_break_between(last_, kFormula);
+        last_ = kFormula;
         RichPiece piece;
         const float width = formula.width;
         piece.formula = std::move(formula);
@@ -92,10 +104,11 @@ private:
     }
 
     void put(RichPiece piece, float width) {
-        if (chunks_.empty() || pending_space_ || after_display_) {
+        if (chunks_.empty() || pending_space_ || after_display_ || may_break_) {
             chunks_.push_back({{}, 0.0F, pending_space_, false});
         }
         pending_space_ = false;
+        may_break_ = false;
         after_display_ = false;
         Chunk& chunk = chunks_.back();
         piece.x = chunk.width;
@@ -106,7 +119,9 @@ private:
     const render::Fonts* fonts_;
     const ImFont* font_;
     std::vector<Chunk> chunks_;
+    char32_t last_ = U' ';  ///< before the next piece
     bool pending_space_ = false;
+    bool may_break_ = false;  ///< without a space
     bool after_display_ = false;
 };
 

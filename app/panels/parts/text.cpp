@@ -13,8 +13,6 @@ namespace jw::panels {
 
 namespace {
 
-constexpr char32_t kUnreadable = 0xFFFD;
-
 /// True for characters of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -44,19 +42,25 @@ bool breaks_between(std::string_view left, std::string_view right) {
     return !binds(left) && !binds(right) && left != "Φq";
 }
 
-/// Words that stay on one line.
-std::vector<std::string> units_of(std::string_view line) {
-    std::vector<std::string> units;
+/// What stays on one line: words, or parts of a word in Chinese.
+struct Unbroken {
+    std::string text;
+    bool space_before = false;
+};
+
+std::vector<Unbroken> units_of(std::string_view line) {
+    std::vector<Unbroken> units;
     std::string_view last;
     std::size_t at = 0;
     while (at < line.size()) {
         const std::size_t end = std::min(line.find(' ', at), line.size());
         const std::string_view word = line.substr(at, end - at);
         if (!word.empty()) {
-            if (!units.empty() && !breaks_between(last, word)) {
-                units.back() += " " + std::string(word);
-            } else {
-                units.emplace_back(word);
+            const std::vector<std::string_view> parts = parts_to_break(word);
+            const bool bound = !units.empty() && !breaks_between(last, word);
+            if (bound) { units.back().text += " " + std::string(parts.front()); }
+            for (std::size_t k = bound ? 1 : 0; k < parts.size(); ++k) {
+                units.push_back({std::string(parts[k]), k == 0});
             }
             last = word;
         }
@@ -80,8 +84,8 @@ std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float widt
 /// Greedy, one paragraph.
 void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_view paragraph, float width) {
     std::string line;
-    for (std::string unit : units_of(paragraph)) {
-        const std::string longer = line.empty() ? unit : line + " " + unit;
+    for (auto& [unit, space_before] : units_of(paragraph)) {
+        const std::string longer = line.empty() ? unit : line + (space_before ? " " : "") + unit;
         if (text_width(font, longer) <= width) {
             line = longer;
             continue;
@@ -103,29 +107,12 @@ void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_
 
 }  // namespace
 
-std::u32string from_utf8(std::string_view text) {
-    std::u32string points;
-    for (std::size_t k = 0; k < text.size();) {
-        const auto first = static_cast<unsigned char>(text[k]);
-        const std::size_t bytes = bytes_of(first);
-        if (bytes == 0 || k + bytes > text.size()) {
-            points += kUnreadable;
-            ++k;
-            continue;
-        }
-        char32_t point = bytes == 1 ? first : first & (0x7FU >> bytes);
-        for (std::size_t b = 1; b < bytes; ++b) {
-            point = (point << 6U) | (static_cast<unsigned char>(text[k + b]) & 0x3FU);
-        }
-        points += point;
-        k += bytes;
-    }
-    return points;
-}
-
 float text_width(const ImFont& font, std::string_view text) {
     float width = 0.0F;
-    for (const char32_t c : from_utf8(text)) { width += font.GetCharAdvance(static_cast<ImWchar>(c)); }
+    for (const char32_t c : from_utf8(text)) {
+        const bool drawn = c <= IM_UNICODE_CODEPOINT_MAX;  // ImGui draws a box for others
+        width += font.GetCharAdvance(drawn ? static_cast<ImWchar>(c) : ImWchar{IM_UNICODE_CODEPOINT_INVALID});
+    }
     return width;
 }
 
@@ -211,9 +198,10 @@ std::vector<std::size_t> sentence_ends(std::string_view text) {
     for (std::size_t k = 1; k < text.size(); ++k) {
         if (text[k - 1] == '$' && (k < 2 || text[k - 2] != '\\')) { in_formula = !in_formula; }
         const char c = text[k - 1];
-        if (!in_formula && (c == '.' || c == '?' || c == '!') && (text[k] == ' ' || text[k] == '\n')) {
-            ends.push_back(k);
-        }
+        const bool latin = (c == '.' || c == '?' || c == '!') && (text[k] == ' ' || text[k] == '\n');
+        const std::string_view behind = text.substr(0, k);
+        const bool chinese = behind.ends_with("。") || behind.ends_with("？") || behind.ends_with("！");
+        if (!in_formula && (latin || chinese)) { ends.push_back(k); }
     }
     std::ranges::reverse(ends);
     return ends;

@@ -4,13 +4,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/wording/character_classes.hpp"
+
 struct ImFont;
 
 /// Lines of interface text: how wide, where to break, how to shorten. Nothing is drawn here.
 namespace jw::panels {
-
-/// Code points of UTF-8; anything malformed is U+FFFD.
-std::u32string from_utf8(std::string_view text);
 
 float text_width(const ImFont& font, std::string_view text);
 
@@ -21,8 +20,8 @@ std::string with_minus_signs(std::string_view text);
 /// between dollar signs stay as they are.
 std::string typeset(std::string_view text);
 
-/// Lines no wider than `width`. Breaks at spaces, not next to "·", "=" or "→", and within a word only if
-/// the word alone is too wide. Line feeds end lines as well.
+/// Lines no wider than `width`. Breaks at spaces, not next to "·", "=" or "→", between Chinese characters
+/// (may_break_between), and within a word only if the word alone is too wide. Line feeds end lines as well.
 std::vector<std::string> wrapped(const ImFont& font, std::string_view text, float width);
 
 /// `text` if it fits, else its beginning with "…".
@@ -31,7 +30,7 @@ std::string shortened(const ImFont& font, std::string_view text, float width);
 /// Shortens a name in its middle, since names often differ at their end: "segment-7" becomes "segm…7".
 std::string shortened_name(const ImFont& font, std::string_view name, float width);
 
-/// Ends of sentences outside formulas, last first: places behind ". ", "? " and "! ".
+/// Ends of sentences outside formulas, last first: places behind ". ", "? ", "! ", "。", "？" and "！".
 std::vector<std::size_t> sentence_ends(std::string_view text);
 
 /// At most `most_lines` lines; what does not fit is left out from the end of a sentence on, marked "…".

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/session/wording/character_classes.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
@@ -16,8 +17,11 @@ constexpr double kSecondsPerWord = 60.0 / 260.0;
 constexpr double kLongestStill = 10.0;
 
 int words_of(const std::string& text) {
-    std::istringstream words(math::plain_words(text));
-    return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}));
+    const std::string plain = math::plain_words(text);
+    std::istringstream words(plain);
+    // Chinese has no blanks: two characters are read like a word
+    const auto wide = std::ranges::count_if(from_utf8(plain), is_wide);
+    return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}) + wide / 2);
 }
 
 /// A question is read with its choices; the answer is thought over while it stands.

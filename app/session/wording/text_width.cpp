@@ -2,19 +2,19 @@
 
 #include <cstddef>
 #include <sstream>
+#include <string_view>
+
+#include "app/session/wording/character_classes.hpp"
 
 namespace jw {
 
 int displayed_width(const std::string& text) {
-    int count = 0;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        const auto c = static_cast<unsigned char>(text[k]);
-        if ((c & 0xC0U) == 0x80U) { continue; }
-        const bool combining =
-            c == 0xCC || (c == 0xCD && k + 1 < text.size() && static_cast<unsigned char>(text[k + 1]) < 0xB0);
-        count += combining ? 0 : 1;
+    int columns = 0;
+    for (const char32_t c : from_utf8(text)) {
+        const bool combining = c >= 0x300 && c < 0x370;
+        columns += combining ? 0 : is_wide(c) ? 2 : 1;
     }
-    return count;
+    return columns;
 }
 
 std::string padded(const std::string& text, int width, bool right) {
@@ -29,17 +29,21 @@ std::string wrapped(const std::string& text, int width, int indent) {
     int column = 0;
     std::istringstream words(text);
     for (std::string word; words >> word;) {
-        const int length = displayed_width(word);
-        if (column > 0 && column + 1 + length > width) {
-            out += '\n' + std::string(static_cast<std::size_t>(indent), ' ');
-            column = 0;
+        bool behind_space = true;
+        for (const std::string_view part : parts_to_break(word)) {
+            const int length = displayed_width(std::string(part));
+            const int space = column > 0 && behind_space ? 1 : 0;
+            if (column > 0 && column + space + length > width) {
+                out += '\n' + std::string(static_cast<std::size_t>(indent), ' ');
+                column = 0;
+            } else {
+                out += std::string(static_cast<std::size_t>(space), ' ');
+                column += space;
+            }
+            out += part;
+            column += length;
+            behind_space = false;
         }
-        if (column > 0) {
-            out += ' ';
-            ++column;
-        }
-        out += word;
-        column += length;
     }
     return out;
 }

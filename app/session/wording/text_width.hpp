@@ -5,14 +5,14 @@
 /// UTF-8 text in a terminal, measured and broken by the width that is seen.
 namespace jw {
 
-/// Number of characters seen on screen; combining marks count nothing.
+/// Columns on the screen: two for a wide character, none for a combining mark.
 int displayed_width(const std::string& text);
 
 /// `text` filled with spaces up to a displayed width of `width`, behind it, or before it if `right`.
 std::string padded(const std::string& text, int width, bool right = false);
 
-/// `text` broken at spaces into lines of at most `width` characters where words allow; every line after the
-/// first is indented by `indent` spaces.
+/// `text` broken at spaces, and between Chinese characters, into lines of at most `width` columns where words
+/// allow; every line after the first is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int width, int indent);
 
 }  // namespace jw
