@@ -84,6 +84,8 @@ double FontFace::line_height() const {
     return static_cast<double>(face->ascender - face->descender) / face->units_per_EM;
 }
 
+bool FontFace::has(char32_t character) const { return FT_Get_Char_Index(face_->handle, character) != 0; }
+
 std::optional<GlyphBitmap> FontFace::render(char32_t character, double pixels_per_em, int oversampling) {
     const FT_Face face = face_->handle;
     const FT_UInt index = FT_Get_Char_Index(face, character);

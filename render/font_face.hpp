@@ -36,6 +36,8 @@ public:
     /// Distance from the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
     double line_height() const;
 
+    bool has(char32_t character) const;
+
     /// Glyph of `character`, or nothing if the font has none.
     ///
     /// Hinted to whole pixels vertically, never horizontally.

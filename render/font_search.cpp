@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "render/fonts.hpp"
 
@@ -14,6 +15,7 @@ constexpr std::array kFolders{
     "/usr/share/fonts/truetype/dejavu",
     "/usr/share/texmf/fonts/opentype/public/lm-math",
     "/usr/share/fonts/opentype/lmodern",
+    "/usr/share/fonts/truetype/droid",
 };
 
 std::vector<std::filesystem::path> font_folders() {
@@ -74,12 +76,21 @@ FontFace open_font(const FontFile& file) {
     }
 }
 
+std::filesystem::path path_of_font(const FontFile& file) { return find_font(file, font_folders()); }
+
+std::string package_of_missing_chinese() {
+    return path_of_font(kChinese).empty() ? kChinese.package : std::string();
+}
+
 std::vector<FontSource> find_fonts() { return find_fonts(font_folders()); }
 
 std::vector<FontSource> find_fonts(const std::vector<std::filesystem::path>& folders) {
     std::vector<FontSource> sources;
-    for (const FontFile& file : kFontFiles) {
+    std::vector<FontFile> files(kFontFiles.begin(), kFontFiles.end());
+    files.push_back(kChinese);
+    for (const FontFile& file : files) {
         FontSource source;
+        source.optional = std::string_view(file.name) == kChinese.name;
         source.name = file.name;
         source.package = file.package;
         source.path = find_font(file, folders);

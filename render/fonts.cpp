@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include <imgui.h>
@@ -18,6 +19,10 @@ namespace jw::render {
 namespace {
 
 constexpr int kAtlasWidth = 2048;
+
+constexpr char32_t kMissing = 0xFFFD;
+constexpr char32_t kBox = 0x25A1;            // □
+constexpr char32_t kLastCharacter = 0xFFFF;  // ImGui of Debian counts with 16 bits
 
 // Formula glyphs stand at any x: three texels per pixel keep their stems even. Interface text stands at
 // whole pixels and is sharpest with one.
@@ -81,14 +86,30 @@ public:
         atlas_.Flags |= ImFontAtlasFlags_NoMouseCursors;
     }
 
-    ImFont* add_interface(const FontFile& file, float size) {
+    /// @param others  characters beyond those of the interface
+    ImFont* add_interface(const FontFile& file, float size, std::u32string_view others) {
         FontFace& face = face_of(file);
         ImFont* const font = add_base(face, size);
         const double em = static_cast<double>(size) / face.line_height();
         for (const auto& [first, last] : kInterface) {
             for (char32_t c = first; c <= last; ++c) { add_glyph(font, c, face.render(c, em, 1)); }
         }
+        for (const char32_t c : others) {
+            auto glyph = face.render(c, em, 1);
+            if (!glyph) { glyph = face_of(kSans).render(c, em, 1); }
+            if (!glyph && chinese_) { glyph = chinese_->render(c, em, 1); }
+            add_glyph(font, c, std::move(glyph));
+        }
+        // ImGui shows this one in place of what is not there
+        add_glyph(font, kMissing, face_of(kSans).render(kBox, em, 1));
         return font;
+    }
+
+    /// Opens the font for Chinese if one of the characters needs it, and it is there.
+    void open_chinese(std::u32string_view others) {
+        FontFace& sans = face_of(kSans);
+        const bool needed = std::ranges::any_of(others, [&](char32_t c) { return !sans.has(c); });
+        if (needed && !path_of_font(kChinese).empty()) { chinese_ = open_font(kChinese); }
     }
 
     ImFont* add_formula(float size) {
@@ -156,6 +177,7 @@ private:
         if (!glyph || glyph->columns == 0 || glyph->rows == 0 || placed_[font].contains(code_point)) {
             return;
         }
+        if (code_point > kLastCharacter) { return; }
         const int rectangle = atlas_.AddCustomRectFontGlyph(
             font, static_cast<ImWchar>(code_point), glyph->columns, glyph->rows, glyph->advance);
         placed_[font].emplace(code_point, Placed{rectangle, std::move(*glyph)});
@@ -181,21 +203,23 @@ private:
 
     ImFontAtlas& atlas_;
     std::map<std::string, FontFace> faces_;
+    std::optional<FontFace> chinese_;
     std::map<ImFont*, std::map<char32_t, Placed>> placed_;
 };
 
 }  // namespace
 
-Fonts load_fonts(float scale) {
+Fonts load_fonts(float scale, std::u32string_view others) {
     AtlasBuilder builder(*ImGui::GetIO().Fonts);
+    builder.open_chinese(others);
     const auto size = [scale](float pixels) { return std::round(pixels * scale); };
     Fonts fonts;
     fonts.scale = scale;
-    fonts.normal = builder.add_interface(kSans, size(16.0F));
-    fonts.small = builder.add_interface(kSans, size(14.0F));
-    fonts.bold = builder.add_interface(kSansBold, size(16.0F));
-    fonts.title = builder.add_interface(kSansBold, size(23.0F));
-    fonts.mono = builder.add_interface(kMono, size(14.0F));
+    fonts.normal = builder.add_interface(kSans, size(16.0F), others);
+    fonts.small = builder.add_interface(kSans, size(14.0F), others);
+    fonts.bold = builder.add_interface(kSansBold, size(16.0F), others);
+    fonts.title = builder.add_interface(kSansBold, size(23.0F), others);
+    fonts.mono = builder.add_interface(kMono, size(14.0F), others);
     fonts.formula = builder.add_formula(size(21.0F));
     fonts.formula_script = builder.add_formula(size(15.0F));
     fonts.formula_small = builder.add_formula(size(18.0F));
@@ -204,6 +228,25 @@ Fonts load_fonts(float scale) {
     builder.build();
     ImGui::GetIO().FontDefault = fonts.normal;
     return fonts;
+}
+
+bool is_of_interface(char32_t character) {
+    return character <= U' ' || std::ranges::any_of(kInterface, [&](const auto& run) {
+               return run[0] <= character && character <= run[1];
+           });
+}
+
+std::u32string characters_without_glyph(std::u32string_view characters) {
+    const FontFace sans = open_font(kSans);
+    std::optional<FontFace> chinese;
+    if (!path_of_font(kChinese).empty()) { chinese = open_font(kChinese); }
+    std::u32string missing;
+    for (const char32_t c : characters) {
+        const bool has = c <= U' ' || sans.has(c) || (chinese && chinese->has(c));
+        const bool shown = has && c <= kLastCharacter;
+        if (!shown && missing.find(c) == std::u32string::npos) { missing += c; }
+    }
+    return missing;
 }
 
 }  // namespace jw::render

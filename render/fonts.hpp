@@ -35,16 +35,27 @@ struct Fonts {
 ///
 /// Searched in the folders of JOINTWISE_FONTS (colon-separated), then where Debian's packages put them.
 /// @param scale  1 for a picture 720 high, 1.5 for 1080
+/// @param others  characters of texts beyond those of the interface; interface fonts get them from DejaVu or
+///         from the font for Chinese, which is opened only for them. One that no font has is shown as a box.
 /// @throws std::runtime_error naming the file that is missing or damaged and its Debian package; then the
 /// atlas
 ///         is as it was.
-Fonts load_fonts(float scale);
+Fonts load_fonts(float scale, std::u32string_view others = {});
+
+/// True if the interface fonts have the character without asking for it.
+bool is_of_interface(char32_t character);
+
+/// Those of the characters that no font has, each once. The font for Chinese counts where it is installed.
+std::u32string characters_without_glyph(std::u32string_view characters);
+/// The Debian package of the font for Chinese if it is not there, else empty.
+std::string package_of_missing_chinese();
 
 /// A font file that `load_fonts` needs.
 struct FontSource {
     enum class State { right, missing, damaged };
     std::string name;
-    std::string package;  ///< of Debian
+    std::string package;    ///< of Debian
+    bool optional = false;  ///< only texts in Chinese need it
     State state = State::right;
     std::filesystem::path path;  ///< empty if it is missing
     std::string problem;         ///< empty if it is right

@@ -98,7 +98,7 @@ std::string describe(const SurfaceReport& surface) {
 std::string describe(const render::FontSource& font) {
     std::string text = font.problem.empty() ? font.path.string() : font.problem;
     if (!font.remedy.empty()) { text += "; " + font.remedy; }
-    return text + " (package " + font.package + ")";
+    return text + " (package " + font.package + (font.optional ? ", for texts in Chinese)" : ")");
 }
 
 std::string describe(const LessonsReport& lessons) {
@@ -112,9 +112,11 @@ bool only_damaged(const Diagnosis& diagnosis) {
         return state != Outcome::missing && state != Outcome::draws_wrong;
     };
     return std::ranges::all_of(diagnosis.surfaces, fits, &SurfaceReport::state) &&
-           std::ranges::find(
-               diagnosis.fonts, render::FontSource::State::missing, &render::FontSource::state) ==
-               diagnosis.fonts.end() &&
+           std::ranges::none_of(
+               diagnosis.fonts,
+               [](const auto& font) {
+                   return font.state == render::FontSource::State::missing && !font.optional;
+               }) &&
            diagnosis.lessons.state != LessonsReport::State::missing;
 }
 
@@ -179,15 +181,29 @@ Exit exit_of(const Diagnosis& diagnosis) {
         return std::ranges::any_of(diagnosis.surfaces, [=](const auto& s) { return s.state == state; });
     };
     if (any(Outcome::draws_wrong)) { return Exit::numerics; }
-    const bool no_font =
-        std::ranges::any_of(diagnosis.fonts, [](const auto& font) { return !font.problem.empty(); });
+    const bool no_font = std::ranges::any_of(
+        diagnosis.fonts, [](const auto& font) { return !font.problem.empty() && !font.optional; });
     const bool bad =
         any(Outcome::missing) || any(Outcome::damaged) || no_font || !diagnosis.lessons.problem.empty();
     return bad ? Exit::bad_input : Exit::done;
 }
 
+namespace {
+
+/// What is missing and not needed by everybody.
+std::string wishes_of(const Diagnosis& diagnosis) {
+    std::string text;
+    for (const render::FontSource& font : diagnosis.fonts) {
+        if (!font.optional || font.problem.empty()) { continue; }
+        text += "; texts in Chinese need more:\n  apt-get install " + font.package;
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string verdict_of(const Diagnosis& diagnosis) {
-    if (exit_of(diagnosis) == Exit::done) { return "everything needed is there"; }
+    if (exit_of(diagnosis) == Exit::done) { return "everything needed is there" + wishes_of(diagnosis); }
     std::string text = "something needed is missing";
     if (only_damaged(diagnosis)) { text = "something needed is damaged"; }
     if (exit_of(diagnosis) == Exit::numerics) { text = "a surface draws wrong"; }

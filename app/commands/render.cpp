@@ -9,6 +9,7 @@
 #include "app/commands/size_option.hpp"
 #include "app/host/frames/frame_files.hpp"
 #include "app/host/frames/frame_painter.hpp"
+#include "app/panels/parts/characters.hpp"
 #include "app/session/output/pace.hpp"
 
 namespace jw {
@@ -72,6 +73,8 @@ void draw_frames(
     const std::vector<std::string>& done, const Streams& streams) {
     host::FrameFiles files(options.out, range.first, range.last, options.file);
     host::FramePainter painter(story, size.width, size.height);
+    const std::string advice = panels::advice_for(panels::characters_of(story.lesson()));
+    if (!advice.empty()) { streams.err << advice << '\n'; }
     ProgressBar bar(streams, "drawing");
     for (int k = range.first; k <= range.last; ++k) {
         const View view = view_of(story, k);

@@ -61,7 +61,7 @@ TEST_CASE("doctor says the same as JSON", "[app][doctor]") {
     CHECK(json["surfaces"][0]["state"] == "right");
     CHECK(json["surfaces"][0]["samples"].get<int>() >= 1);
     CHECK(json["surfaces"][1]["state"] == "absent");
-    CHECK(json["fonts"].size() == 4);
+    CHECK(json["fonts"].size() == 5);
     for (const auto& font : json["fonts"]) {
         CHECK(std::filesystem::exists(font["path"].get<std::string>()));
     }
@@ -101,18 +101,30 @@ TEST_CASE("missing fonts are named with their packages", "[app][doctor]") {
     const Folder folder;
     Diagnosis diagnosis = healthy();
     diagnosis.fonts = render::find_fonts({folder.path()});
-    REQUIRE(diagnosis.fonts.size() == 4);
+    REQUIRE(diagnosis.fonts.size() == 5);
     CHECK(exit_of(diagnosis) == Exit::bad_input);
     CHECK(
         verdict_of(diagnosis) ==
         "something needed is missing; install it:\n  apt-get install fonts-dejavu-core "
-        "fonts-lmodern");
+        "fonts-droid-fallback fonts-lmodern");
     CHECK_THAT(
         describe(diagnosis),
         Catch::Contains("  font 'DejaVuSans.ttf' not found; install the Debian package fonts-dejavu-core or "
                         "name its folder in JOINTWISE_FONTS"));
     CHECK(json_of(diagnosis)["fonts"][0]["path"].is_null());
     CHECK(json_of(diagnosis)["fonts"][0]["state"] == "missing");
+}
+
+TEST_CASE(
+    "without the font for Chinese everything needed is there, and its package is named", "[app][doctor]") {
+    Diagnosis diagnosis = healthy();
+    render::FontSource& chinese = diagnosis.fonts.back();
+    REQUIRE(chinese.optional);
+    chinese = render::find_fonts({"/nowhere"}).back();
+    CHECK(exit_of(diagnosis) == Exit::done);
+    CHECK(
+        verdict_of(diagnosis) ==
+        "everything needed is there; texts in Chinese need more:\n  apt-get install fonts-droid-fallback");
 }
 
 TEST_CASE("a surface that does not load is status 2, one that draws wrong is status 3", "[app][doctor]") {

@@ -55,6 +55,26 @@ TEST_CASE("formula fonts hold every letter in every style, and the signs of the 
     }
 }
 
+TEST_CASE(
+    "interface fonts hold other characters where they are asked for, and show a box for no glyph",
+    "[render][fonts]") {
+    const ImguiContext context;
+    constexpr std::u32string_view chinese = U"剛體拘束，。「」！";
+    for (const ImFont* font : {load_fonts(1.0F).normal}) { CHECK(missing_from(*font, chinese) == chinese); }
+    const Fonts fonts = load_fonts(GENERATE(1.0F, 1.25F, 1.5F), std::u32string(chinese) + U'\U0001F600');
+    for (const ImFont* font : {fonts.small, fonts.normal, fonts.bold, fonts.title, fonts.mono}) {
+        CHECK(to_utf8(missing_from(*font, chinese)) == "");
+        CHECK(font->FallbackChar == 0xFFFD);
+        const ImFontGlyph* const letter = font->FindGlyph(static_cast<ImWchar>(U'剛'));
+        // within its line, as wide as it is high
+        CHECK(letter->Y0 >= -1.0F);
+        CHECK(letter->Y1 <= font->FontSize + 1.0F);
+        CHECK(letter->AdvanceX > 0.7F * font->FontSize);
+    }
+    CHECK(characters_without_glyph(U"a剛Φ\U0001F600") == U"\U0001F600");
+    CHECK(package_of_missing_chinese().empty());
+}
+
 TEST_CASE("interface fonts hold what panels write", "[render][fonts]") {
     const ImguiContext context;
     const Fonts fonts = load_fonts(1.0F);

@@ -6,6 +6,7 @@
 
 #include "app/host/frames/panel_context.hpp"
 #include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/characters.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "render/fonts.hpp"
 #include "render/imgui_backend.hpp"
@@ -15,19 +16,27 @@
 
 namespace jw::host {
 
+namespace {
+
+std::u32string characters_of(const Story& story) {
+    return panels::characters_of(story.lesson()) + panels::characters_of_messages();
+}
+
+}  // namespace
+
 struct FramePainter::Surface {
-    Surface(int width, int height)
+    Surface(int width, int height, const std::u32string& characters)
         : offscreen(std::in_place, width, height),
           scene(offscreen->gl()),
           context(width, height),
-          fonts(render::load_fonts(panels::scale_of(width, height))),
+          fonts(render::load_fonts(panels::scale_of(width, height), characters)),
           panels(offscreen->gl()),
           layout(panels::layout_of(width, height)) {}
-    Surface(int width, int height, const render::GlFunctions& gl)
+    Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : targets(std::in_place, gl, width, height),
           scene(gl),
           context(width, height),
-          fonts(render::load_fonts(panels::scale_of(width, height))),
+          fonts(render::load_fonts(panels::scale_of(width, height), characters)),
           panels(gl),
           layout(panels::layout_of(width, height)) {}
 
@@ -48,12 +57,16 @@ struct FramePainter::Surface {
 };
 
 FramePainter::FramePainter(const Story& story, int width, int height)
-    : story_(&story), style_(picture_style(story)), surface_(std::make_unique<Surface>(width, height)) {
+    : story_(&story),
+      style_(picture_style(story)),
+      surface_(std::make_unique<Surface>(width, height, characters_of(story))) {
     compose_camera();
 }
 
 FramePainter::FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl)
-    : story_(&story), style_(picture_style(story)), surface_(std::make_unique<Surface>(width, height, gl)) {
+    : story_(&story),
+      style_(picture_style(story)),
+      surface_(std::make_unique<Surface>(width, height, characters_of(story), gl)) {
     compose_camera();
 }
 

@@ -15,11 +15,20 @@ float in_eighths(float scale) {
 
 }  // namespace
 
-bool ScaledFonts::fit(float scale) const { return version_ > 0 && in_eighths(scale) == fonts_.scale; }
+void ScaledFonts::need(std::u32string_view characters) {
+    for (const char32_t c : characters) {
+        if (!render::is_of_interface(c) && needed_.insert(c).second) { lacks_characters_ = true; }
+    }
+}
+
+bool ScaledFonts::fit(float scale) const {
+    return version_ > 0 && !lacks_characters_ && in_eighths(scale) == fonts_.scale;
+}
 
 std::string ScaledFonts::load(float scale) {
+    lacks_characters_ = false;  // what cannot be loaded now is not tried again in every frame
     try {
-        fonts_ = render::load_fonts(in_eighths(scale));
+        fonts_ = render::load_fonts(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()));
     } catch (const std::runtime_error& error) {
         if (version_ == 0) { throw; }
         return std::string("The text size stays as it is: ") + error.what();

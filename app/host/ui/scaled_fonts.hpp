@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "render/fonts.hpp"
 
@@ -9,13 +11,18 @@ namespace jw::host {
 /// The letters of the interface, for one size of the window at a time.
 class ScaledFonts {
 public:
-    /// True if the loaded fonts are those for this scale.
+    /// Text with these characters will be shown; those that the interface has anyway cost nothing.
+    void need(std::u32string_view characters);
+    /// True if the loaded fonts are those for this scale, with all characters that are needed.
     bool fit(float scale) const;
+    bool lack_characters() const { return lacks_characters_; }
     /// Loads those for another scale, between two frames of the current ImGui context.
     /// @return why they cannot be loaded, for people: the letters that are there stay; else empty
     /// @throws std::runtime_error as render::load_fonts where there are none yet
     std::string load(float scale);
 
+    /// The characters beyond those of the interface.
+    const std::set<char32_t>& needed() const { return needed_; }
     const render::Fonts& fonts() const { return fonts_; }
     float scale() const { return fonts_.scale; }
     /// Grows when the font atlas was built anew: its texture must be too.
@@ -23,6 +30,8 @@ public:
 
 private:
     render::Fonts fonts_;
+    std::set<char32_t> needed_;
+    bool lacks_characters_ = false;
     int version_ = 0;
 };
 
