@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/commands/check_report.hpp"
+#include "app/commands/check_texts.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
@@ -13,6 +14,7 @@
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/exercise/read_exercises.hpp"
+#include "lessons/reader.hpp"
 
 namespace jw {
 
@@ -48,6 +50,14 @@ void check_exercises_of(const std::string& file, CheckedLesson& checked) {
     std::ranges::move(check_exercises(read.exercises, kStudents), std::back_inserter(checked.claims));
 }
 
+void warn_about_texts(const std::string& file, CheckedLesson& checked, const Streams& streams) {
+    const ReadResult read = read_lesson_file(file);
+    for (Diagnostic& warning : warnings_about_texts(file, read.texts)) {
+        streams.err << to_string(warning, read.source);
+        checked.diagnostics.push_back(std::move(warning));
+    }
+}
+
 CheckedLesson checked_lesson(const std::string& file, const CheckOptions& options, const Streams& streams) {
     CheckedLesson checked;
     checked.file = file;
@@ -58,6 +68,7 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     }
     Lesson lesson = lesson_of(file, streams);
     checked.title = lesson.title;
+    if (std::error_code error; fs::is_regular_file(file, error)) { warn_about_texts(file, checked, streams); }
     if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
     checked.claims = check_claims(lesson);
     // experiments of one's own come in place of those that the author proposes

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw {
@@ -21,7 +22,7 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
     ReadResult read = read_lesson_file(path);
     if (!read.lesson) { throw FaultyFile(read.report(), read.diagnostics); }
     if (!read.diagnostics.empty()) { streams.err << read.report(); }
-    return std::move(*read.lesson);
+    return shown_lesson(std::move(*read.lesson));
 }
 
 std::string fault_of_step(const std::string& text) {

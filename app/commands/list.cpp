@@ -5,6 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/session/output/json.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
@@ -58,7 +59,7 @@ void write_text(const std::vector<ListedLesson>& lessons, std::ostream& out) {
     for (const ListedLesson& l : lessons) {
         if (before == nullptr || before->chapter() != l.chapter()) {
             out << (l.chapter().empty() ? "other" : l.chapter());
-            if (!l.place.chapter_title.empty()) { out << ": " << l.place.chapter_title; }
+            if (!l.place.chapter_title.empty()) { out << ": " << shown_text(l.place.chapter_title); }
             out << '\n';
         }
         before = &l;
@@ -104,7 +105,10 @@ void write_json(
               {"words", request.words},     {"chapters", Json::array()}, {"lessons", Json::array()}};
     for (const Chapter& c : chapters) {
         json["chapters"].push_back(
-            {{"name", c.name}, {"title", c.title}, {"about", c.about}, {"needs", c.needs}});
+            {{"name", c.name},
+             {"title", shown_text(c.title)},
+             {"about", shown_text(c.about)},
+             {"needs", c.needs}});
     }
     for (const ListedLesson& l : lessons) { json["lessons"].push_back(json_of(l)); }
     // names of files need not be UTF-8
@@ -132,7 +136,7 @@ Exit list(const ListOptions& options, const Streams& streams) {
             const auto count =
                 std::ranges::count(exercises, lesson_name(entry.file), &IndexedExercise::lesson);
             lessons.push_back(
-                {entry, std::move(*read.lesson), fs::relative(entry.file).string(),
+                {entry, shown_lesson(std::move(*read.lesson)), fs::relative(entry.file).string(),
                  static_cast<std::size_t>(count)});
         }
     }

@@ -10,7 +10,9 @@
 #include "app/host/parts/browser.hpp"
 #include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/characters.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw::host {
 
@@ -50,6 +52,7 @@ Host::Host(const HostSetup& setup)
     state_.tab = setup.tab;
     state_.dark = setup.dark;
     state_.text_scale = setup.text_scale;
+    fonts_.need(panels::characters_of_messages());
     resize(setup.width, setup.height);
 }
 
@@ -61,12 +64,13 @@ bool Host::open(
     const ReadResult read = file.read();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return false; }
-    auto session = std::make_unique<Session>(*read.lesson);
+    auto session = std::make_unique<Session>(shown_lesson(*read.lesson));
     keep_unsaved();
     unsaved_.begin_anew();
     session_ = std::move(session);
     file_ = std::move(file);
     shelf_.add_recent(path);
+    need_characters_of_lesson();
     state_.browser = false;
     state_.playback.stop();
     state_.forget_pointed();
@@ -88,7 +92,8 @@ bool Host::look_at_file() {
     rouse();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return true; }
-    session_->replace(*read.lesson);
+    session_->replace(shown_lesson(*read.lesson));
+    need_characters_of_lesson();
     state_.forget_pointed();
     state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
@@ -100,6 +105,20 @@ void Host::keep_unsaved() {
     if (!session_) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
     if (!problem.empty()) { say("Unsaved experiments will be lost when the program ends: " + problem); }
+}
+
+void Host::need_characters_of_lesson() {
+    fonts_.need(panels::characters_of(session_->lesson()));
+    const std::set<char32_t>& needed = fonts_.needed();
+    if (std::exchange(told_of_font_, told_of_font_ || !needed.empty())) { return; }
+    say(panels::advice_for(std::u32string(needed.begin(), needed.end())));
+}
+
+void Host::need_characters_of_shelf() {
+    if (shelf_.version() == std::exchange(shelf_version_, shelf_.version())) { return; }
+    for (const CatalogueEntry& entry : shelf_.entries()) {
+        fonts_.need(panels::characters_in(entry.chapter + entry.title + entry.source + entry.text));
+    }
 }
 
 void Host::resize(int width, int height) {
@@ -127,7 +146,10 @@ void Host::frame(double seconds) {
         feed(io, event);
         act_on(event);
     }
-    if (std::exchange(new_text_scale_, false)) { resize(layout_.width, layout_.height); }
+    need_characters_of_shelf();
+    if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
+        resize(layout_.width, layout_.height);
+    }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();

@@ -106,6 +106,8 @@ private:
     void draw_interface();
     void draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots);
     void advance(double seconds);
+    void need_characters_of_lesson();
+    void need_characters_of_shelf();
 
     void carry_out(Requests requests);
     void carry_out(Command command);
@@ -145,6 +147,8 @@ private:
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins
+    bool told_of_font_ = false;    ///< that one is missing
+    int shelf_version_ = 0;        ///< whose characters the fonts have
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames that ImGui needs to come to rest
     bool close_ = false;

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/course.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
@@ -26,11 +27,12 @@ CatalogueEntry entry_of(const fs::path& path) {
         entry.error = read.diagnostics.empty() ? "cannot be read" : read.diagnostics.front().message;
         return entry;
     }
-    entry.chapter = read.lesson->chapter;
-    entry.title = read.lesson->title;
-    entry.source = read.lesson->source;
-    entry.text = read.lesson->text;
-    entry.searchable = searchable_of(*read.lesson, path);
+    const Lesson lesson = shown_lesson(*read.lesson);
+    entry.chapter = lesson.chapter;
+    entry.title = lesson.title;
+    entry.source = lesson.source;
+    entry.text = lesson.text;
+    entry.searchable = searchable_of(lesson, path);
     return entry;
 }
 

@@ -10,6 +10,7 @@ LessonShelf::LessonShelf(std::filesystem::path folder, std::filesystem::path rec
     : folder_(std::move(folder)), recent_(std::move(recent_file)) {}
 
 void LessonShelf::refresh(const std::vector<std::filesystem::path>& unsaved) {
+    ++version_;
     std::vector<CatalogueEntry> entries = catalogue_of(folder_, recent_.paths(), unsaved);
     for (CatalogueEntry& entry : entries) {
         for (const CatalogueEntry& before : entries_) {

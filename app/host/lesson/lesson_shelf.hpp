@@ -20,6 +20,8 @@ public:
     void refresh(const std::vector<std::filesystem::path>& unsaved);
     void add_recent(const std::filesystem::path& path) { recent_.add(path); }
 
+    /// Grows with every `refresh`.
+    int version() const { return version_; }
     /// Whoever draws adds the thumbnails, which `refresh` keeps.
     std::vector<CatalogueEntry>& entries() { return entries_; }
     const std::vector<CatalogueEntry>& entries() const { return entries_; }
@@ -46,6 +48,7 @@ private:
     std::vector<CatalogueEntry> entries_;
     std::string search_;
     int chosen_ = -1;
+    int version_ = 0;
 };
 
 }  // namespace jw::host

@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
+#include <imgui.h>
+
 #include "app/host/lesson/timeline.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/in_language.hpp"
+#include "lessons/math/text_parts.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
 #include "tests/app/host/overprint.hpp"
 #include "tests/app/host/person.hpp"
+#include "tests/app/messages/in_language.hpp"
 
 namespace jw::test {
 namespace {
@@ -51,6 +59,30 @@ std::vector<int> steps_looked_at(const Story& story) {
     return steps;
 }
 
+/// A lesson of the catalogue with a text in Chinese beside each of its own, formulas as they are.
+std::string in_chinese(const std::string& name) {
+    static const std::string kWords =
+        "剛體之間的拘束由點與軸構成，每一條拘束方程式都拿走一個自由度；雅可比矩陣的秩說明「還剩下」多少（見投"
+        "影片）。";
+    Lesson lesson = *read_lesson_file(catalogue_folder() / (name + ".toml")).lesson;
+    for_each_text(lesson, [](Text& text) {
+        std::string chinese;
+        for (const math::TextPart& part : math::text_parts(text.own()).parts) {
+            if (part.kind != math::TextPart::Kind::words) {
+                chinese += " $\\Phi = 0$ ";
+                continue;
+            }
+            // three bytes a character: as many bytes are about as wide as the English words
+            const std::size_t bytes = part.words.size() / 6 * 3;
+            for (std::size_t k = 0; k < bytes; k += kWords.size()) {
+                chinese += kWords.substr(0, std::min(kWords.size(), bytes - k));
+            }
+        }
+        if (!text.own().empty()) { text.translate("zh-Hant", chinese.empty() ? "剛體" : chinese); }
+    });
+    return lesson_text(lesson);
+}
+
 /// All that is wrong with the frame, in one text; empty if everything can be read.
 std::string unreadable(Person& person) {
     // messages and a camera that turns are gone
@@ -64,6 +96,40 @@ std::string unreadable(Person& person) {
 }
 
 }  // namespace
+
+TEST_CASE("Every letter of a lesson in Chinese can be read, at any size of text", "[text][chinese]") {
+    const InLanguage chinese("zh-Hant");
+    const TemporaryFolder folder;
+    for (const char* name : {"loops/four-bar", "joints/screw", "parallel/two-imply-the-third"}) {
+        const std::string file = folder.write("chinese.toml", in_chinese(name));
+        for (const Size& size : kSizes) {
+            for (const float text : kTexts) {
+                Person person(file, Person::Pictures::none, size.width, size.height, false, text);
+                for (const int step : steps_looked_at(person.session().story())) {
+                    person.go_to(step);
+                    CAPTURE(name, size.width, text, step);
+                    CHECK(unreadable(person) == "");
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Characters that the fonts lack are added between two frames", "[text][chinese]") {
+    const TemporaryFolder folder;
+    Person person("loops/four-bar.toml");
+    const int before = person.host().fonts().version();
+    CHECK(person.host().fonts().needed().empty());
+    const InLanguage chinese("zh-Hant");
+    REQUIRE(person.host().open(folder.write("chinese.toml", in_chinese("loops/four-bar"))));
+    person.settle();
+    CHECK(person.host().fonts().version() == before + 1);
+    const ImFont& font = *person.host().fonts().fonts().title;
+    CHECK(font.FindGlyphNoFallback(static_cast<ImWchar>(U'剛')) != nullptr);
+    // what no font has is a box and no question mark
+    CHECK(font.FallbackChar == 0xFFFD);
+    CHECK(font.FindGlyphNoFallback(0xFFFD) != nullptr);
+}
 
 TEST_CASE("Every letter of every lesson can be read, at any size of text and of the window", "[text]") {
     for (const std::string& name : lessons_looked_at()) {

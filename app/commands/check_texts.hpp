@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/diagnostics.hpp"
+#include "lessons/read_text.hpp"
+
+namespace jw {
+
+/// Warnings about the texts of a file: those that are missing in a language, and characters that no font has.
+std::vector<Diagnostic> warnings_about_texts(const std::string& file, const std::vector<ReadText>& texts);
+
+}  // namespace jw

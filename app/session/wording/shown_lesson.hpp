@@ -1,0 +1,12 @@
+#pragma once
+
+#include "lessons/lesson.hpp"
+
+namespace jw {
+
+/// The lesson with its texts in the language of the reader (messages.hpp), as far as it has them.
+Lesson shown_lesson(Lesson lesson);
+/// Shows one text so.
+Text shown_text(Text text);
+
+}  // namespace jw
