@@ -11,6 +11,7 @@
 #include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -92,14 +93,14 @@ bool Host::look_at_file() {
     state_.forget_pointed();
     state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
-    say("The file has changed: this is the same step of its new version.");
+    say(tr("The file has changed: this is the same step of its new version."));
     return true;
 }
 
 void Host::keep_unsaved() {
     if (!session_) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
-    if (!problem.empty()) { say("Unsaved experiments will be lost when the program ends: " + problem); }
+    if (!problem.empty()) { say(tr("Unsaved experiments will be lost when the program ends: {0}", problem)); }
 }
 
 void Host::resize(int width, int height) {
