@@ -137,7 +137,7 @@ void set_lower_axis(const Canvas& canvas, const SeriesSet& set, PlotLayout& layo
     layout.x.end = plot.right();
     const int most = static_cast<int>(plot.width / canvas.px(kTickWidth));
     layout.ticks = ticks_of(layout.x, most, is_time(set) ? Ticks::decimal : Ticks::whole);
-    layout.axis = set.axis;
+    layout.axis = tr(set.axis.c_str());
     if (layout.ticks.exponent != 0) { layout.axis += " · " + power_of_ten(layout.ticks.exponent); }
     const float width = canvas.text_width(small, layout.axis);
     const float top = plot.bottom() + canvas.px(kTickLength + 2.0F);

@@ -32,7 +32,7 @@ NewtonRunRow row_of(const NewtonRun& run) {
 
 SeriesSet residuals_of(const std::vector<NewtonRun>& runs) {
     SeriesSet set;
-    set.axis = tr("iteration");
+    set.axis = tr_later("iteration");
     set.logarithmic = true;
     std::size_t longest = 0;
     for (const NewtonRun& run : runs) { longest = std::max(longest, run.phi_norms.size()); }

@@ -69,7 +69,7 @@ Prices prices_of(const std::vector<BenchRun>& runs) {
 
 SeriesSet work_precision(const std::vector<BenchRun>& runs) {
     SeriesSet set;
-    set.axis = tr("digits of position");
+    set.axis = tr_later("digits of position");
     set.logarithmic = true;
     // products, not sums: three digits are asked for at 3
     constexpr int most_tenths = 140;

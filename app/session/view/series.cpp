@@ -203,7 +203,7 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
 
 SeriesSet newton_series(const Story& story) {
     SeriesSet set;
-    set.axis = "iteration";
+    set.axis = tr_later("iteration");
     set.logarithmic = true;
     for (const Solve& solve : solves_of(story)) {
         Series series{solve.name, "-", std::vector<double>(set.at.size(), kMissing), 0.0, false};
