@@ -12,6 +12,7 @@
 #include "core/model/joint_types.hpp"
 #include "core/motion/loads.hpp"
 #include "lessons/claims.hpp"
+#include "lessons/translatable.hpp"
 
 /// Words of enumerators: one table for each enum, looked up both ways.
 namespace jw {
@@ -59,24 +60,24 @@ std::vector<std::string> words_of(const std::array<EnumWord<E>, N>& table) {
 }
 
 inline constexpr std::array kChoices{
-    EnumWord<CoordinateChoice>{CoordinateChoice::true_euler_parameters, "rp", "(r, p), true"},
+    EnumWord<CoordinateChoice>{CoordinateChoice::true_euler_parameters, "rp", tr_later("(r, p), true")},
     EnumWord<CoordinateChoice>{
-        CoordinateChoice::modified_euler_parameters, "rp-modified", "(r, p), modified"},
-    EnumWord<CoordinateChoice>{CoordinateChoice::omega_local, "omega-local", "(r, ω′), local"},
-    EnumWord<CoordinateChoice>{CoordinateChoice::omega_global, "omega-global", "(r, ω), global"}};
+        CoordinateChoice::modified_euler_parameters, "rp-modified", tr_later("(r, p), modified")},
+    EnumWord<CoordinateChoice>{CoordinateChoice::omega_local, "omega-local", tr_later("(r, ω′), local")},
+    EnumWord<CoordinateChoice>{CoordinateChoice::omega_global, "omega-global", tr_later("(r, ω), global")}};
 
 inline constexpr std::array kParallelForms{
-    EnumWord<ParallelForm>{ParallelForm::rule, "rule", "the rule chooses"},
-    EnumWord<ParallelForm>{ParallelForm::drop_x, "drop x", "without x"},
-    EnumWord<ParallelForm>{ParallelForm::drop_y, "drop y", "without y"},
-    EnumWord<ParallelForm>{ParallelForm::drop_z, "drop z", "without z"},
-    EnumWord<ParallelForm>{ParallelForm::all_three, "all three", "all three"},
-    EnumWord<ParallelForm>{ParallelForm::pair, "pair", "pair of n1 (n2)"}};
+    EnumWord<ParallelForm>{ParallelForm::rule, "rule", tr_later("the rule chooses")},
+    EnumWord<ParallelForm>{ParallelForm::drop_x, "drop x", tr_later("without x")},
+    EnumWord<ParallelForm>{ParallelForm::drop_y, "drop y", tr_later("without y")},
+    EnumWord<ParallelForm>{ParallelForm::drop_z, "drop z", tr_later("without z")},
+    EnumWord<ParallelForm>{ParallelForm::all_three, "all three", tr_later("all three")},
+    EnumWord<ParallelForm>{ParallelForm::pair, "pair", tr_later("pair of n1 (n2)")}};
 
 inline constexpr std::array kAngleRows{
-    EnumWord<ScrewAngleForm>{ScrewAngleForm::rotation, "rotation", "sound row"},
-    EnumWord<ScrewAngleForm>{ScrewAngleForm::cosine, "cosine", "cos row"},
-    EnumWord<ScrewAngleForm>{ScrewAngleForm::sine, "sine", "sin row"}};
+    EnumWord<ScrewAngleForm>{ScrewAngleForm::rotation, "rotation", tr_later("sound row")},
+    EnumWord<ScrewAngleForm>{ScrewAngleForm::cosine, "cosine", tr_later("cos row")},
+    EnumWord<ScrewAngleForm>{ScrewAngleForm::sine, "sine", tr_later("sin row")}};
 
 inline constexpr std::array kFrames{
     EnumWord<Frame>{Frame::global, "global"}, EnumWord<Frame>{Frame::local, "local"}};

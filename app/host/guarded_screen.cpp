@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "app/session/wording/messages.hpp"
 #include "render/gl_errors.hpp"
 
 namespace jw::host {
@@ -75,7 +76,7 @@ void GuardedScreen::fail(const std::string& why) {
     screen_.reset();
     render::take_gl_errors(gl_);
     host_->say(
-        "The picture was lost for a moment: " + why + ". The lesson and what was tried in it are kept.");
+        tr("The picture was lost for a moment: {0}. The lesson and what was tried in it are kept.", why));
     host_->rouse();
     if (++failures_ >= kMostFailures) {
         throw GraphicsLost("the graphics driver fails again and again: " + why);

@@ -12,6 +12,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 
 namespace jw::host {
@@ -97,14 +98,14 @@ bool Host::look_at_file() {
     state_.forget_pointed();
     state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
-    say("The file has changed: this is the same step of its new version.");
+    say(tr("The file has changed: this is the same step of its new version."));
     return true;
 }
 
 void Host::keep_unsaved() {
     if (!session_) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
-    if (!problem.empty()) { say("Unsaved experiments will be lost when the program ends: " + problem); }
+    if (!problem.empty()) { say(tr("Unsaved experiments will be lost when the program ends: {0}", problem)); }
 }
 
 void Host::need_characters_of_lesson() {

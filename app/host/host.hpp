@@ -123,6 +123,7 @@ private:
     void fit_camera(bool at_once);
     void change_tone();
     void change_text(float by);
+    void use_next_language();
     void show_or_leave_browser();
     void save_lesson();
     void save_csv();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <span>
 
 #include <imgui.h>
 
@@ -8,9 +9,11 @@
 #include "app/host/lesson/timeline.hpp"
 #include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/characters.hpp"
 #include "app/session/output/export.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -22,8 +25,9 @@ constexpr float kTextStep = 0.125F;
 constexpr float kPage = 0.5F;  // of what is seen, by one command
 
 bool needs_lesson(Command command) {
-    constexpr std::array always{Command::dark,    Command::larger_text, Command::smaller_text,
-                                Command::lessons, Command::help,        Command::quit};
+    constexpr std::array always{Command::dark,     Command::larger_text, Command::smaller_text,
+                                Command::language, Command::lessons,     Command::help,
+                                Command::quit};
     return std::ranges::find(always, command) == always.end();
 }
 
@@ -34,7 +38,7 @@ Tab tab_after(Tab tab) {
 
 /// @return what there is to say, mostly nothing
 std::string scroll_by(Scroll& scroll, float part) {
-    if (scroll.most <= 0.0F) { return "All of it is in sight: there is nothing to scroll."; }
+    if (scroll.most <= 0.0F) { return tr("All of it is in sight: there is nothing to scroll."); }
     scroll.wanted += part;
     return {};
 }
@@ -47,13 +51,15 @@ std::string copied(const std::string& text, std::string said) {
 
 std::string copied(Command command, const View& view) {
     if (command == Command::copy_matrix) {
-        return copied(matrix_latex(view.matrix, MatrixStyle::labelled), "Φq copied as LaTeX.");
+        return copied(matrix_latex(view.matrix, MatrixStyle::labelled), tr("Φq copied as LaTeX."));
     }
-    if (command == Command::copy_matrix_csv) { return copied(matrix_csv(view.matrix), "Φq copied as CSV."); }
-    if (view.equations.empty()) { return "There is no equation at this step."; }
+    if (command == Command::copy_matrix_csv) {
+        return copied(matrix_csv(view.matrix), tr("Φq copied as CSV."));
+    }
+    if (view.equations.empty()) { return tr("There is no equation at this step."); }
     std::string text;
     for (const EquationGroup& group : view.equations) { text += equation_latex(group) + '\n'; }
-    return copied(text, "The equations copied as LaTeX.");
+    return copied(text, tr("The equations copied as LaTeX."));
 }
 
 }  // namespace
@@ -67,7 +73,7 @@ void Host::carry_out(Requests requests) {
     for (const Command command : requests.commands) { carry_out(command); }
     if (requests.trial) { carry_out_trial(*requests.trial); }
     if (requests.show_joint && session_) { show_joint(*requests.show_joint); }
-    if (requests.copy) { say(copied(*requests.copy, "Copied.")); }
+    if (requests.copy) { say(copied(*requests.copy, tr("Copied."))); }
     if (requests.open) { open(*requests.open); }
 }
 
@@ -80,7 +86,7 @@ void Host::apply(const Experiment& experiment) {
     } catch (const std::exception& error) {
         // the lesson is as it was before
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-        say(std::string("This could not be done: ") + (memory ? "out of memory" : error.what()));
+        say(tr("This could not be done: {0}", memory ? tr("out of memory") : error.what()));
     }
     if (session_->version() != version) { rouse(); }
     if (session_->told() != told) {
@@ -97,8 +103,8 @@ void Host::show_joint(int joint) {
     session_->show_joint(joint);
     rouse();
     const bool shown = session_->story().chosen_joint() == joint;
-    say(shown ? "Vectors and equations of " + name + ". Click it again for those of the lesson."
-              : "Vectors and equations as the lesson shows them.");
+    say(shown ? tr("Vectors and equations of {0}. Click it again for those of the lesson.", name)
+              : tr("Vectors and equations as the lesson shows them."));
 }
 
 void Host::go_to(int step) {
@@ -154,6 +160,7 @@ void Host::carry_out(Command command) {
         case Command::dark: return change_tone();
         case Command::larger_text: return change_text(kTextStep);
         case Command::smaller_text: return change_text(-kTextStep);
+        case Command::language: return use_next_language();
         case Command::lessons: return show_or_leave_browser();
         case Command::reload:
             file_.distrust();
@@ -192,13 +199,13 @@ void Host::carry_out_trial(int index) {
 }
 
 void Host::answer() {
-    if (session_->step().kind != Step::Kind::question) { return say("Nothing is asked at this step."); }
+    if (session_->step().kind != Step::Kind::question) { return say(tr("Nothing is asked at this step.")); }
     predictions_.focus();
 }
 
 void Host::play_motion() {
     const std::optional<int> first = first_moment(session_->story());
-    if (!first) { return say("Nothing moves in this lesson: it ends when everything is put together."); }
+    if (!first) { return say(tr("Nothing moves in this lesson: it ends when everything is put together.")); }
     go_to(*first);
     state_.playback.play();
 }
@@ -221,6 +228,21 @@ void Host::change_text(float by) {
     new_text_scale_ = true;
 }
 
+/// The same step in the next language.
+void Host::use_next_language() {
+    const std::span<const Language> all = languages();
+    const auto present = std::ranges::find(all, language(), &Language::tag);
+    const Language& next = present + 1 == all.end() ? all.front() : *(present + 1);
+    set_language(next.tag);
+    fonts_.need(panels::characters_of_messages());
+    if (session_) {
+        session_->tell_again();
+        need_characters_of_lesson();
+    }
+    if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+    say(tr("Language: {0}", next.name));
+}
+
 void Host::show_or_leave_browser() {
     if (state_.browser && !session_) { return; }
     state_.playback.pause();
@@ -231,7 +253,7 @@ void Host::show_or_leave_browser() {
 
 void Host::next_freedom() {
     const auto count = static_cast<int>(session_->rank().free_motions.size());
-    if (count == 0) { return say("Nothing is free here: there is no motion to follow."); }
+    if (count == 0) { return say(tr("Nothing is free here: there is no motion to follow.")); }
     state_.playback.follow((state_.playback.freedom() + 1) % count);
     apply(LetGo{});
 }

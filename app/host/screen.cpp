@@ -10,6 +10,7 @@
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/reader.hpp"
 #include "render/atomic_file.hpp"
 #include "render/gl_errors.hpp"
@@ -106,7 +107,7 @@ Screen::~Screen() {
     if (!surface_->recording) { return; }
     try {
         finish_recording();
-    } catch (const std::exception& error) { host_->done(std::string("Not recorded: ") + error.what()); }
+    } catch (const std::exception& error) { host_->done(tr("Not recorded: {0}", error.what())); }
 }
 
 void Screen::fit_to_host() {
@@ -185,7 +186,7 @@ void Screen::draw_one_thumbnail() {
         if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }
         const ReadResult read = read_lesson_file(entry.path);
         if (!read.lesson) {
-            entry.error = "cannot be read";
+            entry.error = tr("cannot be read");
             continue;
         }
         if (!s.small) {
@@ -219,13 +220,13 @@ void Screen::carry_out_task() {
         if (host_->task() == DrawingTask::save_picture) {
             const std::filesystem::path path = host_->task_path();
             render::write_file_atomically(path, render::encode_png(read()));
-            host_->done("Saved " + path.string());
+            host_->done(tr("Saved {0}", path.string()));
             return;
         }
         record_one();
     } catch (const std::exception& error) {
         surface_->recording.reset();
-        host_->done(std::string("Not saved: ") + error.what());
+        host_->done(tr("Not saved: {0}", error.what()));
     }
 }
 
@@ -238,9 +239,7 @@ void Screen::record_one() {
     r.files.add(r.next, view, seconds_of_step(r.story, view), r.painter.paint(view));
     ++r.next;
     if (r.next < count) {
-        host_->say(
-            "Recording: " + std::to_string(r.next - r.first) + " of " + std::to_string(count - r.first) +
-            "   ·   Escape stops");
+        host_->say(tr("Recording: {0} of {1}   ·   Escape stops", r.next - r.first, count - r.first));
     } else {
         finish_recording();
     }
@@ -254,7 +253,7 @@ void Screen::finish_recording() {
          {"lesson", {{"file", r->lesson.file_name}, {"title", r->lesson.title}}},
          {"size", {Recording::kWidth, Recording::kHeight}},
          {"frames_in_all", static_cast<int>(r->story.steps().size())}});
-    host_->done(std::to_string(r->next - r->first) + " pictures and manifest.json in " + r->folder.string());
+    host_->done(tr("{0} pictures and manifest.json in {1}", r->next - r->first, r->folder.string()));
 }
 
 render::Image Screen::read() { return surface_->targets->read(); }

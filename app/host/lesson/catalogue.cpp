@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/course.hpp"
 #include "lessons/reader.hpp"
@@ -24,7 +25,7 @@ CatalogueEntry entry_of(const fs::path& path) {
     if (!read.lesson) {
         entry.searchable = searchable_of(path);
         entry.title = path.filename().string();
-        entry.error = read.diagnostics.empty() ? "cannot be read" : read.diagnostics.front().message;
+        entry.error = read.diagnostics.empty() ? tr("cannot be read") : read.diagnostics.front().message;
         return entry;
     }
     const Lesson lesson = shown_lesson(*read.lesson);
@@ -53,8 +54,8 @@ std::vector<CatalogueEntry> catalogue_of(
         }
     };
     const std::vector<IndexedExercise> exercises = exercises_of_course(folder);
-    add(unsaved, "Not saved");
-    add(recent, "Opened last");
+    add(unsaved, tr_later("Not saved"));
+    add(recent, tr_later("Opened last"));
     const CourseLessons course = course_lessons(folder);
     for (const fs::path& faulty : course.faulty) { entries.push_back(entry_of(faulty)); }
     for (const CourseLessons::Entry& lesson : course.lessons) { entries.push_back(entry_of(lesson.file)); }

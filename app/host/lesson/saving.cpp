@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "app/host/lesson/unsaved.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
 
@@ -26,15 +27,15 @@ std::filesystem::path free_name(
 
 Saved save_text(const std::filesystem::path& path, const std::string& text) {
     std::string error;
-    if (!write_lesson_file(path, text, error)) { return {false, "Not saved: " + error}; }
-    return {true, "Saved " + path.string()};
+    if (!write_lesson_file(path, text, error)) { return {false, tr("Not saved: {0}", error)}; }
+    return {true, tr("Saved {0}", path.string())};
 }
 
 Saved save_lesson(const std::filesystem::path& path, const Session& session) {
     const std::string text = text_to_save(session);
     // a text that cannot be read back must not be discovered in the next lecture
     const ReadResult read = read_lesson(text, path.filename().string());
-    return read.lesson ? save_text(path, text) : Saved{false, "Not saved: " + read.report()};
+    return read.lesson ? save_text(path, text) : Saved{false, tr("Not saved: {0}", read.report())};
 }
 
 }  // namespace jw::host

@@ -11,6 +11,7 @@
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::host {
@@ -45,7 +46,7 @@ void draw_card(
         list->AddImage(e.thumbnail, {picture.x, picture.y}, {picture.right(), picture.bottom()});
     } else {
         canvas.fill(picture, theme::kShade);
-        const std::string word = e.error.empty() ? "" : "has mistakes";
+        const std::string word = e.error.empty() ? "" : tr("has mistakes");
         canvas.text(
             {picture.centre().x, picture.centre().y}, canvas.fonts().small, theme::kSoft, word,
             panels::Align::centre);
@@ -64,7 +65,7 @@ void draw_card(
 
 /// "vectors" -> "Vectors"
 std::string headline(const std::string& chapter) {
-    std::string text = chapter.empty() ? "other" : chapter;
+    std::string text = tr(chapter.empty() ? tr_later("other") : chapter.c_str());
     if (text.front() >= 'a' && text.front() <= 'z') {
         text.front() = static_cast<char>(text.front() - 'a' + 'A');
     }
@@ -108,7 +109,7 @@ void search_field(LessonShelf& shelf, float width) {
     std::array<char, 128> text{};
     shelf.search().copy(text.data(), text.size() - 1);
     ImGui::SetNextItemWidth(width);
-    if (ImGui::InputTextWithHint("##search", "search title, chapter, text", text.data(), text.size())) {
+    if (ImGui::InputTextWithHint("##search", tr("search title, chapter, text"), text.data(), text.size())) {
         shelf.search_for(text.data());
     }
 }
@@ -120,7 +121,7 @@ void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
     canvas.text({box.x + ui.px(16.0F), box.y + ui.px(8.0F)}, canvas.fonts().title, theme::kInk, "Jointwise");
     canvas.text(
         {box.x + ui.px(18.0F), box.y + ui.px(36.0F)}, canvas.fonts().small, theme::kSoft,
-        "spatial kinematics of constrained rigid bodies, joint by joint");
+        tr("spatial kinematics of constrained rigid bodies, joint by joint"));
     const float width = ui.px(460.0F);
     Area area(
         ui, "lessons head", {box.right() - width, box.y + ui.px(6.0F), width, box.height - ui.px(8.0F)});
@@ -129,7 +130,7 @@ void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
     command_button(ui, Command::help, "?", ui.px(26.0F));
     if (!has_lesson) { return; }
     ImGui::SameLine();
-    command_button(ui, Command::lessons, "Back", ui.px(60.0F));
+    command_button(ui, Command::lessons, tr("Back"), ui.px(60.0F));
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ void browser(const Ui& ui, const Box& window, LessonShelf& shelf, bool has_lesso
     head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
     Area area(ui, "lessons", panels::shrunk(rest, ui.px(20.0F), ui.px(2.0F)), true);
     const std::vector<int> found = shelf.found();
-    if (found.empty()) { return note(ui, "No lesson has all of these words."); }
+    if (found.empty()) { return note(ui, tr("No lesson has all of these words.")); }
     const float gap = ui.px(kCardGap);
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = std::max(1, static_cast<int>((room + gap) / (ui.px(kCardWidth) + gap)));

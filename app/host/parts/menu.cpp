@@ -9,6 +9,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -25,12 +26,12 @@ constexpr Group kGroups[] = {
     Group::timeline, Group::panels, Group::experiments, Group::picture, Group::files};
 
 constexpr const char* kMouse[][2] = {
-    {"Drag a body", "pull it: what is assembled holds it"},
-    {"Drag the background", "turn the view"},
-    {"Right button or Shift", "move the view"},
-    {"Wheel", "nearer or farther"},
-    {"Point at anything", "what belongs to it lights up"},
-    {"Click a row, a plot", "go there"},
+    {tr_later("Drag a body"), tr_later("pull it: what is assembled holds it")},
+    {tr_later("Drag the background"), tr_later("turn the view")},
+    {tr_later("Right button or Shift"), tr_later("move the view")},
+    {tr_later("Wheel"), tr_later("nearer or farther")},
+    {tr_later("Point at anything"), tr_later("what belongs to it lights up")},
+    {tr_later("Click a row, a plot"), tr_later("go there")},
 };
 
 bool is_possible(const LessonUi& ui, Command command) {
@@ -57,12 +58,12 @@ std::vector<Section> sections() {
     for (const Group group : kGroups) {
         Section section{name_of(group), {}, kKeysWidth};
         for (const CommandInfo& info : command_table()) {
-            if (info.group == group) { section.lines.push_back({info.keys, info.text}); }
+            if (info.group == group) { section.lines.push_back({tr(info.keys), tr(info.text)}); }
         }
         all.push_back(std::move(section));
     }
-    Section mouse{"Mouse", {}, kMouseWidth};
-    for (const auto& [what, does] : kMouse) { mouse.lines.push_back({what, does}); }
+    Section mouse{tr("Mouse"), {}, kMouseWidth};
+    for (const auto& [what, does] : kMouse) { mouse.lines.push_back({tr(what), tr(does)}); }
     all.push_back(std::move(mouse));
     return all;
 }
@@ -120,7 +121,7 @@ void menu(const LessonUi& ui) {
         if (!ImGui::BeginMenu(name_of(group))) { continue; }
         for (const CommandInfo& info : command_table()) {
             if (info.group != group) { continue; }
-            if (ImGui::MenuItem(info.text, info.keys, false, is_possible(ui, info.command))) {
+            if (ImGui::MenuItem(tr(info.text), tr(info.keys), false, is_possible(ui, info.command))) {
                 ui.requests.add(info.command);
             }
         }
@@ -169,8 +170,8 @@ void help_overlay(const Ui& ui, const Box& window) {
     canvas.fill(sheet, theme::kPaper, canvas.px(8.0F));
     canvas.outline(sheet, theme::kLine, panels::hairline(canvas), canvas.px(8.0F));
     Box inner = panels::shrunk(sheet, canvas.px(24.0F), canvas.px(18.0F));
-    canvas.text({inner.x, inner.y}, canvas.fonts().title, theme::kInk, "Keys and mouse");
-    const char* const note = "any other key or a click closes this";
+    canvas.text({inner.x, inner.y}, canvas.fonts().title, theme::kInk, tr("Keys and mouse"));
+    const char* const note = tr("any other key or a click closes this");
     canvas.text({inner.right(), inner.y}, canvas.fonts().small, theme::kSoft, note, panels::Align::right);
     panels::cut_top(inner, canvas.px(44.0F));
     draw_list_of_keys(ui, inner);

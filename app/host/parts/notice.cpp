@@ -6,6 +6,7 @@
 
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -61,14 +62,15 @@ void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
     const Canvas canvas(ImGui::GetForegroundDrawList(), ui.canvas);
     if (!text_.empty()) { bottom = draw_sheet(canvas, scene, bottom, text_, false); }
     if (mistakes_.empty()) { return; }
-    const std::string kept = has_lesson ? "The file has mistakes; the last good lesson stays.\n" : "";
+    const std::string kept =
+        has_lesson ? tr("The file has mistakes; the last good lesson stays.") + std::string("\n") : "";
     draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
 }
 
 void draw_badge(const Ui& ui, const Box& scene) {
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
-    const std::string text = "moved from the step   ·   Escape goes back";
+    const std::string text = tr("moved from the step   ·   Escape goes back");
     const Box badge{
         scene.x + canvas.px(12.0F), scene.y + canvas.px(12.0F),
         canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};

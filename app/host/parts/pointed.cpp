@@ -2,6 +2,7 @@
 
 #include "app/session/view/derivation.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
@@ -46,7 +47,8 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
     const auto k = static_cast<std::size_t>(link.index);
     switch (link.kind) {
         case Pointable::Kind::body:
-            return mechanism.bodies[k].name + (mechanism.bodies[k].fixed ? " (fixed)" : "");
+            return mechanism.bodies[k].fixed ? tr("{0} (fixed)", mechanism.bodies[k].name)
+                                             : mechanism.bodies[k].name;
         case Pointable::Kind::joint: {
             const Joint& joint = mechanism.joints[k];
             return joint.name + ": " + std::string(joint.type->name) + ", " +
@@ -55,10 +57,13 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
         }
         case Pointable::Kind::vector: {
             const Joint& joint = mechanism.joints[k];
-            if (link.part == Pointable::kVectorD) { return "d of " + joint.name + ", from body i to body j"; }
+            if (link.part == Pointable::kVectorD) {
+                return tr("d of {0}, from body i to body j", joint.name);
+            }
             const int body = link.part == Pointable::kVectorI ? joint.body_i : joint.body_j;
-            return std::string("fixed in body ") + (link.part == Pointable::kVectorI ? "i: " : "j: ") +
-                   mechanism.bodies[static_cast<std::size_t>(body)].name;
+            return tr(
+                "fixed in body {0}: {1}", link.part == Pointable::kVectorI ? "i" : "j",
+                mechanism.bodies[static_cast<std::size_t>(body)].name);
         }
         case Pointable::Kind::none:
         case Pointable::Kind::row:

@@ -7,6 +7,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::host {
@@ -26,7 +27,8 @@ Box sheet_of(const Ui& ui, const Box& scene, float height) {
 }
 
 std::string verdict_text(const GivenAnswer& answer) {
-    return math::plain_words(answer.note) + (answer.right ? "   Right." : "   Not so.");
+    return answer.right ? tr("{0}   Right.", math::plain_words(answer.note))
+                        : tr("{0}   Not so.", math::plain_words(answer.note));
 }
 
 /// The right answer to a question, which the story may reach or not.
@@ -96,7 +98,7 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
     wants_focus_ = false;
     ImGui::SetNextItemWidth(ui.px(150.0F));
-    const char* const hint = question.choices.empty() ? "your answer  (a)" : "or its number  (a)";
+    const char* const hint = question.choices.empty() ? tr("your answer  (a)") : tr("or its number  (a)");
     const bool entered = ImGui::InputTextWithHint(
         "##answer", hint, field_.data(), field_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     if (!question.unit.empty()) {
@@ -104,9 +106,9 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
         ImGui::TextUnformatted(question.unit.c_str());
     }
     ImGui::SameLine();
-    const bool pressed = ImGui::Button("Answer");
+    const bool pressed = ImGui::Button(tr("Answer"));
     ImGui::SameLine();
-    command_button(ui, Command::next, "Skip");
+    command_button(ui, Command::next, tr("Skip"));
     if (entered || pressed) { take(ui, step, field_.data()); }
     if (!objection_.empty()) { note(ui, objection_); }
 }
@@ -118,7 +120,7 @@ void Predictions::take(const LessonUi& ui, const Step& step, const std::string& 
     const QuestionView& question = *ui.session.view().question;
     GivenAnswer judged = judge_answer(question, right_answer_to(ui.session, step.question), text);
     if (!judged.understood) {
-        objection_ = "'" + text + "' is no answer: " + judged.note + ".";
+        objection_ = tr("'{0}' is no answer: {1}.", text, judged.note);
         return;
     }
     objection_.clear();

@@ -10,6 +10,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/output/pace.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
@@ -45,6 +46,12 @@ void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
     }
 }
 
+/// Bodies and motion by a word, joints and drivers by their names.
+std::string shown_name(const Stretch& stretch) {
+    if (stretch.kind == Step::Kind::motion) { return tr("motion"); }
+    return stretch.kind == Step::Kind::bodies ? tr("bodies") : stretch.name;
+}
+
 void draw_stretch(
     const Canvas& canvas, const Box& box, const Story& story, const Stretch& stretch,
     const TimelineScale& scale, std::size_t index, int present) {
@@ -60,7 +67,7 @@ void draw_stretch(
         canvas.fill({left, box.y + canvas.px(4.0F), 1.0F, box.height - canvas.px(8.0F)}, theme::kLine);
     }
     const float room = right - left - canvas.px(8.0F);
-    const std::string name = panels::shortened_name(*small, stretch.name, room);
+    const std::string name = panels::shortened_name(*small, shown_name(stretch), room);
     // of a name for which there is no room at all a tip tells
     if (canvas.text_width(small, name) <= room) {
         canvas.text(
@@ -111,12 +118,12 @@ void scrub(
     const auto here =
         std::ranges::find_if(stretches, [&](const Stretch& s) { return step >= s.first && step <= s.last; });
     if (here == stretches.end()) { return; }
-    std::string tip = here->name + ", step " + std::to_string(step + 1);
+    std::string tip = tr("{0}, step {1}", shown_name(*here), step + 1);
     if (here->kind == Step::Kind::motion) {
         const Step& moment = ui.session.story().steps()[static_cast<std::size_t>(step)];
-        tip += ", t = " + fixed_text(moment.t, 3) + " s";
-        if (moment.rows_switched) { tip += ", another pair of equations"; }
-        if (moment.change_point) { tip += ", change point"; }
+        tip = tr("{0}, t = {1} s", tip, fixed_text(moment.t, 3));
+        if (moment.rows_switched) { tip = tr("{0}, another pair of equations", tip); }
+        if (moment.change_point) { tip = tr("{0}, change point", tip); }
     }
     ImGui::SetTooltip("%s", tip.c_str());
 }
@@ -124,7 +131,7 @@ void scrub(
 void speed_button(const LessonUi& ui) {
     const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
     if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) { ui.state.playback.next_speed(); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("Speed  (, and .)"); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip(tr("Speed  (, and .)")); }
 }
 
 /// "Play", or "Pause 7 s" with the time until the next still, which also shrinks as a line.
@@ -144,9 +151,9 @@ void play_button(const LessonUi& ui) {
 }  // namespace
 
 std::string play_label(bool plays, std::optional<double> seconds_left) {
-    if (!plays) { return "Play###play"; }
-    if (!seconds_left) { return "Pause###play"; }
-    return "Pause " + std::to_string(static_cast<int>(std::ceil(*seconds_left))) + " s###play";
+    if (!plays) { return tr("Play") + std::string("###play"); }
+    if (!seconds_left) { return tr("Pause") + std::string("###play"); }
+    return tr("Pause {0} s", static_cast<int>(std::ceil(*seconds_left))) + "###play";
 }
 
 std::string short_speed(double speed) {
@@ -213,7 +220,7 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     ImGui::SameLine(0.0F, ui.px(4.0F));
     play_button(ui);
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::play_motion, "Motion", ui.px(64.0F));
+    command_button(ui, Command::play_motion, tr("Motion"), ui.px(64.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::next, ">", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
@@ -231,9 +238,9 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     scrub(ui, line, stretches, scale);
 
     ImGui::SetCursorScreenPos({right + ui.px(10.0F), box.y + top});
-    command_button(ui, Command::lessons, "Lessons", ui.px(74.0F));
+    command_button(ui, Command::lessons, tr("Lessons"), ui.px(74.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    if (ImGui::Button("Menu", {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
+    if (ImGui::Button(tr("Menu"), {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::help, "?", ui.px(26.0F));
     menu(ui);

@@ -12,6 +12,7 @@
 #include "app/panels/parts/theme.hpp"
 #include "app/session/view/series.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/quantity/quantity.hpp"
 #include "lessons/enum_words.hpp"
@@ -26,11 +27,11 @@ bool uses_axis(const JointType& type) {
 
 void forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::axes_parallel) && !joint.type->uses(Role::distance_parallel)) { return; }
-    note(ui, "Which of the three equations of p1 and p2?");
+    note(ui, tr("Which of the three equations of p1 and p2?"));
     int k = 0;
     for (const auto& [form, word, label] : kParallelForms) {
-        if (k > 0) { beside_if_it_fits(label, ui.px(156.0F)); }
-        if (ImGui::RadioButton(label, joint.parallel_form == form)) {
+        if (k > 0) { beside_if_it_fits(tr(label), ui.px(156.0F)); }
+        if (ImGui::RadioButton(tr(label), joint.parallel_form == form)) {
             ui.requests.add(SetParallelForm{index, form});
         }
         ++k;
@@ -79,11 +80,11 @@ void sphere(const LessonUi& ui, int index, const Joint& joint) {
 
 void screw_forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::screw_angle)) { return; }
-    note(ui, "Which equation ties θ to the angle? Play the motion through θ = 180° with each.");
+    note(ui, tr("Which equation ties θ to the angle? Play the motion through θ = 180° with each."));
     int k = 0;
     for (const auto& [form, word, label] : kAngleRows) {
-        if (k > 0) { beside_if_it_fits(label, ui.px(130.0F)); }
-        if (ImGui::RadioButton(label, joint.geometry.screw_angle_form == form)) {
+        if (k > 0) { beside_if_it_fits(tr(label), ui.px(130.0F)); }
+        if (ImGui::RadioButton(tr(label), joint.geometry.screw_angle_form == form)) {
             ui.requests.add(SetScrewAngleForm{index, form});
         }
         ++k;
@@ -97,7 +98,7 @@ int components_of(Role role, ParallelForm form) {
 
 /// A tick for every single equation.
 void equations(const LessonUi& ui, int index, const Joint& joint) {
-    note(ui, "Single equations; without its tick one is taken out of the joint:");
+    note(ui, tr("Single equations; without its tick one is taken out of the joint:"));
     for (const Role role : joint.type->roles) {
         ImGui::PushID(static_cast<int>(role));
         ImGui::AlignTextToFramePadding();
@@ -162,7 +163,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
     JointGeometry g = joint.geometry;
     bool moved = false;
     if (uses_axis(*joint.type)) {
-        note(ui, "Axes in their bodies (directions):");
+        note(ui, tr("Axes in their bodies (directions):"));
         Vec3 s_i = g.s_i_local.normalized();
         Vec3 s_j = g.s_j_local.normalized();
         // a direction of no length cannot be meant: the last one stays
@@ -175,13 +176,13 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
             moved = true;
         }
     }
-    note(ui, "Points in their bodies [m]:");
+    note(ui, tr("Points in their bodies [m]:"));
     moved = sliders(ui, "\\mathbf{s}'_i^P", g.P_i_local, reach) || moved;
     moved = sliders(ui, "\\mathbf{s}'_j^P", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {
         auto length = static_cast<float>(g.length);
-        slider_beside(ui, "length [m]");
-        if (ImGui::SliderFloat("length [m]", &length, 0.001F, static_cast<float>(reach), "%.3f")) {
+        slider_beside(ui, tr("length [m]"));
+        if (ImGui::SliderFloat(tr("length [m]"), &length, 0.001F, static_cast<float>(reach), "%.3f")) {
             g.length = std::max(1e-6, static_cast<double>(length));
             moved = true;
         }
@@ -195,7 +196,7 @@ void experiment_joint(const LessonUi& ui, int index) {
     const Joint& joint = ui.session.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     ImGui::PushID("joint of try it");
     ImGui::PushID(index);
-    section(ui, ("Joint " + joint.name + " · " + std::string(joint.type->name)).c_str());
+    section(ui, (tr("Joint {0}", joint.name) + " · " + std::string(joint.type->name)).c_str());
     forms(ui, index, joint);
     sphere(ui, index, joint);
     screw_forms(ui, index, joint);
@@ -207,7 +208,7 @@ void experiment_joint(const LessonUi& ui, int index) {
 
 void experiment_drivers(const LessonUi& ui) {
     const Lesson& lesson = ui.session.lesson();
-    if (!lesson.mechanism.drivers.empty()) { section(ui, "Drivers"); }
+    if (!lesson.mechanism.drivers.empty()) { section(ui, tr("Drivers")); }
     for (std::size_t k = 0; k < lesson.mechanism.drivers.size(); ++k) {
         const Driver& driver = lesson.mechanism.drivers[k];
         const bool is_angle = unit_of(driver.measure) == Unit::radian;
@@ -219,7 +220,7 @@ void experiment_drivers(const LessonUi& ui) {
         ImGui::TextUnformatted(driver.name.c_str());
         bool moved = false;
         const char* const labels[] = {
-            is_angle ? "start [deg]" : "start [m]", is_angle ? "rate [deg/s]" : "rate [m/s]"};
+            is_angle ? tr("start [deg]") : tr("start [m]"), is_angle ? tr("rate [deg/s]") : tr("rate [m/s]")};
         for (int c = 0; c < 2; ++c) {
             double& coefficient = function.polynomial[static_cast<std::size_t>(c)];
             auto number = static_cast<float>(coefficient / unit);
@@ -236,9 +237,9 @@ void experiment_drivers(const LessonUi& ui) {
     const std::optional<MotionPlan> motion = shown_motion(lesson);
     if (!motion) { return; }
     auto t = static_cast<float>(ui.session.step().t);
-    slider_beside(ui, "time [s]");
+    slider_beside(ui, tr("time [s]"));
     if (ImGui::SliderFloat(
-            "time [s]", &t, static_cast<float>(motion->from), static_cast<float>(motion->to), "%.3f")) {
+            tr("time [s]"), &t, static_cast<float>(motion->from), static_cast<float>(motion->to), "%.3f")) {
         ui.requests.add(GoTo{ui.session.index_of_time(static_cast<double>(t))});
     }
 }

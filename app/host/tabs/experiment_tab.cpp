@@ -9,6 +9,7 @@
 #include "app/session/story/featured.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/text_parts.hpp"
 
@@ -20,21 +21,27 @@ namespace {
 std::string newton_text(const Session& session) {
     const std::vector<NewtonRow>& rows = session.view().newton;
     if (rows.empty()) { return {}; }
-    const auto steps = std::ranges::count(rows, true, &NewtonRow::stepped);
-    return "Newton: " + std::to_string(steps) + (steps == 1 ? " iteration" : " iterations") +
-           (session.view().failure.empty() ? ", the last" : ", not closed, the last") +
-           " ‖Φ‖ = " + number_text(rows.back().phi_norm, 2);
+    const auto steps = static_cast<int>(std::ranges::count(rows, true, &NewtonRow::stepped));
+    const std::string last = number_text(rows.back().phi_norm, 2);
+    return session.view().failure.empty()
+               ? tr_count(
+                     steps, "Newton: {0} iteration, the last ‖Φ‖ = {1}",
+                     "Newton: {0} iterations, the last ‖Φ‖ = {1}", last)
+               : tr_count(
+                     steps, "Newton: {0} iteration, not closed, the last ‖Φ‖ = {1}",
+                     "Newton: {0} iterations, not closed, the last ‖Φ‖ = {1}", last);
 }
 
 /// Draws the result of everything tried so far in one line that is always in sight.
 void verdict(const LessonUi& ui) {
     const RankView& rank = ui.session.view().rank;
-    std::string text = std::to_string(rank.rows) + " equations, rank " + std::to_string(rank.rank) + ", " +
-                       std::to_string(rank.dof) + (rank.dof == 1 ? " freedom" : " freedoms");
+    std::string text = tr_count(
+        rank.dof, "{1} equations, rank {2}, {0} freedom", "{1} equations, rank {2}, {0} freedoms", rank.rows,
+        rank.rank);
     if (rank.differs_once_assembled()) {
-        text += ", rank " + std::to_string(*rank.once_assembled) + " once assembled";
+        text = tr("{0}, rank {1} once assembled", text, *rank.once_assembled);
     }
-    if (rank.rows > rank.rank) { text += ", " + std::to_string(rank.rows - rank.rank) + " repeated"; }
+    if (rank.rows > rank.rank) { text = tr("{0}, {1} repeated", text, rank.rows - rank.rank); }
     ImGui::PushFont(ui.canvas.fonts().bold);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
@@ -44,8 +51,8 @@ void verdict(const LessonUi& ui) {
     if (rank.rank > 0 && static_cast<std::size_t>(rank.rank) <= sigma.size()) {
         const double smallest = sigma[static_cast<std::size_t>(rank.rank) - 1];
         note(
-            ui, "smallest singular value " + number_text(smallest, 3) + ", condition " +
-                    number_text(sigma.front() / smallest, 3));
+            ui, tr("smallest singular value {0}, condition {1}", number_text(smallest, 3),
+                   number_text(sigma.front() / smallest, 3)));
     }
     note(ui, newton_text(ui.session));
 }
@@ -58,24 +65,24 @@ void history(const LessonUi& ui) {
         command_button(ui, command, label);
         ImGui::EndDisabled();
     };
-    button(Command::undo, "Undo", !undo.empty());
+    button(Command::undo, tr("Undo"), !undo.empty());
     ImGui::SameLine();
-    button(Command::redo, "Do again", !redo.empty());
-    beside_if_it_fits("As it was written", 1.0F);
-    button(Command::start_over, "As it was written", ui.session.is_changed());
+    button(Command::redo, tr("Do again"), !redo.empty());
+    beside_if_it_fits(tr("As it was written"), 1.0F);
+    button(Command::start_over, tr("As it was written"), ui.session.is_changed());
     // there from the start, so that nothing moves below it
-    note(ui, undo.empty() ? "no change yet" : "last change: " + undo);
+    note(ui, undo.empty() ? tr("no change yet") : tr("last change: {0}", undo));
 }
 
 void coordinates(const LessonUi& ui) {
-    section(ui, "Coordinates of Φq");
+    section(ui, tr("Coordinates of Φq"));
     CoordinateChoice choice = ui.session.lesson().coordinates;
     if (choose_coordinates("##coordinates", -1.0F, choice)) { ui.requests.add(SetCoordinates{choice}); }
 }
 
 /// A tick for what takes part, a name to choose what is looked at below.
 void parts(const LessonUi& ui) {
-    section(ui, "Joints and drivers");
+    section(ui, tr("Joints and drivers"));
     const Lesson& lesson = ui.session.lesson();
     const Lesson& written = ui.session.as_written();
     for (const Addition& addition : written.order) {
@@ -87,9 +94,9 @@ void parts(const LessonUi& ui) {
         ImGui::PushID(is_joint ? "joint" : "driver");
         ImGui::PushID(addition.index);
         if (ImGui::Checkbox("##present", &present)) { ui.requests.add(SetPresent{addition, present}); }
-        if (ImGui::IsItemHovered()) { ImGui::SetTooltip(present ? "take it out" : "put it back"); }
+        if (ImGui::IsItemHovered()) { ImGui::SetTooltip(present ? tr("take it out") : tr("put it back")); }
         ImGui::SameLine();
-        const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : "driver";
+        const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : tr("driver");
         const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;
         if (ImGui::Selectable((name + "   " + type).c_str(), chosen)) {
             (is_joint ? ui.state.experiment_joint : ui.state.experiment_driver) = addition.index;
@@ -104,7 +111,7 @@ void repeated_equations(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
     if (report.redundant_rows.empty()) { return; }
     const System& system = *ui.session.step().system;
-    section(ui, "Equations that repeat each other");
+    section(ui, tr("Equations that repeat each other"));
     const std::vector<std::string>& combinations = ui.session.view().rank.combinations;
     for (std::size_t k = 0; k < combinations.size(); ++k) {
         note(ui, combinations[k]);
@@ -115,14 +122,14 @@ void repeated_equations(const LessonUi& ui) {
         for (const RedundantRow::Term& term : repeated.terms) { ui.requests.lit_rows.push_back(term.row); }
     }
     note(
-        ui, report.redundant() == 1 ? "Taking out any one of these restores full row rank:"
-                                    : "Taking out any one of these leaves the rank as it is:");
+        ui, report.redundant() == 1 ? tr("Taking out any one of these restores full row rank:")
+                                    : tr("Taking out any one of these leaves the rank as it is:"));
     for (const int row : removable_rows(report)) {
         ImGui::PushID(row);
         const RowOrigin origin = system.origin(row);
         if (origin.kind == RowOrigin::Kind::constraint) {
             const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-            if (ImGui::SmallButton("take out")) {
+            if (ImGui::SmallButton(tr("take out"))) {
                 ui.requests.add(SetEquationPresent{c.joint, {c.role, origin.component}, false});
             }
             ImGui::SameLine();
@@ -135,13 +142,13 @@ void repeated_equations(const LessonUi& ui) {
 
 void freedoms(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
-    section(ui, "Freedoms");
-    if (report.free_motions.empty()) { return note(ui, "Nothing can move: every direction is held."); }
+    section(ui, tr("Freedoms"));
+    if (report.free_motions.empty()) { return note(ui, tr("Nothing can move: every direction is held.")); }
     const System& system = *ui.session.step().system;
     for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
         const bool plays = ui.state.playback.freedom() == static_cast<int>(k);
-        if (toggle_button(ui, plays ? "Stop" : "Move", plays, ui.px(52.0F))) {
+        if (toggle_button(ui, plays ? tr("Stop") : tr("Move"), plays, ui.px(52.0F))) {
             if (plays) {
                 ui.requests.add(Command::let_go);
             } else {
@@ -153,8 +160,8 @@ void freedoms(const LessonUi& ui) {
         if (plays) {
             if (const auto finite = ui.session.shown_freedom_is_finite()) {
                 note(
-                    ui, *finite ? "It goes on: a finite motion."
-                                : "It cannot be followed: the equations allow it for an instant only.");
+                    ui, *finite ? tr("It goes on: a finite motion.")
+                                : tr("It cannot be followed: the equations allow it for an instant only."));
             }
         }
         ImGui::PopID();
@@ -165,10 +172,10 @@ void freedoms(const LessonUi& ui) {
 void trials(const LessonUi& ui) {
     const std::vector<Trial>& proposed = ui.session.lesson().trials;
     if (proposed.empty()) { return; }
-    section(ui, "Proposed");
+    section(ui, tr("Proposed"));
     for (std::size_t k = 0; k < proposed.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
-        if (ImGui::SmallButton(proposed[k].breaks ? "Break" : "Try")) {
+        if (ImGui::SmallButton(proposed[k].breaks ? tr("Break") : tr("Try"))) {
             ui.requests.trial = static_cast<int>(k);
         }
         if (ImGui::IsItemHovered()) {

@@ -8,6 +8,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/plot/newton_comparison.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {
@@ -40,10 +41,10 @@ float room_for_choice(const Ui& ui) {
 
 void choose_method(float width, NewtonMethod& method) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##method", label_of(kNewtonMethods, method))) { return; }
+    if (!ImGui::BeginCombo("##method", tr(label_of(kNewtonMethods, method)))) { return; }
     const NewtonMethod before = method;
     for (const auto& [value, word, label] : kNewtonMethods) {
-        if (ImGui::Selectable(label, value == before)) { method = value; }
+        if (ImGui::Selectable(tr(label), value == before)) { method = value; }
     }
     ImGui::EndCombo();
 }
@@ -55,19 +56,21 @@ void NewtonTab::controls(const LessonUi& ui) {
         choice_of_ = ui.session.told();
         choice_ = ui.session.lesson().coordinates;
     }
-    if (ImGui::RadioButton("methods, in", compared_ == Compared::methods)) { compared_ = Compared::methods; }
+    if (ImGui::RadioButton(tr("methods, in"), compared_ == Compared::methods)) {
+        compared_ = Compared::methods;
+    }
     ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::methods);
     choose_coordinates("##choice", room_for_choice(ui), choice_);
     ImGui::EndDisabled();
-    if (ImGui::RadioButton("coordinates, by", compared_ == Compared::coordinates)) {
+    if (ImGui::RadioButton(tr("coordinates, by"), compared_ == Compared::coordinates)) {
         compared_ = Compared::coordinates;
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::coordinates);
     choose_method(room_for_choice(ui), method_);
     ImGui::EndDisabled();
-    ImGui::Checkbox("rows pᵀp − 1 of the (r, p) choices", &normalisation_);
+    ImGui::Checkbox(tr("rows pᵀp − 1 of the (r, p) choices"), &normalisation_);
 }
 
 void NewtonTab::compute(const Session& session, int start) {
@@ -94,7 +97,7 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     const int start = start_of_solve(ui.session);
     if (start < 0) {
         forget_ghosts();
-        return note(ui, "Nothing is solved: the lesson adds neither joints nor drivers.");
+        return note(ui, tr("Nothing is solved: the lesson adds neither joints nor drivers."));
     }
     const Step& from = ui.session.story().steps()[static_cast<std::size_t>(start)];
     const Addition subject = *subject_of(ui.session.lesson(), from);
@@ -102,15 +105,15 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     const Mechanism& mechanism = ui.session.lesson().mechanism;
     const std::string name =
         subject.kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
-    section(ui, ("Closing " + name + " from the same start, compared").c_str());
+    section(ui, tr("Closing {0} from the same start, compared", name).c_str());
     controls(ui);
     compute(ui.session, start);
     if (ghosts_.empty()) { choose(chosen_); }
 
-    ImGui::TextUnformatted("Iterates in the picture:");
+    ImGui::TextUnformatted(tr("Iterates in the picture:"));
     for (int run = 0; run < static_cast<int>(runs_.comparison.rows.size()); ++run) {
         const auto way = static_cast<std::size_t>(run);
-        const char* const text = key_.plan.by_method ? kNewtonMethods[way].label : kChoices[way].label;
+        const char* const text = tr(key_.plan.by_method ? kNewtonMethods[way].label : kChoices[way].label);
         if (run > 0) { beside_if_it_fits(text, ui.px(228.0F)); }
         if (ImGui::RadioButton(text, chosen_ == run)) { choose(run); }
     }
@@ -120,8 +123,8 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     if (!iterates) {
         return note(
             ui,
-            "It is already closed at the start estimate: there is nothing to iterate. Pull a body "
-            "away at the step before and come back.");
+            tr("It is already closed at the start estimate: there is nothing to iterate. Pull a body away at "
+               "the step before and come back."));
     }
     // in a low window it is scrolled to
     const float height = std::max(ui.px(kLeastHeight), box.bottom() - top - ui.px(10.0F));

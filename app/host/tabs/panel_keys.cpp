@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/host/tabs/tabs.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -20,7 +21,7 @@ std::string use_panel_keys(UiState& state, bool on) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     if (state.tab == Tab::step) { state.tab = Tab::experiments; }
     ImGui::SetWindowFocus(area_of(state.tab));
-    return "The arrows move in the panel, Space presses, Enter types a number; Escape returns.";
+    return tr("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
 }
 
 bool act_in_panel(const InputEvent& event, UiState& state) {

@@ -8,6 +8,7 @@
 #include "app/host/tabs/experiment_tab.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -50,7 +51,7 @@ const SeriesSet& PlotTab::set(const Session& session, int joint) {
 std::string PlotTab::csv(const Session& session) { return csv_of(set(session, joint_)); }
 
 void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
-    if (ImGui::Button("Curves")) { ImGui::OpenPopup("curves"); }
+    if (ImGui::Button(tr("Curves"))) { ImGui::OpenPopup("curves"); }
     if (!ImGui::BeginPopup("curves")) { return; }
     std::vector<int> chosen = panels::shown_series(shown, state());
     for (std::size_t k = 0; k < shown.series.size(); ++k) {
@@ -76,20 +77,20 @@ void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
 
 void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float buttons = ImGui::CalcTextSize("CurvesAllCSV").x + 6.0F * style.FramePadding.x +
-                          3.0F * style.ItemSpacing.x + 1.0F;
+    const float buttons = ImGui::CalcTextSize((tr("Curves") + std::string(tr("All")) + "CSV").c_str()).x +
+                          6.0F * style.FramePadding.x + 3.0F * style.ItemSpacing.x + 1.0F;
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
-    if (const Topic now = topic_; ImGui::BeginCombo("##topic", label_of(kTopics, now))) {
+    if (const Topic now = topic_; ImGui::BeginCombo("##topic", tr(label_of(kTopics, now)))) {
         for (const auto& [topic, word, label] : kTopics) {
-            if (ImGui::Selectable(label, topic == now)) { topic_ = topic; }
+            if (ImGui::Selectable(tr(label), topic == now)) { topic_ = topic; }
         }
         ImGui::EndCombo();
     }
     ImGui::SameLine();
     choose_curves(ui, shown);
     ImGui::SameLine();
-    if (ImGui::Button("All")) { state() = panels::unzoomed(state()); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("everything in sight again"); }
+    if (ImGui::Button(tr("All"))) { state() = panels::unzoomed(state()); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip(tr("everything in sight again")); }
     ImGui::SameLine();
     command_button(ui, Command::save_csv, "CSV");
 }

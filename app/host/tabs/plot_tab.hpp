@@ -22,10 +22,10 @@ public:
 private:
     enum class Topic { quantities, residuals, singular_values, conditions };
     static constexpr std::array kTopics{
-        EnumWord<Topic>{Topic::quantities, "quantities", "Quantities over time"},
-        EnumWord<Topic>{Topic::residuals, "residuals", "‖Φ‖ over all iterations"},
-        EnumWord<Topic>{Topic::singular_values, "singular-values", "Singular values over time"},
-        EnumWord<Topic>{Topic::conditions, "conditions", "Condition of the pairs over time"}};
+        EnumWord<Topic>{Topic::quantities, "quantities", tr_later("Quantities over time")},
+        EnumWord<Topic>{Topic::residuals, "residuals", tr_later("‖Φ‖ over all iterations")},
+        EnumWord<Topic>{Topic::singular_values, "singular-values", tr_later("Singular values over time")},
+        EnumWord<Topic>{Topic::conditions, "conditions", tr_later("Condition of the pairs over time")}};
 
     const SeriesSet& set(const Session& session, int joint);
     void controls(const LessonUi& ui, const SeriesSet& shown);

@@ -4,6 +4,7 @@
 
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/plot/price_panel.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::host {
@@ -16,11 +17,12 @@ using panels::Point;
 /// Why this lesson cannot be measured; empty if it can.
 std::string why_not(const Lesson& lesson) {
     if (!lesson.dynamics) {
-        return "This lesson has no masses: nothing is integrated, so no digit of it has a price. The lessons "
-               "of dynamics have one, dynamics/andrews for example.";
+        return tr(
+            "This lesson has no masses: nothing is integrated, so no digit of it has a price. The lessons of "
+            "dynamics have one, dynamics/andrews for example.");
     }
     if (!lesson.dynamics->point) {
-        return "Errors are those of one point's path: name it as 'point' in [dynamics] of the lesson.";
+        return tr("Errors are those of one point's path: name it as 'point' in [dynamics] of the lesson.");
     }
     return {};
 }
@@ -52,20 +54,20 @@ void PriceTab::look_at_news() {
 
 void PriceTab::controls(const LessonUi& ui) {
     if (is_measuring()) {
-        if (ImGui::Button("Stop")) {
+        if (ImGui::Button(tr("Stop"))) {
             job_.reset();
             news_.done = true;
         }
     } else {
-        if (ImGui::Button("Measure")) { begin(ui.session); }
+        if (ImGui::Button(tr("Measure"))) { begin(ui.session); }
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("a sweep of tolerances with every method; takes some seconds");
+            ImGui::SetTooltip(tr("a sweep of tolerances with every method; takes some seconds"));
         }
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(is_measuring());
     ImGui::SetNextItemWidth(ui.px(150.0F));
-    if (ImGui::BeginCombo("constraints", std::string(entry_of(treatment_).name).c_str())) {
+    if (ImGui::BeginCombo(tr("constraints"), std::string(entry_of(treatment_).name).c_str())) {
         for (const TreatmentName& entry : kTreatments) {
             // implicit methods only, and they take it for projection already
             if (entry.treatment == Treatment::tangent) { continue; }
@@ -85,23 +87,25 @@ void PriceTab::draw(const LessonUi& ui, const Box& box) {
         forget();
     }
     const std::string unfit = why_not(ui.session.lesson());
-    section(ui, "What a digit costs");
+    section(ui, tr("What a digit costs"));
     if (!unfit.empty()) { return note(ui, unfit); }
     controls(ui);
     look_at_news();
     if (!news_.failure.empty()) { return note(ui, news_.failure); }
     if (!job_ && !prices_) {
         return note(
-            ui,
-            "Every adaptive method integrates this lesson with tolerances from 3e-2 to 1e-13; the error is "
-            "that of the lesson's point at 100 times. A method that is fast at three digits need not be at "
-            "nine.");
+            ui, tr("Every adaptive method integrates this lesson with tolerances from 3e-2 to 1e-13; the "
+                   "error is "
+                   "that of the lesson's point at 100 times. A method that is fast at three digits need not "
+                   "be at "
+                   "nine."));
     }
-    if (!news_.origin.empty()) { note(ui, "Compared with: " + news_.origin); }
+    if (!news_.origin.empty()) { note(ui, tr("Compared with: {0}", news_.origin)); }
     const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
     const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
-    std::string progress = news_.origin.empty() ? "computing the reference …" : "measuring …";
-    if (news_.done) { progress = "CPU time on this machine"; }
+    std::string progress =
+        tr(news_.origin.empty() ? tr_later("computing the reference …") : tr_later("measuring …"));
+    if (news_.done) { progress = tr("CPU time on this machine"); }
     const panels::ComparisonLayout layout =
         panels::price_panel(ui.canvas, place, prices_.value_or(Prices{}), progress, plot_);
     plot_.hovered = -1;

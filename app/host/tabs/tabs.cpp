@@ -8,6 +8,7 @@
 #include "app/panels/column/column.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -42,7 +43,7 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
         const bool hovered = ImGui::IsItemHovered();
         if (hovered) {
             const CommandInfo& info = info_of(command_of(tab));
-            ImGui::SetTooltip("%s  (%s)", info.text, info.keys);
+            ImGui::SetTooltip("%s  (%s)", tr(info.text), tr(info.keys));
         }
         ImGui::PopID();
         if (chosen) {
@@ -52,8 +53,8 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
         const ImFont* const font = chosen ? canvas.fonts().bold : canvas.fonts().normal;
         const float y = box.centre().y - 0.5F * canvas.line_height(font);
         canvas.text(
-            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft, label_of(kTabs, tab),
-            panels::Align::centre);
+            {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft,
+            tr(label_of(kTabs, tab)), panels::Align::centre);
     }
     canvas.fill({strip.x, strip.y, panels::hairline(canvas), strip.height}, theme::kLine);
 }

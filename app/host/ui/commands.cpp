@@ -3,73 +3,95 @@
 #include <algorithm>
 #include <array>
 
+#include "app/session/wording/messages.hpp"
+
 namespace jw::host {
 
 namespace {
 
 constexpr std::array kCommands{
-    CommandInfo{Command::next, Group::timeline, "Next step", "Right, n", Key::right, 'n'},
-    CommandInfo{Command::back, Group::timeline, "Step back", "Left, b", Key::left, 'b'},
-    CommandInfo{Command::play, Group::timeline, "Play or pause", "Space", Key::space},
-    CommandInfo{Command::play_motion, Group::timeline, "Play the motion only", "M", Key::none, 'M'},
-    CommandInfo{Command::next_joint, Group::timeline, "Next joint or driver", "Page down", Key::page_down},
-    CommandInfo{Command::previous_joint, Group::timeline, "Joint or driver before", "Page up", Key::page_up},
-    CommandInfo{Command::first, Group::timeline, "First step (restart)", "Home", Key::home},
-    CommandInfo{Command::last, Group::timeline, "Last step", "End", Key::end},
-    CommandInfo{Command::answer, Group::timeline, "Answer the question", "a", Key::none, 'a'},
-    CommandInfo{Command::faster, Group::timeline, "Faster", ".", Key::none, '.'},
-    CommandInfo{Command::slower, Group::timeline, "Slower", ",", Key::none, ','},
-
-    CommandInfo{Command::tab_step, Group::panels, "This step: equations, Φq, rank", "1", Key::none, '1'},
-    CommandInfo{Command::tab_experiments, Group::panels, "Try it: change the lesson", "2", Key::none, '2'},
-    CommandInfo{Command::tab_plot, Group::panels, "Plots", "3", Key::none, '3'},
-    CommandInfo{Command::tab_newton, Group::panels, "Newton-Raphson, compared", "4", Key::none, '4'},
-    CommandInfo{Command::tab_price, Group::panels, "Price: what a digit costs", "5", Key::none, '5'},
-    CommandInfo{Command::next_tab, Group::panels, "Next of these", "Tab", Key::tab},
-    CommandInfo{Command::panel_keys, Group::panels, "Arrows move in the panel", "w", Key::none, 'w'},
-    CommandInfo{Command::panel_down, Group::panels, "Scroll the panel down", "]", Key::none, ']'},
-    CommandInfo{Command::panel_up, Group::panels, "Scroll the panel up", "[", Key::none, '['},
-    CommandInfo{Command::text_down, Group::panels, "Scroll the text down", "}", Key::none, '}'},
-    CommandInfo{Command::text_up, Group::panels, "Scroll the text up", "{", Key::none, '{'},
-
-    CommandInfo{Command::undo, Group::experiments, "Undo", "Ctrl+Z, u", Key::none, 'u', Key::z},
-    CommandInfo{Command::redo, Group::experiments, "Do again", "Ctrl+Y, U", Key::none, 'U', Key::y},
-    CommandInfo{Command::start_over, Group::experiments, "The lesson as it was written", "0", Key::none, '0'},
+    CommandInfo{Command::next, Group::timeline, tr_later("Next step"), tr_later("Right, n"), Key::right, 'n'},
+    CommandInfo{Command::back, Group::timeline, tr_later("Step back"), tr_later("Left, b"), Key::left, 'b'},
+    CommandInfo{Command::play, Group::timeline, tr_later("Play or pause"), tr_later("Space"), Key::space},
+    CommandInfo{Command::play_motion, Group::timeline, tr_later("Play the motion only"), "M", Key::none, 'M'},
     CommandInfo{
-        Command::play_freedom, Group::experiments, "Move along the next free motion", "m", Key::none, 'm'},
-    CommandInfo{Command::let_go, Group::experiments, "Back to the step", "Escape", Key::escape},
-
-    CommandInfo{Command::fit, Group::picture, "Fit the picture", "f", Key::none, 'f'},
-    CommandInfo{Command::view_front, Group::picture, "From the front", "y", Key::none, 'y'},
-    CommandInfo{Command::view_back, Group::picture, "From behind", "Y", Key::none, 'Y'},
-    CommandInfo{Command::view_right, Group::picture, "From the right", "x", Key::none, 'x'},
-    CommandInfo{Command::view_left, Group::picture, "From the left", "X", Key::none, 'X'},
-    CommandInfo{Command::view_top, Group::picture, "From above", "z", Key::none, 'z'},
-    CommandInfo{Command::view_bottom, Group::picture, "From below", "Z", Key::none, 'Z'},
-    CommandInfo{Command::view_free, Group::picture, "Three-quarter view", "v", Key::none, 'v'},
-    CommandInfo{Command::turn_left, Group::picture, "Turn to the left", "h", Key::none, 'h'},
-    CommandInfo{Command::turn_right, Group::picture, "Turn to the right", "l", Key::none, 'l'},
-    CommandInfo{Command::turn_up, Group::picture, "Turn up", "k, Up", Key::up, 'k'},
-    CommandInfo{Command::turn_down, Group::picture, "Turn down", "j, Down", Key::down, 'j'},
-    CommandInfo{Command::zoom_in, Group::picture, "Nearer", "i", Key::none, 'i'},
-    CommandInfo{Command::zoom_out, Group::picture, "Farther", "o", Key::none, 'o'},
-    CommandInfo{Command::dark, Group::picture, "Light or dark", "d", Key::none, 'd'},
-    CommandInfo{Command::larger_text, Group::picture, "Larger text", "+", Key::none, '+'},
-    CommandInfo{Command::smaller_text, Group::picture, "Smaller text", "-", Key::none, '-'},
-
-    CommandInfo{Command::lessons, Group::files, "Lessons", "Ctrl+O, g", Key::none, 'g', Key::o},
-    CommandInfo{Command::reload, Group::files, "Read the file again", "F5", Key::f5},
-    CommandInfo{Command::save_picture, Group::files, "Save a picture", "p", Key::none, 'p'},
-    CommandInfo{Command::record, Group::files, "Record from here as pictures", "R", Key::none, 'R'},
+        Command::next_joint, Group::timeline, tr_later("Next joint or driver"), tr_later("Page down"),
+        Key::page_down},
     CommandInfo{
-        Command::save_lesson, Group::files, "Save what you see as a lesson", "Ctrl+S, s", Key::none, 's',
-        Key::s},
-    CommandInfo{Command::copy_equation, Group::files, "Copy the equations as LaTeX", "e", Key::none, 'e'},
-    CommandInfo{Command::copy_matrix, Group::files, "Copy the matrix as LaTeX", "c", Key::none, 'c'},
-    CommandInfo{Command::copy_matrix_csv, Group::files, "Copy the matrix as CSV", "C", Key::none, 'C'},
-    CommandInfo{Command::save_csv, Group::files, "Save the plot's numbers as CSV", "E", Key::none, 'E'},
-    CommandInfo{Command::help, Group::files, "Keys", "?, F1", Key::f1, '?'},
-    CommandInfo{Command::quit, Group::files, "Close", "Ctrl+Q", Key::none, 0, Key::q},
+        Command::previous_joint, Group::timeline, tr_later("Joint or driver before"), tr_later("Page up"),
+        Key::page_up},
+    CommandInfo{
+        Command::first, Group::timeline, tr_later("First step (restart)"), tr_later("Home"), Key::home},
+    CommandInfo{Command::last, Group::timeline, tr_later("Last step"), tr_later("End"), Key::end},
+    CommandInfo{Command::answer, Group::timeline, tr_later("Answer the question"), "a", Key::none, 'a'},
+    CommandInfo{Command::faster, Group::timeline, tr_later("Faster"), ".", Key::none, '.'},
+    CommandInfo{Command::slower, Group::timeline, tr_later("Slower"), ",", Key::none, ','},
+
+    CommandInfo{
+        Command::tab_step, Group::panels, tr_later("This step: equations, Φq, rank"), "1", Key::none, '1'},
+    CommandInfo{
+        Command::tab_experiments, Group::panels, tr_later("Try it: change the lesson"), "2", Key::none, '2'},
+    CommandInfo{Command::tab_plot, Group::panels, tr_later("Plots"), "3", Key::none, '3'},
+    CommandInfo{
+        Command::tab_newton, Group::panels, tr_later("Newton-Raphson, compared"), "4", Key::none, '4'},
+    CommandInfo{
+        Command::tab_price, Group::panels, tr_later("Price: what a digit costs"), "5", Key::none, '5'},
+    CommandInfo{Command::next_tab, Group::panels, tr_later("Next of these"), tr_later("Tab"), Key::tab},
+    CommandInfo{
+        Command::panel_keys, Group::panels, tr_later("Arrows move in the panel"), "w", Key::none, 'w'},
+    CommandInfo{Command::panel_down, Group::panels, tr_later("Scroll the panel down"), "]", Key::none, ']'},
+    CommandInfo{Command::panel_up, Group::panels, tr_later("Scroll the panel up"), "[", Key::none, '['},
+    CommandInfo{Command::text_down, Group::panels, tr_later("Scroll the text down"), "}", Key::none, '}'},
+    CommandInfo{Command::text_up, Group::panels, tr_later("Scroll the text up"), "{", Key::none, '{'},
+
+    CommandInfo{Command::undo, Group::experiments, tr_later("Undo"), "Ctrl+Z, u", Key::none, 'u', Key::z},
+    CommandInfo{Command::redo, Group::experiments, tr_later("Do again"), "Ctrl+Y, U", Key::none, 'U', Key::y},
+    CommandInfo{
+        Command::start_over, Group::experiments, tr_later("The lesson as it was written"), "0", Key::none,
+        '0'},
+    CommandInfo{
+        Command::play_freedom, Group::experiments, tr_later("Move along the next free motion"), "m",
+        Key::none, 'm'},
+    CommandInfo{
+        Command::let_go, Group::experiments, tr_later("Back to the step"), tr_later("Escape"), Key::escape},
+
+    CommandInfo{Command::fit, Group::picture, tr_later("Fit the picture"), "f", Key::none, 'f'},
+    CommandInfo{Command::view_front, Group::picture, tr_later("From the front"), "y", Key::none, 'y'},
+    CommandInfo{Command::view_back, Group::picture, tr_later("From behind"), "Y", Key::none, 'Y'},
+    CommandInfo{Command::view_right, Group::picture, tr_later("From the right"), "x", Key::none, 'x'},
+    CommandInfo{Command::view_left, Group::picture, tr_later("From the left"), "X", Key::none, 'X'},
+    CommandInfo{Command::view_top, Group::picture, tr_later("From above"), "z", Key::none, 'z'},
+    CommandInfo{Command::view_bottom, Group::picture, tr_later("From below"), "Z", Key::none, 'Z'},
+    CommandInfo{Command::view_free, Group::picture, tr_later("Three-quarter view"), "v", Key::none, 'v'},
+    CommandInfo{Command::turn_left, Group::picture, tr_later("Turn to the left"), "h", Key::none, 'h'},
+    CommandInfo{Command::turn_right, Group::picture, tr_later("Turn to the right"), "l", Key::none, 'l'},
+    CommandInfo{Command::turn_up, Group::picture, tr_later("Turn up"), tr_later("k, Up"), Key::up, 'k'},
+    CommandInfo{
+        Command::turn_down, Group::picture, tr_later("Turn down"), tr_later("j, Down"), Key::down, 'j'},
+    CommandInfo{Command::zoom_in, Group::picture, tr_later("Nearer"), "i", Key::none, 'i'},
+    CommandInfo{Command::zoom_out, Group::picture, tr_later("Farther"), "o", Key::none, 'o'},
+    CommandInfo{Command::dark, Group::picture, tr_later("Light or dark"), "d", Key::none, 'd'},
+    CommandInfo{Command::larger_text, Group::picture, tr_later("Larger text"), "+", Key::none, '+'},
+    CommandInfo{Command::smaller_text, Group::picture, tr_later("Smaller text"), "-", Key::none, '-'},
+    CommandInfo{Command::language, Group::picture, tr_later("Next language"), "t", Key::none, 't'},
+
+    CommandInfo{Command::lessons, Group::files, tr_later("Lessons"), "Ctrl+O, g", Key::none, 'g', Key::o},
+    CommandInfo{Command::reload, Group::files, tr_later("Read the file again"), "F5", Key::f5},
+    CommandInfo{Command::save_picture, Group::files, tr_later("Save a picture"), "p", Key::none, 'p'},
+    CommandInfo{Command::record, Group::files, tr_later("Record from here as pictures"), "R", Key::none, 'R'},
+    CommandInfo{
+        Command::save_lesson, Group::files, tr_later("Save what you see as a lesson"), "Ctrl+S, s", Key::none,
+        's', Key::s},
+    CommandInfo{
+        Command::copy_equation, Group::files, tr_later("Copy the equations as LaTeX"), "e", Key::none, 'e'},
+    CommandInfo{
+        Command::copy_matrix, Group::files, tr_later("Copy the matrix as LaTeX"), "c", Key::none, 'c'},
+    CommandInfo{
+        Command::copy_matrix_csv, Group::files, tr_later("Copy the matrix as CSV"), "C", Key::none, 'C'},
+    CommandInfo{
+        Command::save_csv, Group::files, tr_later("Save the plot's numbers as CSV"), "E", Key::none, 'E'},
+    CommandInfo{Command::help, Group::files, tr_later("Keys"), "?, F1", Key::f1, '?'},
+    CommandInfo{Command::quit, Group::files, tr_later("Close"), "Ctrl+Q", Key::none, 0, Key::q},
 };
 static_assert(kCommands.size() == static_cast<std::size_t>(Command::quit) + 1, "a command without an entry");
 
@@ -83,13 +105,13 @@ const CommandInfo& info_of(Command command) {
 
 const char* name_of(Group group) {
     switch (group) {
-        case Group::timeline: return "Steps";
-        case Group::panels: return "Beside the picture";
-        case Group::experiments: return "Experiments";
-        case Group::picture: return "Picture";
+        case Group::timeline: return tr("Steps");
+        case Group::panels: return tr("Beside the picture");
+        case Group::experiments: return tr("Experiments");
+        case Group::picture: return tr("Picture");
         case Group::files: break;
     }
-    return "Lessons and files";
+    return tr("Lessons and files");
 }
 
 const CommandInfo* command_for(const InputEvent& event, const Modifiers& modifiers) {

@@ -58,6 +58,7 @@ enum class Command {
     dark,
     larger_text,
     smaller_text,
+    language,
     // lessons and files
     lessons,
     reload,
@@ -77,7 +78,7 @@ enum class Group { timeline, panels, experiments, picture, files };
 struct CommandInfo {
     Command command;
     Group group;
-    const char* text;      ///< in menus and the list of keys
+    const char* text;      ///< in menus and the list of keys; shown by tr, as the keys
     const char* keys;      ///< as people read them: "Right, n"
     Key key = Key::none;   ///< without Ctrl
     char character = 0;    ///< typed, whatever the layout of the keyboard

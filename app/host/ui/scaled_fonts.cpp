@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/session/wording/messages.hpp"
+
 namespace jw::host {
 
 namespace {
@@ -31,7 +33,7 @@ std::string ScaledFonts::load(float scale) {
         fonts_ = render::load_fonts(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()));
     } catch (const std::runtime_error& error) {
         if (version_ == 0) { throw; }
-        return std::string("The text size stays as it is: ") + error.what();
+        return tr("The text size stays as it is: {0}", error.what());
     }
     ++version_;
     return {};

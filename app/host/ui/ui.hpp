@@ -18,9 +18,11 @@ namespace jw::host {
 
 enum class Tab { step, experiments, plot, newton, price };
 inline constexpr std::array kTabs{
-    EnumWord<Tab>{Tab::step, "step", "Step"}, EnumWord<Tab>{Tab::experiments, "try", "Try it"},
-    EnumWord<Tab>{Tab::plot, "plots", "Plots"}, EnumWord<Tab>{Tab::newton, "newton", "Newton"},
-    EnumWord<Tab>{Tab::price, "price", "Price"}};
+    EnumWord<Tab>{Tab::step, "step", tr_later("Step")},
+    EnumWord<Tab>{Tab::experiments, "try", tr_later("Try it")},
+    EnumWord<Tab>{Tab::plot, "plots", tr_later("Plots")},
+    EnumWord<Tab>{Tab::newton, "newton", tr_later("Newton")},
+    EnumWord<Tab>{Tab::price, "price", tr_later("Price")}};
 
 /// How far a part of the window is scrolled.
 struct Scroll {

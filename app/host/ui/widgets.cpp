@@ -7,6 +7,7 @@
 
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::host {
@@ -85,7 +86,7 @@ void command_button(const Ui& ui, Command command, const char* label, float widt
     ImGui::PushID(static_cast<int>(command));
     if (ImGui::Button(label, {width, 0.0F})) { ui.requests.add(command); }
     ImGui::PopID();
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s  (%s)", info.text, info.keys); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s  (%s)", tr(info.text), tr(info.keys)); }
 }
 
 bool toggle_button(const Ui& ui, const char* label, bool on, float width) {
@@ -136,10 +137,10 @@ void beside_if_it_fits(const char* label, float step) {
 
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo(id, label_of(kChoices, choice))) { return false; }
+    if (!ImGui::BeginCombo(id, tr(label_of(kChoices, choice)))) { return false; }
     const CoordinateChoice before = choice;
     for (const auto& [value, word, label] : kChoices) {
-        if (ImGui::Selectable(label, value == before)) { choice = value; }
+        if (ImGui::Selectable(tr(label), value == before)) { choice = value; }
     }
     ImGui::EndCombo();
     return choice != before;

@@ -5,6 +5,7 @@
 #include "app/panels/column/equations_panel.hpp"
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -43,7 +44,7 @@ void draw_size(const Canvas& canvas, const Box& cell, int component, double size
 void draw_condition(const Canvas& canvas, const Box& cell, int component, double condition, bool dropped) {
     const ImFont* const small = canvas.fonts().small;
     const std::string value = "κ = " + (condition > kInfinite ? std::string("∞") : number_text(condition, 3));
-    const std::string whole = std::string("without ") + kAxisNames[component] + ": " + value;
+    const std::string whole = tr("without {0}: {1}", kAxisNames[component], value);
     const bool fits = canvas.text_width(small, whole) < cell.width - canvas.px(6.0F);
     canvas.text({cell.x, cell.y}, small, dropped ? theme::kInk : theme::kSoft, fits ? whole : value);
 }

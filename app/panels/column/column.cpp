@@ -14,6 +14,7 @@
 #include "app/panels/column/rank_panel.hpp"
 #include "app/panels/column/small_plots.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::panels {
 
@@ -106,7 +107,7 @@ Block warnings_block(const View& view) {
 Block singular_values_block(const Canvas& canvas, const View& view) {
     if (view.rank.singular_values.empty()) { return empty_block(); }
     return plot_block(
-        canvas, 170.0F, "Singular values", "of Φq in (r, ω′)",
+        canvas, 170.0F, tr("Singular values"), tr("of Φq in (r, ω′)"),
         [&view](const Canvas& c, const Box& box) { singular_values_plot(c, box, view.rank); });
 }
 
@@ -119,14 +120,14 @@ Block newton_block(const View& view) {
 Block convergence_block(const Canvas& canvas, const View& view) {
     if (view.newton.empty()) { return empty_block(); }
     return plot_block(
-        canvas, 160.0F, "‖Φ‖", "from iteration to iteration",
+        canvas, 160.0F, "‖Φ‖", tr("from iteration to iteration"),
         [&view](const Canvas& c, const Box& box) { convergence_plot(c, box, view.newton); });
 }
 
 Block failure_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density density) {
         const char* const title =
-            view.kind == Step::Kind::motion ? "The motion ends here" : "It cannot be closed";
+            view.kind == Step::Kind::motion ? tr("The motion ends here") : tr("It cannot be closed");
         return failure_panel(c, box, title, view.failure, density);
     }};
 }

@@ -12,6 +12,7 @@
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -103,7 +104,7 @@ void name_caps(const SphereView& view, Labels& labels) {
         const Vec3 pole = (view.faces(Vec3::Unit(k)) ? 1.0 : -1.0) * Vec3::Unit(k);
         if (pole.dot(view.towards) < kNearRim) { continue; }
         const Vec3 below = (pole - 0.28 * view.up).normalized();
-        labels.try_text(view.pixel(below), theme::kInk, std::string("drop ") + axis_name(k));
+        labels.try_text(view.pixel(below), theme::kInk, tr("drop {0}", axis_name(k)));
     }
     Vec3 corner = Vec3::Ones() / std::numbers::sqrt3;
     for (int k = 0; k < 3; ++k) { corner(k) = std::copysign(corner(k), view.towards(k)); }
@@ -213,7 +214,8 @@ void draw_present(
     }
     const Formula name = layout_formula("\\mathbf{s}_i", formula_fonts(canvas.fonts()));
     const ImFont* const bold = canvas.fonts().bold;
-    const std::string value = fixed_text(quality_now(sphere), 2) + (front ? "" : " (behind)");
+    const std::string value =
+        front ? fixed_text(quality_now(sphere), 2) : tr("{0} (behind)", fixed_text(quality_now(sphere), 2));
     const float line = canvas.line_height(bold);
     const float gap = canvas.px(5.0F);
     const float width = name.width + gap + canvas.text_width(bold, value);
@@ -319,25 +321,29 @@ std::optional<Vec3> SphereView::direction(Point pixel) const {
 }
 
 std::string sphere_words(const DirectionSphere& sphere) {
-    std::string words =
-        "Each point is a direction of sᵢ; its value is the smallest singular value of the two rows in use. ";
+    std::string words = tr(
+        "Each point is a direction of sᵢ; its value is the smallest singular value of the two rows in use.");
     if (sphere.pair == PairInUse::rule) {
-        words += "The rule drops the largest component, so the value is never below 1/√3 = 0.577.";
+        words = followed(
+            words, tr("The rule drops the largest component, so the value is never below 1/√3 = 0.577."));
     } else {
-        const std::string name = axis_name(static_cast<int>(sphere.pair) - 1);
-        words += "With the " + name + " equation left out it is the size of the " + name +
-                 " component: 1 along " + name +
-                 ", and 0 on the thick circle, where the two rows say the same.";
+        words = followed(
+            words,
+            tr("With the {0} equation left out it is the size of the {0} component: 1 along {0}, and 0 "
+               "on the thick circle, where the two rows say the same.",
+               axis_name(static_cast<int>(sphere.pair) - 1)));
     }
     if (!sphere.axis) { return words; }
     const double quality = quality_now(sphere);
     const std::string name = axis_name(dropped_now(sphere));
-    words += " Now sᵢ = " + vector_text(*sphere.axis, 2) + ", " + name + " is left out: value " +
-             number_text(quality, 3) + ", condition " +
-             // a unit vector has no component that is smaller but not zero to its rounding
-             (quality > 1e-15 ? number_text(1.0 / quality, 3) : "∞") + ".";
+    // a unit vector has no component that is smaller but not zero to its rounding
+    const std::string condition = quality > 1e-15 ? number_text(1.0 / quality, 3) : "∞";
+    words = followed(
+        words, tr("Now sᵢ = {0}, {1} is left out: value {2}, condition {3}.", vector_text(*sphere.axis, 2),
+                  name, number_text(quality, 3), condition));
     if (sphere.pair == PairInUse::rule && quality < pair_quality(PairInUse::rule, *sphere.axis) - 1e-9) {
-        words += " The earlier choice is kept: another one would be better, but not by much.";
+        words =
+            followed(words, tr("The earlier choice is kept: another one would be better, but not by much."));
     }
     return words;
 }

@@ -10,6 +10,7 @@
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -45,11 +46,12 @@ struct Heading {
     float end;  ///< of the column, in parts of the width
 };
 constexpr std::array kOneTable{
-    Heading{"m", "kg", 0.12F}, Heading{R"(\mathbf{J}')", "xx, yy, zz in kg m²", 0.42F},
+    Heading{"m", "kg", 0.12F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 0.42F},
     Heading{R"(\mathbf{f})", "N", 0.71F},
     Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
 /// The same in two tables, one below the other: large text in a narrow column.
-constexpr std::array kOfM{Heading{"m", "kg", 0.25F}, Heading{R"(\mathbf{J}')", "xx, yy, zz in kg m²", 1.0F}};
+constexpr std::array kOfM{
+    Heading{"m", "kg", 0.25F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 1.0F}};
 constexpr std::array kOfQ{
     Heading{R"(\mathbf{f})", "N", 0.5F},
     Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
@@ -99,7 +101,7 @@ float draw_table(
     };
     float y = box.y;
     for (std::size_t k = 0; k < heads.size(); ++k) {
-        draw_head(canvas, cell(k, y), heads[k].symbol, heads[k].unit);
+        draw_head(canvas, cell(k, y), heads[k].symbol, tr(heads[k].unit));
     }
     y += line;
     for (std::size_t b = 0; b < std::min(most, dynamics.bodies.size()); ++b) {
@@ -110,7 +112,8 @@ float draw_table(
     }
     if (dynamics.bodies.size() > most) {
         const auto more = static_cast<int>(dynamics.bodies.size() - most);
-        canvas.text({box.x, y}, small, theme::kSoft, "and " + count_text(more, "more body", "more bodies"));
+        canvas.text(
+            {box.x, y}, small, theme::kSoft, tr_count(more, "and {0} more body", "and {0} more bodies"));
         y += line;
     }
     return y - box.y;
@@ -165,14 +168,15 @@ float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView&
     const render::Fonts& fonts = canvas.fonts();
     const Formula lambda = layout_formula(R"(\boldsymbol{\lambda})", formula_fonts(fonts));
     draw_formula(canvas, {box.x, box.y + std::round(fonts.small->Ascent)}, lambda, theme::kInk);
-    const std::string about = dynamics.unique() ? "of the rows of Φq, joint by joint"
-                                                : "of the rows of Φq; in brackets those that repeat others";
+    const std::string about = dynamics.unique()
+                                  ? tr("of the rows of Φq, joint by joint")
+                                  : tr("of the rows of Φq; in brackets those that repeat others");
     canvas.text({box.x + lambda.width + canvas.px(6.0F), box.y}, fonts.small, theme::kSoft, about);
     float height = canvas.line_height(fonts.small) + canvas.px(2.0F);
     std::size_t joints = 0;
     for (std::size_t first = 0; first < dynamics.multipliers.size();) {
         if (joints++ == most) {
-            canvas.text({box.x, box.y + height}, fonts.small, theme::kSoft, "and more joints");
+            canvas.text({box.x, box.y + height}, fonts.small, theme::kSoft, tr("and more joints"));
             return height + canvas.line_height(fonts.small);
         }
         const Box rest{box.x, box.y + height, box.width, 0.0F};
@@ -189,9 +193,10 @@ float draw_sums(const Canvas& canvas, const Box& box, const DynamicsView& dynami
     const Energy& energy = dynamics.energy;
     const auto joules = [](double value) { return with_minus_signs(number_text(value, 5)) + " J"; };
     const std::string text =
-        "kinetic " + joules(energy.kinetic) + "  +  potential " + joules(energy.potential) + "  =  " +
-        joules(energy.kinetic + energy.potential) + "\nmomentum " + triple_text(dynamics.momentum) +
-        " kg m/s\nangular momentum about the origin " + triple_text(dynamics.angular_momentum) + " kg m²/s";
+        tr("kinetic {0}  +  potential {1}  =  {2}", joules(energy.kinetic), joules(energy.potential),
+           joules(energy.kinetic + energy.potential)) +
+        '\n' + tr("momentum {0} kg m/s", triple_text(dynamics.momentum)) + '\n' +
+        tr("angular momentum about the origin {0} kg m²/s", triple_text(dynamics.angular_momentum));
     return paragraph(canvas, box, canvas.fonts().small, theme::kInk, text);
 }
 
@@ -200,7 +205,8 @@ float draw_sums(const Canvas& canvas, const Box& box, const DynamicsView& dynami
 float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density) {
     const bool tight = density == Density::tight;
     const std::size_t most = density == Density::roomy ? 6 : (tight ? 2 : 4);
-    float height = heading(canvas, box, "Equations of motion", "(r, ω′), bodies at their centres of mass");
+    float height =
+        heading(canvas, box, tr("Equations of motion"), tr("(r, ω′), bodies at their centres of mass"));
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     const float gap = canvas.px(tight ? 2.0F : 5.0F);
     if (!tight) { height += draw_slide_24(canvas, below()); }

@@ -8,6 +8,7 @@
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::panels {
 
@@ -18,10 +19,10 @@ using Status = EquationRow::Status;
 const char* word_of(Status status) {
     switch (status) {
         case Status::kept: return "";
-        case Status::dropped: return "out";
+        case Status::dropped: return tr("out");
         case Status::redundant: break;
     }
-    return "repeats";
+    return tr("repeats");
 }
 
 Colour colour_of(Status status) {
@@ -70,7 +71,8 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
 
 /// "p1 · in m": whose the equation is where those of several are shown, and its unit.
 std::string aside_of(const EquationGroup& group) {
-    const std::string unit = group.unit.empty() || group.unit == "-" ? "" : "in " + group.unit;
+    const std::string unit =
+        group.unit.empty() || group.unit == "-" ? std::string() : tr("in {0}", group.unit);
     return group.owner + (group.owner.empty() || unit.empty() ? "" : " · ") + unit;
 }
 
@@ -144,7 +146,7 @@ float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& grou
 
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density) {
-    float height = heading(canvas, box, "Equations", "■ kept   □ left out   ▨ repeats others");
+    float height = heading(canvas, box, tr("Equations"), tr("■ kept   □ left out   ▨ repeats others"));
     const float gap =
         canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
     for (const EquationGroup& group : equations) {

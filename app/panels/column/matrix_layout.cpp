@@ -1,5 +1,7 @@
 #include "app/panels/column/matrix_layout.hpp"
 
+#include "app/session/wording/messages.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -139,7 +141,7 @@ std::vector<Span> row_owners(const MatrixView& matrix) {
     return spans_of(rows_of(matrix), [&](std::size_t k) {
         const MatrixView::Row& row = matrix.rows[k];
         // for normalisation rows the columns show the body
-        return row.label == kNormalisation ? std::string("norms") : row.owner;
+        return row.label == kNormalisation ? std::string(tr("norms")) : row.owner;
     });
 }
 

@@ -9,6 +9,7 @@
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -20,12 +21,12 @@ constexpr double kBlank = 1e-12;
 
 std::string name_of(CoordinateChoice choice) {
     switch (choice) {
-        case CoordinateChoice::true_euler_parameters: return "in (r, p)";
-        case CoordinateChoice::modified_euler_parameters: return "in (r, p), modified";
-        case CoordinateChoice::omega_local: return "in (r, ω′)";
+        case CoordinateChoice::true_euler_parameters: return tr("in (r, p)");
+        case CoordinateChoice::modified_euler_parameters: return tr("in (r, p), modified");
+        case CoordinateChoice::omega_local: return tr("in (r, ω′)");
         case CoordinateChoice::omega_global: break;
     }
-    return "in (r, ω)";
+    return tr("in (r, ω)");
 }
 
 std::string size_of(const MatrixView& matrix) {
@@ -281,7 +282,7 @@ float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matri
     if (matrix.rows.empty()) {
         const ImFont* const small = canvas.fonts().small;
         const float y = layout.cells.centre().y - 0.5F * canvas.line_height(small);
-        canvas.text({layout.cells.centre().x, y}, small, theme::kSoft, "no equations yet", Align::centre);
+        canvas.text({layout.cells.centre().x, y}, small, theme::kSoft, tr("no equations yet"), Align::centre);
     }
     return layout.cells.bottom() - box.y;
 }

@@ -9,6 +9,7 @@
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -162,7 +163,7 @@ float table(
     }
     if (bodies.size() > most) {
         const std::string more =
-            "and " + count_text(static_cast<int>(bodies.size() - most), "more body", "more bodies");
+            tr_count(static_cast<int>(bodies.size() - most), "and {0} more body", "and {0} more bodies");
         canvas.text({row.x, row.y}, canvas.fonts().small, theme::kSoft, more);
         row.y += line;
     }
@@ -177,7 +178,7 @@ std::size_t most_bodies(Density density) {
 
 float quantities_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     if (view.quantities.empty()) { return 0.0F; }
-    float height = heading(canvas, box, "Joints", "■ driven   □ follows");
+    float height = heading(canvas, box, tr("Joints"), tr("■ driven   □ follows"));
     const std::size_t most = density == Density::roomy ? 8 : (density == Density::compact ? 6 : 4);
     const float line = row_height(canvas);
     const QuantityStyle style = quantity_style(canvas, box.width, view.quantities);
@@ -186,7 +187,7 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
         height += style.two_lines ? 2.0F * line : line;
     }
     if (view.quantities.size() > most) {
-        const std::string more = "and " + std::to_string(view.quantities.size() - most) + " more";
+        const std::string more = tr("and {0} more", view.quantities.size() - most);
         canvas.text({box.x, box.y + height}, canvas.fonts().small, theme::kSoft, more);
         height += line;
     }
@@ -200,7 +201,7 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
 
 float bodies_motion_panel(
     const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
-    float height = heading(canvas, box, "Bodies", "x, y, z in the global frame");
+    float height = heading(canvas, box, tr("Bodies"), tr("x, y, z in the global frame"));
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += table(
         canvas, below(), bodies,
@@ -224,10 +225,10 @@ float bodies_motion_panel(
 
 float coordinates_panel(
     const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
-    float height = heading(canvas, box, "Coordinates q", "where the bodies start");
+    float height = heading(canvas, box, tr("Coordinates q"), tr("where the bodies start"));
     const Box below{box.x, box.y + height, box.width, 0.0F};
     height += table(
-        canvas, below, bodies, {{"\\mathbf{r}", "x, y, z in m"}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
+        canvas, below, bodies, {{"\\mathbf{r}", tr("x, y, z in m")}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
         2 * most_bodies(density), [&](const Box& row, const BodyMotion& body) {
             draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
             draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);

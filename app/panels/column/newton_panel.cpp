@@ -6,6 +6,7 @@
 
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -50,8 +51,8 @@ Places places_of(const Canvas& canvas, const Box& box) {
             right -= shown ? width : 0.0F;
             return place;
         };
-        places.rank = next(left_out < 2, part("rank"));
-        places.fraction = next(left_out < 1, part("part"));
+        places.rank = next(left_out < 2, part(tr("rank")));
+        places.fraction = next(left_out < 1, part(tr("part")));
         places.turn = next(left_out < 3, part("206.1°"));
         places.delta = next(true, size);
         places.value = right;
@@ -61,7 +62,7 @@ Places places_of(const Canvas& canvas, const Box& box) {
 }
 
 // the part taken says it already
-constexpr const char* kStepLimited = "step limited";
+constexpr const char* kStepLimited = tr_later("step limited");
 
 struct Line {
     const Canvas& canvas;
@@ -85,16 +86,16 @@ void draw_head(const Canvas& canvas, const Box& box) {
     const Line line{canvas, box, box.y, theme::kSoft, places_of(canvas, box)};
     line.number(line.places.k, "k");
     line.number(line.places.phi, "‖Φ‖");
-    line.words(line.places.label, line.places.value, "largest equation");
+    line.words(line.places.label, line.places.value, tr("largest equation"));
     line.number(line.places.delta, "‖Δq‖");
-    line.number(line.places.turn, "turn");
-    line.number(line.places.fraction, "part");
-    line.number(line.places.rank, "rank");
+    line.number(line.places.turn, tr("turn"));
+    line.number(line.places.fraction, tr("part"));
+    line.number(line.places.rank, tr("rank"));
 }
 
 bool is_worth_a_line(const Canvas& canvas, const Box& box, const NewtonRow& row) {
     if (row.note.empty()) { return false; }
-    if (row.stepped) { return row.note != kStepLimited; }
+    if (row.stepped) { return row.note != tr(kStepLimited); }
     const float room = (1.0F - places_of(canvas, box).value - kNoteGap) * box.width;
     return canvas.text_width(canvas.fonts().small, row.note) > room;
 }
@@ -147,8 +148,8 @@ float newton_panel(
     const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows, Density density) {
     const std::size_t most = most_rows(density);
     const std::size_t first = rows.size() > most ? rows.size() - most : 0;
-    const std::string note = first > 0 ? std::to_string(first) + " earlier not shown" : "Φq Δq = −Φ";
-    float height = heading(canvas, box, "Newton–Raphson", note);
+    const std::string note = first > 0 ? tr("{0} earlier not shown", first) : "Φq Δq = −Φ";
+    float height = heading(canvas, box, tr("Newton–Raphson"), note);
     draw_head(canvas, {box.x, box.y + height, box.width, 0.0F});
     height += canvas.line_height(canvas.fonts().small) + canvas.px(3.0F);
     for (std::size_t k = first; k < rows.size(); ++k) {

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -41,12 +42,12 @@ std::array<Figure, 6> figures_of(const RankView& rank) {
                                    ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
                                    : std::to_string(rank.rank);
     return {{
-        {number, here ? "rank here" : "rank", 0.27F, theme::kAccent},
-        {std::to_string(rank.rows), "rows", 0.13F},
-        {std::to_string(rank.columns), "columns", 0.15F},
-        {std::to_string(rank.dof), rank.dof == 1 ? "freedom" : "freedoms", 0.16F},
-        {std::to_string(redundant), "redundant", 0.16F, redundant > 0 ? theme::kRedundant : theme::kInk},
-        {std::to_string(rank.mobility_by_counting), "Grübler", 0.13F},
+        {number, here ? tr("rank here") : tr("rank"), 0.27F, theme::kAccent},
+        {std::to_string(rank.rows), tr("rows"), 0.13F},
+        {std::to_string(rank.columns), tr("columns"), 0.15F},
+        {std::to_string(rank.dof), rank.dof == 1 ? tr("freedom") : tr("freedoms"), 0.16F},
+        {std::to_string(redundant), tr("redundant"), 0.16F, redundant > 0 ? theme::kRedundant : theme::kInk},
+        {std::to_string(rank.mobility_by_counting), tr("Grübler"), 0.13F},
     }};
 }
 
@@ -66,7 +67,7 @@ float list_of_texts(
         height += paragraph(canvas, rest, small, theme::kInk, texts[k], lines_each);
     }
     if (shown < texts.size()) {
-        const std::string more = "and " + std::to_string(texts.size() - shown) + " more";
+        const std::string more = tr("and {0} more", texts.size() - shown);
         canvas.text({box.x + indent, box.y + height}, small, theme::kSoft, more);
         height += canvas.line_height(small);
     }
@@ -98,9 +99,11 @@ float warning(const Canvas& canvas, const Box& box, const std::string& text) {
 /// "10 once assembled, 8 before: 1 redundant", where that is another rank than that of the pose.
 float once_assembled_line(const Canvas& canvas, const Box& box, const RankView& rank) {
     if (!rank.differs_once_assembled()) { return 0.0F; }
-    std::string text = "rank " + std::to_string(*rank.once_assembled) + " once assembled";
-    if (rank.rank_before >= 0) { text += ", " + std::to_string(rank.rank_before) + " before"; }
-    text += ": then " + std::to_string(rank.rows - *rank.once_assembled) + " redundant";
+    const int once = *rank.once_assembled;
+    const std::string text = rank.rank_before >= 0
+                                 ? tr("rank {0} once assembled, {1} before: then {2} redundant", once,
+                                      rank.rank_before, rank.rows - once)
+                                 : tr("rank {0} once assembled: then {1} redundant", once, rank.rows - once);
     return paragraph(canvas, box, canvas.fonts().small, theme::kAccent, text);
 }
 
@@ -108,8 +111,9 @@ float once_assembled_line(const Canvas& canvas, const Box& box, const RankView& 
 
 float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
     const float top = heading(
-        canvas, box, "Rank",
-        rank.assembled ? "of joints and drivers, in (r, ω′)" : "of the matrix here, not assembled yet");
+        canvas, box, tr("Rank"),
+        rank.assembled ? tr("of joints and drivers, in (r, ω′)")
+                       : tr("of the matrix here, not assembled yet"));
     const float row = canvas.line_height(canvas.fonts().title) + canvas.line_height(canvas.fonts().small);
     const std::array<Figure, 6> figures = figures_of(rank);
     // large text in a narrow window: three below three
@@ -133,15 +137,17 @@ float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) 
     if (!rank.assembled) {
         height += warning(
             canvas, below(),
-            "Not assembled: the largest |Φ| is " + small_text(rank.residual) +
-                ". Which rows are redundant is decided once the equations hold.");
+            tr("Not assembled: the largest |Φ| is {0}. Which rows are redundant is decided once the "
+               "equations "
+               "hold.",
+               small_text(rank.residual)));
     }
     for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(), doubt); }
     if (rank.near_singular) {
         height += warning(
             canvas, below(),
-            "Nearly singular: a singular value is small, but above the threshold. The rank is about to "
-            "drop.");
+            tr("Nearly singular: a singular value is small, but above the threshold. The rank is about to "
+               "drop."));
     }
     return height;
 }
@@ -151,8 +157,8 @@ float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Den
     const std::size_t lines = density == Density::tight ? 1 : 2;
     float height = rank_warnings(canvas, box, rank);
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
-    height += titled_list(canvas, below(), "What repeats what", rank.combinations, most, lines);
-    const char* const title = rank.dof == 1 ? "The freedom that is left" : "Freedoms that are left";
+    height += titled_list(canvas, below(), tr("What repeats what"), rank.combinations, most, lines);
+    const char* const title = rank.dof == 1 ? tr("The freedom that is left") : tr("Freedoms that are left");
     height += titled_list(canvas, below(), title, rank.free_motions, most, lines);
     return height;
 }

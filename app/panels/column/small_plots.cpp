@@ -7,6 +7,7 @@
 
 #include "app/panels/parts/theme.hpp"
 #include "app/panels/plot/plot_axis.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -57,14 +58,14 @@ void draw_threshold(const Canvas& canvas, const Box& plot, const Axis& axis, con
     const float y = std::round(height_of(axis, rank.threshold));
     canvas.dashed_line({plot.x, y}, {plot.right(), y}, theme::kRedundant, hairline(canvas));
     const Point at{plot.x + canvas.px(8.0F), y - canvas.line_height(canvas.fonts().small) - 1.0F};
-    draw_note(canvas, at, "threshold " + small_text(rank.threshold), Align::left);
+    draw_note(canvas, at, tr("threshold {0}", small_text(rank.threshold)), Align::left);
 }
 
 /// "1 of 18 is zero: rank 17", left of the first that is.
 void draw_zero_label(const Canvas& canvas, Point at, std::size_t zeros, const RankView& rank) {
-    const std::string text = std::to_string(zeros) + " of " + std::to_string(rank.singular_values.size()) +
-                             (zeros == 1 ? " is zero: rank " : " are zero: rank ") +
-                             std::to_string(rank.rank);
+    const std::string text = tr_count(
+        static_cast<int>(zeros), "{0} of {1} is zero: rank {2}", "{0} of {1} are zero: rank {2}",
+        rank.singular_values.size(), rank.rank);
     const float line = canvas.line_height(canvas.fonts().small);
     draw_note(canvas, {at.x, at.y - 0.55F * line}, text, Align::right);
 }

@@ -6,6 +6,7 @@
 #include "app/panels/column/sphere_parts.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -80,7 +81,7 @@ std::vector<SphereLine> lines_of(PairInUse pair) {
     if (pair == PairInUse::rule) { return lines_of_rule(); }
     std::vector<SphereLine> lines;
     const int k = index_of(pair);
-    lines.push_back({circle(k, 0.0), "rank lost", SphereLine::Kind::lost});
+    lines.push_back({circle(k, 0.0), tr("rank lost"), SphereLine::Kind::lost});
     for (const double value : kContours) {
         for (const double sign : {1.0, -1.0}) {
             lines.push_back({circle(k, sign * value), number_text(value, 3), SphereLine::Kind::contour});

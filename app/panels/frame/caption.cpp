@@ -9,6 +9,7 @@
 #include "app/panels/parts/rich_text.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -26,7 +27,7 @@ void draw_progress(const Canvas& canvas, const Box& box, const View& view) {
 /// @return left edge of what was drawn
 float draw_position(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
-    std::string text = "step " + std::to_string(view.step + 1) + " of " + std::to_string(view.steps);
+    std::string text = tr("step {0} of {1}", view.step + 1, view.steps);
     if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
     const float source_room = 0.4F * box.width;
     const std::string source = shortened(*fonts.small, view.source, source_room);
@@ -62,7 +63,7 @@ struct Asked {
 std::vector<Asked> paragraphs_of(const QuestionView& question) {
     std::vector<Asked> list{{typeset(run_on(question.ask)), question.answered}};
     if (question.answered) {
-        list.push_back({"Answer:  " + typeset(run_on(question.answer))});
+        list.push_back({tr("Answer:  {0}", typeset(run_on(question.answer)))});
         if (!question.why.empty()) { list.push_back({typeset(run_on(question.why)), true}); }
         return list;
     }

@@ -8,6 +8,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -25,19 +26,22 @@ struct Columns {
     float verdict = 0.71F;  ///< left edge
 };
 
+/// Verdict with its sign: "✓ closed".
+std::string with_sign(bool closed, const std::string& verdict) { return (closed ? "✓ " : "✗ ") + verdict; }
+
 Columns columns_of(const Canvas& canvas, const Box& row) {
     const auto part = [&](const char* text) {
         return (canvas.text_width(canvas.fonts().small, text) + canvas.px(8.0F)) / row.width;
     };
     if (row.width < canvas.px(kRoomForTurns)) {
         const Columns usual;
-        if (usual.phi - usual.iterations >= part("last ‖Φ‖")) { return usual; }
+        if (usual.phi - usual.iterations >= part(tr("last ‖Φ‖"))) { return usual; }
         // large text in a narrow column: as wide as their numbers, the names get the rest
         Columns narrow;
-        narrow.verdict = 1.0F - part("✓ closed");
+        narrow.verdict = 1.0F - part(with_sign(true, tr("closed")).c_str());
         narrow.order = narrow.verdict - part(" ");
-        narrow.phi = narrow.order - part("order");
-        narrow.iterations = narrow.phi - part("last ‖Φ‖");
+        narrow.phi = narrow.order - part(tr("order"));
+        narrow.iterations = narrow.phi - part(tr("last ‖Φ‖"));
         return narrow;
     }
     return {0.42F, 0.55F, 0.64F, 0.74F, 0.77F};
@@ -49,16 +53,13 @@ void draw_names(const Canvas& canvas, const Box& row) {
     const auto name = [&](float part, const char* text, Align align) {
         canvas.text({row.x + part * row.width, row.y}, small, theme::kSoft, text, align);
     };
-    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, "method");
-    name(columns.iterations, "steps", Align::right);
-    name(columns.phi, "last ‖Φ‖", Align::right);
-    name(columns.order, "order", Align::right);
-    if (columns.turn > 0.0F) { name(columns.turn, "turn", Align::right); }
-    name(columns.verdict, "outcome", Align::left);
+    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, tr("method"));
+    name(columns.iterations, tr("steps"), Align::right);
+    name(columns.phi, tr("last ‖Φ‖"), Align::right);
+    name(columns.order, tr("order"), Align::right);
+    if (columns.turn > 0.0F) { name(columns.turn, tr("turn"), Align::right); }
+    name(columns.verdict, tr("outcome"), Align::left);
 }
-
-/// Verdict with its sign: "✓ closed".
-std::string with_sign(const std::string& verdict) { return (verdict == "closed" ? "✓ " : "✗ ") + verdict; }
 
 void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, const CurveStyle& style) {
     const ImFont* const small = canvas.fonts().small;
@@ -77,8 +78,8 @@ void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, con
     if (columns.turn > 0.0F) { number(columns.turn, run.turn); }
     const float verdict = row.x + columns.verdict * row.width;
     canvas.text(
-        {verdict, row.y}, small, run.verdict == "closed" ? theme::kInk : theme::kRedundant,
-        shortened(*small, with_sign(run.verdict), row.right() - verdict));
+        {verdict, row.y}, small, run.closed ? theme::kInk : theme::kRedundant,
+        shortened(*small, with_sign(run.closed, run.verdict), row.right() - verdict));
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ void draw_row(const Canvas& canvas, const Box& row, const NewtonRunRow& run, con
 ComparisonLayout newton_comparison_panel(
     const Canvas& canvas, const Box& box, const NewtonComparison& comparison, const PlotState& state) {
     Box rest = box;
-    cut_top(rest, heading(canvas, rest, "Newton, method by method", "from the same start"));
+    cut_top(rest, heading(canvas, rest, tr("Newton, method by method"), tr("from the same start")));
     ComparisonParts parts;
     parts.rows = comparison.rows.size();
     parts.draw_names = [&](const Box& line) { draw_names(canvas, line); };
@@ -94,7 +95,7 @@ ComparisonLayout newton_comparison_panel(
         draw_row(canvas, line, comparison.rows[row], style);
     };
     parts.summary = comparison.summary;
-    parts.caption = "‖Φ‖ after each step";
+    parts.caption = tr("‖Φ‖ after each step");
     return draw_comparison(canvas, rest, comparison.residuals, parts, state);
 }
 

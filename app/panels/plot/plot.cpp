@@ -9,6 +9,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::panels {
 
@@ -185,12 +186,12 @@ void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
     int unnamed = 0;
     for (const PlotPane& pane : layout.panes) { unnamed += pane.unnamed; }
     std::string text;
-    if (unnamed > 0) {
-        text = std::to_string(unnamed) + (unnamed == 1 ? " curve" : " curves") + " not named";
-    }
+    if (unnamed > 0) { text = tr_count(unnamed, "{0} curve not named", "{0} curves not named"); }
     if (layout.left_out > 0) {
-        text += (text.empty() ? "" : ", ") + std::to_string(layout.left_out) +
-                (layout.left_out == 1 ? " unit" : " units") + " not shown for want of height";
+        const std::string units = tr_count(
+            layout.left_out, "{0} unit not shown for want of height",
+            "{0} units not shown for want of height");
+        text = text.empty() ? units : tr("{0}, {1}", text, units);
     }
     const float y = layout.panes.front().caption_at.y;
     canvas.text(

@@ -5,6 +5,7 @@
 
 #include "app/panels/parts/text.hpp"
 #include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -28,8 +29,8 @@ std::string shown_unit(const std::string& unit) {
 
 std::string caption_of(const std::string& unit, int exponent) {
     const std::string shown = shown_unit(unit);
-    if (exponent == 0) { return shown.empty() ? "" : "in " + shown; }
-    return "in " + power_of_ten(exponent) + (shown.empty() ? "" : " " + shown);
+    if (exponent == 0) { return shown.empty() ? std::string() : tr("in {0}", shown); }
+    return tr("in {0}", power_of_ten(exponent) + (shown.empty() ? "" : " " + shown));
 }
 
 /// Above the curves of a pane: its caption, or just room for half a number.
@@ -136,7 +137,7 @@ void set_lower_axis(const Canvas& canvas, const SeriesSet& set, PlotLayout& layo
     layout.x.end = plot.right();
     const int most = static_cast<int>(plot.width / canvas.px(kTickWidth));
     layout.ticks = ticks_of(layout.x, most, is_time(set) ? Ticks::decimal : Ticks::whole);
-    layout.axis = set.axis;
+    layout.axis = tr(set.axis.c_str());
     if (layout.ticks.exponent != 0) { layout.axis += " · " + power_of_ten(layout.ticks.exponent); }
     const float width = canvas.text_width(small, layout.axis);
     const float top = plot.bottom() + canvas.px(kTickLength + 2.0F);
@@ -184,7 +185,7 @@ PlotLayout layout_plot(const Canvas& canvas, const Box& box, const SeriesSet& se
     layout.panes = panes_of(set, shown_series(set, state));
     if (set.at.empty() || layout.panes.empty()) {
         layout.panes.clear();
-        layout.empty = set.at.empty() ? set.why_empty : "No curve is chosen.";
+        layout.empty = set.at.empty() ? set.why_empty : tr("No curve is chosen.");
         return layout;
     }
     const ImFont* const small = canvas.fonts().small;

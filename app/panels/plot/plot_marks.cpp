@@ -5,6 +5,7 @@
 
 #include "app/panels/parts/text.hpp"
 #include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::panels {
 
@@ -43,7 +44,7 @@ std::vector<PlotMark> thinned_out(
         PlotMark mark{layout.x.pixel(first.at), brief && !first.brief.empty() ? first.brief : first.text, {}};
         mark.end = layout.x.pixel(seen[k + count - 1].at);
         mark.count = static_cast<int>(count);
-        if (count > 1) { mark.text = std::to_string(count) + " " + first.many; }
+        if (count > 1) { mark.text = tr("{0} {1}", count, first.many); }
         marks.push_back(std::move(mark));
         k += count;
     }

@@ -7,6 +7,7 @@
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/panels/plot/plot_parts.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw::panels {
@@ -22,12 +23,12 @@ float column(std::size_t k) {
 
 void draw_price_names(const Canvas& canvas, const Box& row) {
     const ImFont* const small = canvas.fonts().small;
-    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, "ms to come within");
+    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, tr("ms to come within"));
     const auto name = [&](std::size_t k, const std::string& text) {
         canvas.text({row.x + column(k) * row.width, row.y}, small, theme::kSoft, text, Align::right);
     };
     for (std::size_t level = 0; level < kErrorLevels.size(); ++level) { name(level, level_text(level)); }
-    name(kErrorLevels.size(), "at best [m]");
+    name(kErrorLevels.size(), tr("at best [m]"));
 }
 
 void draw_row(const Canvas& canvas, const Box& row, const PriceRow& price, const CurveStyle& style) {
@@ -51,7 +52,7 @@ ComparisonLayout price_panel(
     const Canvas& canvas, const Box& box, const Prices& prices, std::string_view note,
     const PlotState& state) {
     Box rest = box;
-    cut_top(rest, heading(canvas, rest, "Speed against error", note));
+    cut_top(rest, heading(canvas, rest, tr("Speed against error"), note));
     ComparisonParts parts;
     parts.rows = prices.rows.size();
     parts.draw_names = [&](const Box& line) { draw_price_names(canvas, line); };
@@ -59,7 +60,7 @@ ComparisonLayout price_panel(
         draw_row(canvas, line, prices.rows[row], style);
     };
     parts.summary = prices.summary;
-    parts.caption = "CPU time over the digits of position that it buys";
+    parts.caption = tr("CPU time over the digits of position that it buys");
     return draw_comparison(canvas, rest, prices.curves, parts, state);
 }
 

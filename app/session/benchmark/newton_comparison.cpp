@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
@@ -13,8 +14,8 @@ namespace {
 int iterations_of(const NewtonRun& run) { return std::max(0, static_cast<int>(run.phi_norms.size()) - 1); }
 
 std::string verdict_of(const NewtonRun& run) {
-    if (!run.converged) { return "did not converge"; }
-    return run.wrong_branch ? "wrong branch" : "closed";
+    if (!run.converged) { return tr("did not converge"); }
+    return run.wrong_branch ? tr("wrong branch") : tr("closed");
 }
 
 NewtonRunRow row_of(const NewtonRun& run) {
@@ -24,13 +25,14 @@ NewtonRunRow row_of(const NewtonRun& run) {
     row.phi_norm = run.phi_norms.empty() ? std::numeric_limits<double>::quiet_NaN() : run.phi_norms.back();
     row.order = run.order ? fixed_text(*run.order, 1) : "–";
     row.turn = run.turns_deg.empty() ? "–" : fixed_text(*std::ranges::max_element(run.turns_deg), 1) + "°";
+    row.closed = run.converged && !run.wrong_branch;
     row.verdict = verdict_of(run);
     return row;
 }
 
 SeriesSet residuals_of(const std::vector<NewtonRun>& runs) {
     SeriesSet set;
-    set.axis = "iteration";
+    set.axis = tr_later("iteration");
     set.logarithmic = true;
     std::size_t longest = 0;
     for (const NewtonRun& run : runs) { longest = std::max(longest, run.phi_norms.size()); }
@@ -44,7 +46,7 @@ SeriesSet residuals_of(const std::vector<NewtonRun>& runs) {
         set.telling.push_back(static_cast<int>(set.series.size()));
         set.series.push_back(std::move(series));
     }
-    if (set.at.empty()) { set.why_empty = "Nothing to compare yet: no method has been run."; }
+    if (set.at.empty()) { set.why_empty = tr("Nothing to compare yet: no method has been run."); }
     return set;
 }
 
@@ -65,11 +67,10 @@ std::string summary_of(const std::vector<NewtonRun>& runs) {
         }
     }
     if (runs.empty()) { return {}; }
-    std::string text = first.empty()
-                           ? "No method closed it from here."
-                           : "Fewest iterations, " + std::to_string(fewest) + ": " + listed(first) + ".";
-    if (!wrong.empty()) { text += " At a wrong branch: " + listed(wrong) + "."; }
-    if (!lost.empty()) { text += " Did not converge: " + listed(lost) + "."; }
+    std::string text = first.empty() ? tr("No method closed it from here.")
+                                     : tr("Fewest iterations, {0}: {1}.", fewest, listed(first));
+    if (!wrong.empty()) { text = followed(text, tr("At a wrong branch: {0}.", listed(wrong))); }
+    if (!lost.empty()) { text = followed(text, tr("Did not converge: {0}.", listed(lost))); }
     return text;
 }
 

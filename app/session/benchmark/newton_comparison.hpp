@@ -25,7 +25,8 @@ struct NewtonRunRow {
     double phi_norm = 0.0;  ///< the last one
     std::string order;      ///< "2.0", "–" where it could not be measured
     std::string turn;       ///< the largest of all steps, "12.3°"; "–" where unknown
-    std::string verdict;    ///< "closed", "wrong branch", "did not converge"
+    bool closed = false;
+    std::string verdict;  ///< "closed", "wrong branch", "did not converge"
 };
 
 struct NewtonComparison {

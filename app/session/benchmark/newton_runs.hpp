@@ -23,10 +23,11 @@ struct NewtonPlan {
 };
 
 inline constexpr std::array kNewtonMethods{
-    EnumWord<NewtonMethod>{NewtonMethod::stepwise_limited, "limited", "turns limited to 0.5 rad"},
-    EnumWord<NewtonMethod>{NewtonMethod::plain, "plain", "plain Newton"},
-    EnumWord<NewtonMethod>{NewtonMethod::damped, "damped", "damped (line search)"},
-    EnumWord<NewtonMethod>{NewtonMethod::levenberg_marquardt, "levenberg-marquardt", "Levenberg-Marquardt"}};
+    EnumWord<NewtonMethod>{NewtonMethod::stepwise_limited, "limited", tr_later("turns limited to 0.5 rad")},
+    EnumWord<NewtonMethod>{NewtonMethod::plain, "plain", tr_later("plain Newton")},
+    EnumWord<NewtonMethod>{NewtonMethod::damped, "damped", tr_later("damped (line search)")},
+    EnumWord<NewtonMethod>{
+        NewtonMethod::levenberg_marquardt, "levenberg-marquardt", tr_later("Levenberg-Marquardt")}};
 
 /// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
 int start_of_closing(const Story& story, const Addition& subject);

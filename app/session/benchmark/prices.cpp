@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
@@ -31,13 +32,16 @@ std::string winner_at(const std::vector<PriceRow>& rows, std::size_t level) {
             second = &row;
         }
     }
-    const std::string error = level_text(level) + ": ";
-    if (first == nullptr) { return error + "out of reach. "; }
+    const std::string error = level_text(level);
+    if (first == nullptr) { return tr("{0}: out of reach.", error) + ' '; }
     const double time = *first->milliseconds[level];
-    const std::string text = error + first->name + " in " + number_text(time, 2) + " ms";
-    if (second == nullptr) { return text + ", alone. "; }
-    return text + ", " + number_text(*second->milliseconds[level] / time, 2) + " times ahead of " +
-           second->name + ". ";
+    const std::string milliseconds = number_text(time, 2);
+    if (second == nullptr) {
+        return tr("{0}: {1} in {2} ms, alone.", error, first->name, milliseconds) + ' ';
+    }
+    return tr("{0}: {1} in {2} ms, {3} times ahead of {4}.", error, first->name, milliseconds,
+              number_text(*second->milliseconds[level] / time, 2), second->name) +
+           ' ';
 }
 
 }  // namespace
@@ -65,7 +69,7 @@ Prices prices_of(const std::vector<BenchRun>& runs) {
 
 SeriesSet work_precision(const std::vector<BenchRun>& runs) {
     SeriesSet set;
-    set.axis = "digits of position";
+    set.axis = tr_later("digits of position");
     set.logarithmic = true;
     // products, not sums: three digits are asked for at 3
     constexpr int most_tenths = 140;
@@ -89,7 +93,7 @@ SeriesSet work_precision(const std::vector<BenchRun>& runs) {
         set.steps.pop_back();
         for (Series& series : set.series) { series.values.pop_back(); }
     }
-    if (set.at.empty()) { set.why_empty = "No method reached the end."; }
+    if (set.at.empty()) { set.why_empty = tr("No method reached the end."); }
     return set;
 }
 

@@ -10,6 +10,7 @@
 #include "app/session/story/story.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/equations/assembler.hpp"
@@ -27,15 +28,16 @@ constexpr double kNearby = 1e-2;
 std::string text_of(const Moment& moment, const Lesson& lesson) {
     return std::visit(
         Overloaded{
-            [](const AsGiven&) -> std::string { return "as given"; },
-            [](const AnyState&) -> std::string { return "in any state"; },
-            [](const AtTime& at) { return "at " + number_text(at.t, 6) + " s"; },
+            [](const AsGiven&) -> std::string { return tr("as given"); },
+            [](const AnyState&) -> std::string { return tr("in any state"); },
+            [](const AtTime& at) { return tr("at {0} s", number_text(at.t, 6)); },
             [&](const AfterAddition& after) -> std::string {
-                if (after.count == 0) { return "free bodies"; }
+                if (after.count == 0) { return tr("free bodies"); }
                 const Addition& a = lesson.order[static_cast<std::size_t>(after.count - 1)];
                 const auto k = static_cast<std::size_t>(a.index);
-                return "after " + (a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
-                                                                   : lesson.mechanism.drivers[k].name);
+                return tr(
+                    "after {0}", a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
+                                                                 : lesson.mechanism.drivers[k].name);
             },
         },
         moment);
@@ -57,14 +59,14 @@ bool rank_grows_nearby(const Pose& pose, const RankReport& report) {
 
 const char* name_of(Count count) {
     switch (count) {
-        case Count::rank: return "rank";
-        case Count::rows: return "rows";
-        case Count::columns: return "columns";
-        case Count::dof: return "dof";
-        case Count::redundant: return "redundant";
+        case Count::rank: return tr("rank");
+        case Count::rows: return tr("rows");
+        case Count::columns: return tr("columns");
+        case Count::dof: return tr("dof");
+        case Count::redundant: return tr("redundant");
         case Count::mobility_by_counting: break;
     }
-    return "mobility by counting";
+    return tr("mobility by counting");
 }
 
 double number_of(const QuantityClaim& claim, const Instant& instant, Absence& why) {
@@ -78,28 +80,35 @@ double difference_of(const QuantityClaim& claim, double a, double b) {
     return is_plain_angle ? std::remainder(a - b, 2.0 * std::numbers::pi) : a - b;
 }
 
+std::string not_proved(const std::string& found, const std::string& apart) {
+    return tr(
+        "{0}; two runs of different tolerance are {1} apart there, so this cannot be proved", found, apart);
+}
+
 void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
     const double factor = claim.in_degrees ? kDegreesPerRadian : 1.0;
     const std::string symbol = unit_text(dimension_of(claim.quantity), claim.derivative, claim.in_degrees);
     const std::string unit = symbol.empty() ? "" : " " + symbol;
     const int derivative = claim.derivative - claim.named_derivative;
-    result.subject = claim.text + (derivative == 0 ? "" : (derivative == 1 ? " rate" : " acceleration"));
+    result.subject = derivative == 0   ? claim.text
+                     : derivative == 1 ? tr("{0} rate", claim.text)
+                                       : tr("{0} acceleration", claim.text);
     result.expected =
         number_text(factor * claim.value, 12) + unit + " ± " + number_text(factor * claim.tolerance, 3);
     Absence why = Absence::none;
     const double found = number_of(claim, pose.instant, why);
     if (std::isnan(found)) {
-        result.found = "nothing: " + absence_text(why);
+        result.found = tr("nothing: {0}", absence_text(why));
         return;
     }
     const double difference = difference_of(claim, found, claim.value);
-    result.found = number_text(factor * found, 15) + unit + ", off by " + small_text(factor * difference);
+    result.found =
+        tr("{0}, off by {1}", number_text(factor * found, 15) + unit, small_text(factor * difference));
     result.holds = std::abs(difference) <= claim.tolerance;
     if (!pose.rough) { return; }
     const double apart = std::abs(difference_of(claim, found, number_of(claim, *pose.rough, why)));
     if (apart <= claim.tolerance) { return; }
-    result.found += "; two runs of different tolerance are " + small_text(factor * apart) + unit +
-                    " apart there, so this cannot be proved";
+    result.found = not_proved(result.found, small_text(factor * apart) + unit);
     result.holds = false;
 }
 
@@ -113,16 +122,16 @@ void judge(const CountClaim& claim, const Pose& pose, ClaimResult& result) {
     result.found = std::to_string(found);
     result.holds = found == claim.value;
     if (of_rank && !report.decided) {
-        result.found += "; " + undecided_text(report);
+        result.found = tr("{0}; {1}", result.found, undecided_text(report));
         result.holds = false;
     }
 }
 
 void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {
     const Joint& joint = pose.instant.system->mechanism().joints[static_cast<std::size_t>(claim.joint)];
-    result.subject = "dropped of " + joint.name + " " + name_of_role(claim.role, joint.parallel_form);
+    result.subject = tr("dropped of {0} {1}", joint.name, name_of_role(claim.role, joint.parallel_form));
     result.expected = axis_name(claim.component);
-    result.found = "nothing";
+    result.found = tr("nothing");
     for (const Constraint& c : pose.instant.system->constraints()) {
         if (c.joint != claim.joint || c.role != claim.role || c.dropped < 0) { continue; }
         result.found = axis_name(c.dropped);
@@ -150,9 +159,10 @@ double condition_of(const Pose& pose) {
 void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
     const bool residual = claim.bound == Bound::residual_below;
     const double found = residual ? residual_of(pose) : condition_of(pose);
-    result.subject = residual ? "residual" : "condition";
+    result.subject = residual ? tr("residual") : tr("condition");
     const bool above = claim.bound == Bound::condition_above;
-    result.expected = (above ? "above " : "below ") + number_text(claim.limit, 6);
+    result.expected =
+        above ? tr("above {0}", number_text(claim.limit, 6)) : tr("below {0}", number_text(claim.limit, 6));
     result.found = number_text(found, 6);
     result.holds = above ? found > claim.limit : found < claim.limit;
 }
@@ -165,9 +175,9 @@ void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
     const RankReport report =
         rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);  // with free motions
     const bool found = pose.change_point || report.near_singular || rank_grows_nearby(pose, report);
-    result.subject = "change point";
-    result.expected = claim.value ? "yes" : "no";
-    result.found = found ? "yes" : "no";
+    result.subject = tr("change point");
+    result.expected = claim.value ? tr("yes") : tr("no");
+    result.found = found ? tr("yes") : tr("no");
     result.holds = found == claim.value;
 }
 
@@ -175,13 +185,13 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
     ClaimResult result;
     const auto* verdict = std::get_if<VerdictClaim>(&claim.fact);
     if (verdict != nullptr && verdict->verdict == Verdict::closes) {
-        result.subject = "closes";
-        result.expected = verdict->value ? "yes" : "no";
-        result.found = pose.failure.empty() ? "yes" : "no: " + pose.failure;
+        result.subject = tr("closes");
+        result.expected = verdict->value ? tr("yes") : tr("no");
+        result.found = pose.failure.empty() ? tr("yes") : tr("no: {0}", pose.failure);
         result.holds = verdict->value == pose.failure.empty();
     } else if (!pose.failure.empty()) {
-        result.subject = "this claim";
-        result.expected = "a pose that closes";
+        result.subject = tr("this claim");
+        result.expected = tr("a pose that closes");
         result.found = pose.failure;
     } else if (std::holds_alternative<AnyState>(claim.when)) {
         judge_formula(std::get<FormulaClaim>(claim.fact), arbitrary_instants(pose.instant), result);
@@ -202,7 +212,7 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     const double allowed = far * extent(lesson.mechanism);
     ClaimResult result;
     result.span = plan.point_at_end_span;
-    result.moment = "at " + number_text(plan.duration, 6) + " s";
+    result.moment = tr("at {0} s", number_text(plan.duration, 6));
     result.subject = "point_at_end";
     result.expected = vector_text(*plan.point_at_end, 10) + " m ± " + number_text(allowed, 3);
     if (!pose.failure.empty()) {
@@ -220,10 +230,9 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     const Vec3 end = place_at(pose.instant);
     const double uncertain = (end - place_at(*pose.rough)).norm();
     const double off = (end - *plan.point_at_end).norm();
-    result.found = vector_text(end, 10) + " m, off by " + small_text(off);
+    result.found = tr("{0}, off by {1}", vector_text(end, 10) + " m", small_text(off));
     if (uncertain > allowed) {
-        result.found += "; two runs of different tolerance are " + small_text(uncertain) +
-                        " m apart there, so this cannot be proved";
+        result.found = not_proved(result.found, small_text(uncertain) + " m");
         return result;
     }
     result.holds = off <= allowed;

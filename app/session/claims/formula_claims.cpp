@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/read_math.hpp"
@@ -50,20 +51,21 @@ std::vector<Instant> arbitrary_instants(const Instant& instant) {
 
 void judge_formula(const FormulaClaim& claim, const std::vector<Instant>& instants, ClaimResult& result) {
     result.subject = math::write_plain(math::read_math(claim.formula.source).row);
-    result.expected = claim.holds ? "holds" : "does not hold";
+    result.expected = claim.holds ? tr("holds") : tr("does not hold");
     const Worst worst = worst_of(claim.formula, instants);
     if (worst.outcome.misfit && !claim.holds) {
         result.holds = true;
         return;
     }
     if (worst.outcome.problem) {
-        result.found = "nothing: " + worst.outcome.problem->message;
+        result.found = tr("nothing: {0}", worst.outcome.problem->message);
         return;
     }
     result.holds = claim.holds ? worst.part <= kSame : worst.part > kPlainlyOther;
     if (result.holds) { return; }
-    result.found = worst.outcome.left + " and " + worst.outcome.right + ", " +
-                   small_text(worst.outcome.apart.difference) + " apart";
+    result.found =
+        tr("{0} and {1}, {2} apart", worst.outcome.left, worst.outcome.right,
+           small_text(worst.outcome.apart.difference));
 }
 
 }  // namespace jw

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "app/session/wording/text_width.hpp"
@@ -14,11 +15,11 @@ namespace {
 
 std::string status_text(EquationRow::Status status) {
     switch (status) {
-        case EquationRow::Status::kept: return "kept";
-        case EquationRow::Status::dropped: return "left out";
+        case EquationRow::Status::kept: return tr("kept");
+        case EquationRow::Status::dropped: return tr("left out");
         case EquationRow::Status::redundant: break;
     }
-    return "repeats others";
+    return tr("repeats others");
 }
 
 std::string equations_text(const View& view, int width) {
@@ -30,7 +31,7 @@ std::string equations_text(const View& view, int width) {
                     padded(group.unit == "-" ? "" : group.unit, 4) + status_text(row.status) + '\n';
         }
         if (group.choice) {
-            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {"condition without it"}};
+            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {tr("condition without it")}};
             for (std::size_t k = 0; k < 3; ++k) {
                 table[1].push_back(number_text(group.choice->axis_size[k], 3));
                 table[2].push_back(number_text(group.choice->pair_condition[k], 3));
@@ -43,7 +44,7 @@ std::string equations_text(const View& view, int width) {
 }
 
 std::string newton_text(const View& view) {
-    TextRows table{{"", "‖Φ‖", "largest", "‖Δq‖", "turn", "rank", "equation"}};
+    TextRows table{{"", "‖Φ‖", tr("largest"), "‖Δq‖", tr("turn"), tr("rank"), tr("equation")}};
     for (const NewtonRow& row : view.newton) {
         table.push_back(
             {std::to_string(row.iteration), small_text(row.phi_norm), small_text(row.largest_value),
@@ -57,26 +58,34 @@ std::string newton_text(const View& view) {
 
 std::string rank_text(const View& view, int width) {
     const RankView& rank = view.rank;
-    std::string text = "  " + count_text(rank.rows, "equation") + ", " + count_text(rank.columns, "column") +
-                       " (r, ω′), rank " + std::to_string(rank.rank) + ", " +
-                       count_text(rank.dof, "freedom", "freedoms") + ", " +
-                       count_text(rank.rows - rank.rank, "redundant equation") + ", mobility by counting " +
-                       std::to_string(rank.mobility_by_counting) + '\n';
+    std::string text =
+        "  " +
+        tr("{0}, {1} (r, ω′), rank {2}, {3}, {4}, mobility by counting {5}",
+           tr_count(rank.rows, "{0} equation", "{0} equations"),
+           tr_count(rank.columns, "{0} column", "{0} columns"), rank.rank,
+           tr_count(rank.dof, "{0} freedom", "{0} freedoms"),
+           tr_count(rank.rows - rank.rank, "{0} redundant equation", "{0} redundant equations"),
+           rank.mobility_by_counting) +
+        '\n';
     if (!rank.singular_values.empty()) {
-        std::string values = "singular values:";
-        for (const double s : rank.singular_values) { values += " " + number_text(s, 3); }
-        text += "  " + wrapped(values + "; zero up to " + small_text(rank.threshold), width - 2, 4) + '\n';
+        std::string values;
+        for (const double s : rank.singular_values) {
+            values += (values.empty() ? "" : " ") + number_text(s, 3);
+        }
+        const std::string line =
+            tr("singular values: {0}; zero up to {1}", values, small_text(rank.threshold));
+        text += "  " + wrapped(line, width - 2, 4) + '\n';
     }
     if (rank.near_singular) {
-        text += "  The smallest one that counts is small against the others: near a singular position.\n";
+        text += std::string("  ") +
+                tr("The smallest one that counts is small against the others: near a singular position.") +
+                '\n';
     }
     for (const std::string& doubt : rank.doubts) { text += "  " + wrapped(doubt, width - 2, 2) + '\n'; }
     for (const std::string& combination : rank.combinations) {
-        text += "  redundant: " + wrapped(combination, width - 13, 13) + '\n';
+        text += labelled(tr("redundant:"), combination, width);
     }
-    for (const std::string& motion : rank.free_motions) {
-        text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
-    }
+    for (const std::string& motion : rank.free_motions) { text += labelled(tr("free:"), motion, width); }
     return text;
 }
 
@@ -87,13 +96,13 @@ std::string clean_text(double value) {
 }
 
 std::string motion_text(const View& view) {
-    TextRows quantities{{"quantity", "value", "rate", "acceleration", ""}};
+    TextRows quantities{{tr("quantity"), tr("value"), tr("rate"), tr("acceleration"), ""}};
     for (const QuantityMotion& q : view.quantities) {
         quantities.push_back(
             {q.name, clean_text(q.value), clean_text(q.rate), clean_text(q.acceleration),
-             (q.unit == "-" ? "" : q.unit) + (q.driven ? " driven" : "")});
+             (q.unit == "-" ? "" : q.unit) + (q.driven ? " " + std::string(tr("driven")) : "")});
     }
-    TextRows bodies{{"body", "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
+    TextRows bodies{{tr("body"), "r [m]", "ṙ [m/s]", "ω [rad/s]"}};
     for (const BodyMotion& b : view.bodies) {
         bodies.push_back({b.body, vector_text(b.r), vector_text(b.r_dot), vector_text(b.omega)});
     }
@@ -120,8 +129,8 @@ std::string question_text(const QuestionView& question, int width) {
 
 std::string describe(const View& view, int width) {
     std::string text = "[" + std::to_string(view.step) + "] " + view.title;
-    if (view.kind == Step::Kind::iteration) { text += " · iteration"; }
-    if (view.kind == Step::Kind::assembled) { text += " · put together"; }
+    if (view.kind == Step::Kind::iteration) { text += " · " + std::string(tr("iteration")); }
+    if (view.kind == Step::Kind::assembled) { text += " · " + std::string(tr("put together")); }
     text += '\n';
     if (!view.sentence.empty()) { text += "  " + wrapped(view.sentence, width - 2, 2) + '\n'; }
     if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&

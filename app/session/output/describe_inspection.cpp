@@ -7,6 +7,7 @@
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "app/session/wording/text_width.hpp"
@@ -104,7 +105,7 @@ std::string matrix_text(
                 table.back().push_back(entry_text(entry == columns[k].end() ? 0.0 : entry->value));
             }
         }
-        text += "\n  Φq, columns of " + names[first].owner + '\n' +
+        text += "\n  " + tr("Φq, columns of {0}", names[first].owner) + '\n' +
                 text_table(table, columns_for_rows(widest, end - first, kEntryWidth));
         first = end;
     }
@@ -114,7 +115,7 @@ std::string matrix_text(
 std::string values_text(const VectorX& values) {
     std::string text;
     for (const double value : values) { text += (text.empty() ? "" : " ") + number_text(value, 4); }
-    return text.empty() ? "none" : text;
+    return text.empty() ? tr("none") : text;
 }
 
 std::string choices_text(const Inspection& inspection, int width) {
@@ -138,54 +139,58 @@ std::string choices_text(const Inspection& inspection, int width) {
 std::string redundant_lines(const Inspection& inspection, int width) {
     std::string text;
     for (const RedundantRow& row : inspection.rank.redundant_rows) {
-        text += "  redundant: " + wrapped(combination_text(*inspection.system, row), width - 13, 13) + '\n';
+        text += labelled(tr("redundant:"), combination_text(*inspection.system, row), width);
     }
     return text;
 }
 
 /// Says of a large system how certain the rank is and how to get the full spectrum.
 std::string without_spectrum_text(const RankReport& rank) {
-    return "largest singular value about " + number_text(rank.first_value(), 3) +
-           ", smallest one above zero about " + small_text(rank.last_value()) + "; zero up to " +
-           small_text(rank.threshold) +
-           ". The others and the free motions of so many columns take long: --spectrum computes them.";
+    return tr(
+        "largest singular value about {0}, smallest one above zero about {1}; zero up to {2}. The others and "
+        "the free motions of so many columns take long: --spectrum computes them.",
+        number_text(rank.first_value(), 3), small_text(rank.last_value()), small_text(rank.threshold));
 }
 
 std::string rank_lines(const Inspection& inspection, int width) {
     const RankReport& rank = inspection.rank;
     const System& system = *inspection.system;
-    std::string text = "  rank " + std::to_string(rank.rank) + " of " + count_text(rank.rows, "equation") +
-                       " and " + count_text(rank.columns, "column") +
-                       " (r, ω′): " + count_text(rank.dof, "freedom", "freedoms") + ", " +
-                       count_text(rank.redundant(), "redundant equation") + ", mobility by counting " +
-                       std::to_string(rank.mobility_by_counting) + '\n';
+    std::string text = "  " +
+                       tr("rank {0} of {1} and {2} (r, ω′): {3}, {4}, mobility by counting {5}", rank.rank,
+                          tr_count(rank.rows, "{0} equation", "{0} equations"),
+                          tr_count(rank.columns, "{0} column", "{0} columns"),
+                          tr_count(rank.dof, "{0} freedom", "{0} freedoms"),
+                          tr_count(rank.redundant(), "{0} redundant equation", "{0} redundant equations"),
+                          rank.mobility_by_counting) +
+                       '\n';
     if (!rank.assembled) {
-        text += "  The largest scaled residual is " + small_text(rank.residual) +
-                ": not assembled, so this is the rank of the matrix only.\n";
+        text +=
+            "  " +
+            tr("The largest scaled residual is {0}: not assembled, so this is the rank of the matrix only.",
+               small_text(rank.residual)) +
+            '\n';
     }
     if (!rank.has_spectrum) {
         return text + "  " + wrapped(without_spectrum_text(rank), width - 2, 4) + '\n' +
                redundant_lines(inspection, width);
     }
-    text += "  " +
-            wrapped(
-                "singular values (r, ω′): " + values_text(rank.singular_values) + "; zero up to " +
-                    small_text(rank.threshold),
-                width - 2, 4) +
-            '\n';
-    text += "  " +
-            wrapped("singular values of Φq above: " + values_text(inspection.singular_values), width - 2, 4) +
-            '\n';
+    const std::string values =
+        tr("singular values (r, ω′): {0}; zero up to {1}", values_text(rank.singular_values),
+           small_text(rank.threshold));
+    const std::string above = tr("singular values of Φq above: {0}", values_text(inspection.singular_values));
+    text += "  " + wrapped(values, width - 2, 4) + "\n  " + wrapped(above, width - 2, 4) + '\n';
     if (!inspection.sound) {
-        text += "  The singular values of Φq do not pass their check: they may be off by " +
-                small_text(inspection.singular_value_error) + ".\n";
+        text += "  " +
+                tr("The singular values of Φq do not pass their check: they may be off by {0}.",
+                   small_text(inspection.singular_value_error)) +
+                '\n';
     }
     for (const std::string& doubt : doubts_of(system, rank)) {
         text += "  " + wrapped(doubt, width - 2, 2) + '\n';
     }
     text += redundant_lines(inspection, width);
     for (const std::string& motion : free_motion_texts(system, rank.free_motions)) {
-        text += "  free: " + wrapped(motion, width - 8, 8) + '\n';
+        text += labelled(tr("free:"), motion, width);
     }
     return text;
 }
@@ -195,8 +200,8 @@ std::string rank_lines(const Inspection& inspection, int width) {
 std::string describe(const Inspection& inspection, const Lesson& lesson, int width) {
     const std::vector<std::string> labels = labels_of(inspection);
     const int widest = widest_of(labels) + 1;
-    std::string text = lesson.title + " · " + inspection.moment + " · coordinates " +
-                       name_of_choice(inspection.choice) + "\n\n";
+    std::string text = lesson.title + " · " + inspection.moment + " · " +
+                       tr("coordinates {0}", name_of_choice(inspection.choice)) + "\n\n";
     text += right_sides(inspection, labels, widest);
     text += matrix_text(inspection, labels, widest, width);
     const std::string choices = choices_text(inspection, width);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/story/dynamics_rows.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/motion/reactions.hpp"
 #include "lessons/diagnostics.hpp"
@@ -55,8 +56,9 @@ void add_residual(const Reactions& found, double t, DynamicsTable& table) {
     }
     if (found.holds() || !table.reaction_note.empty()) { return; }
     table.reaction_note =
-        "at t = " + number_text(t, 6) + " s the reactions leave " + small_text(found.residual) +
-        " of the forces on the bodies unexplained, of which rounding explains " + small_text(found.bound);
+        tr("at t = {0} s the reactions leave {1} of the forces on the bodies unexplained, of which rounding "
+           "explains {2}",
+           number_text(t, 6), small_text(found.residual), small_text(found.bound));
 }
 
 std::string summary_of(const DynamicsTable& table) {
@@ -64,13 +66,13 @@ std::string summary_of(const DynamicsTable& table) {
     const std::size_t potential = table.column_of("energy.potential");
     const std::size_t violation = table.column_of("position_violation");
     const IntegrationCounts& c = table.outcome.counts;
-    std::string text = std::to_string(c.steps) + " steps, " + std::to_string(c.rejected) + " rejected, " +
-                       std::to_string(c.evaluations) + " evaluations, " + std::to_string(c.projections) +
-                       " projections";
+    std::string text =
+        tr("{0} steps, {1} rejected, {2} evaluations, {3} projections", c.steps, c.rejected, c.evaluations,
+           c.projections);
     if (c.singular_passages > 0) {
-        text += ", " + std::to_string(c.singular_passages) + " steps near a singular position";
+        text = tr("{0}, {1} steps near a singular position", text, c.singular_passages);
     }
-    if (c.row_choices > 0) { text += ", rows chosen anew " + std::to_string(c.row_choices) + " times"; }
+    if (c.row_choices > 0) { text = tr("{0}, rows chosen anew {1} times", text, c.row_choices); }
     double position = 0.0;
     double energy = 0.0;
     for (const std::vector<double>& row : table.rows) {
@@ -78,9 +80,10 @@ std::string summary_of(const DynamicsTable& table) {
         energy = std::max(energy, std::abs(sum(row) - sum(table.rows.front())));
         position = std::max(position, row[violation]);
     }
-    return text + "; energy changed by up to " + number_text(energy, 3) + " J, constraints off by up to " +
-           number_text(position, 2) + ", accelerations proved to " +
-           small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints));
+    return tr(
+        "{0}; energy changed by up to {1} J, constraints off by up to {2}, accelerations proved to {3}", text,
+        number_text(energy, 3), number_text(position, 2),
+        small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints)));
 }
 
 /// Note that the branches of a loop cross only as exactly as the typed numbers fit each other.
@@ -89,12 +92,12 @@ std::string fit_note(const DynamicsTable& table) {
     if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
     const double left_open = table.rows.front()[table.column_of("position_violation")];
     if (left_open < twelve_digits) { return {}; }
-    return "redundant equations are violated by " + small_text(left_open) +
-           " at the start, so branches that should cross near a singular position separate there, and the "
-           "motion may go on along the folded one; numbers with 12 or more digits keep it on its branch";
+    return tr(
+        "redundant equations are violated by {0} at the start, so branches that should cross near a singular "
+        "position separate there, and the motion may go on along the folded one; numbers with 12 or more "
+        "digits keep it on its branch",
+        small_text(left_open));
 }
-
-constexpr const char* kNearest = " do not fit the joints; the nearest ones that do are used: ";
 
 /// Bodies whose start poses are moved, those that are moved most first.
 std::string pose_note(const Mechanism& given, const Snapshot& start) {
@@ -111,7 +114,7 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
         std::vector<std::string> parts;
         if (way > typed * length) { parts.push_back(number_text(way, 3) + " m"); }
         if (turn > typed) { parts.push_back(number_text(turn * kDegreesPerRadian, 3) + "°"); }
-        moved.emplace_back(by, "body " + in_quotes(body.name) + " begins " + listed(parts));
+        moved.emplace_back(by, tr("body {0} begins {1}", in_quotes(body.name), listed(parts)));
     }
     if (moved.empty()) { return {}; }
     std::ranges::stable_sort(moved, std::greater{}, &std::pair<double, std::string>::first);
@@ -120,8 +123,11 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
         if (texts.size() < most_named) { texts.push_back(text); }
     }
     const std::size_t more = moved.size() - texts.size();
-    return "the start poses" + (kNearest + listed(texts)) + " from where the file has it" +
-           (more > 0 ? " (and " + std::to_string(more) + " more, by less)" : "");
+    const std::string text =
+        tr("the start poses do not fit the joints; the nearest ones that do are used: {0} from where the "
+           "file has it",
+           listed(texts));
+    return more > 0 ? tr("{0} (and {1} more, by less)", text, more) : text;
 }
 
 /// Note about the body whose start velocity was changed most; velocities that the author did not give do not
@@ -136,22 +142,23 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
     double most = typed * fastest;
     std::string text;
     const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
-                             const std::string& unit, const std::string& hint) {
+                             const std::string& unit, bool away) {
         const double off = (found - wanted).norm();
         if (wanted.norm() == 0.0 || !(off / size > most)) { return; }
         most = off / size;
-        text = "body " + in_quotes(body.name) + " was given " + number_text(wanted.norm(), 4) + unit +
-               " and begins with " + number_text(found.norm(), 4) + unit + ", " + number_text(off, 2) + unit +
-               " off" + hint;
+        text =
+            tr("body {0} was given {1} and begins with {2}, {3} off", in_quotes(body.name),
+               number_text(wanted.norm(), 4) + unit, number_text(found.norm(), 4) + unit,
+               number_text(off, 2) + unit);
+        if (away) { text = tr("{0} (a joint away from its origin needs a 'velocity' as well)", text); }
     };
     for (std::size_t b = 0; b < given.bodies.size(); ++b) {
         const Body& body = given.bodies[b];
-        compare(
-            body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s",
-            " (a joint away from its origin needs a 'velocity' as well)");
-        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", "");
+        compare(body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s", true);
+        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", false);
     }
-    return text.empty() ? text : "the start velocities" + (kNearest + text);
+    if (text.empty()) { return text; }
+    return tr("the start velocities do not fit the joints; the nearest ones that do are used: {0}", text);
 }
 
 /// Watches a run: where it will take long it says so once, with what helps; where stability makes a method
@@ -191,14 +198,17 @@ private:
 
     void say(const RunState& run, double needed, bool stiff) {
         const std::string method(entry_of(request_->settings.method).name);
-        std::string text = "at t = " + number_text(run.t, 3) + " s of " + number_text(run.end, 3) + " s " +
-                           method + " has taken " + std::to_string(run.steps) +
-                           " steps; at this pace it takes " + number_text(needed, 2) + " in all";
+        std::string text =
+            tr("at t = {0} s of {1} s {2} has taken {3} steps; at this pace it takes {4} in all",
+               number_text(run.t, 3), number_text(run.end, 3), method, run.steps, number_text(needed, 2));
         if (static_cast<double>(request_->settings.most_steps) < needed) {
-            text += ", and is given up after " + std::to_string(request_->settings.most_steps);
+            text = tr("{0}, and is given up after {1}", text, request_->settings.most_steps);
         }
         if (stiff) {
-            text += "; stability, not accuracy, limits the step size: --method implicit-5 takes longer steps";
+            text =
+                tr("{0}; stability, not accuracy, limits the step size: --method implicit-5 takes longer "
+                   "steps",
+                   text);
         }
         *note_ = text;
         if (request_->tell) { request_->tell(text); }
@@ -297,10 +307,10 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
         used.settings.dense.reset();
         used.method_chosen = true;
         const long steps = table.outcome.counts.steps;
-        table.pace_note = "the scene is stiff: stability, not accuracy, limits the steps of " + method +
-                          " (" + std::to_string(steps) +
-                          " of them to t = " + number_text(table.outcome.failure->t, 3) +
-                          " s); implicit-5 was taken instead, --method " + method + " keeps it";
+        table.pace_note =
+            tr("the scene is stiff: stability, not accuracy, limits the steps of {0} ({1} of them to t = {2} "
+               "s); implicit-5 was taken instead, --method {0} keeps it",
+               method, steps, number_text(table.outcome.failure->t, 3));
         if (request.tell) { request.tell(table.pace_note); }
         run_once(lesson, used, table);
     }

@@ -35,9 +35,9 @@ std::string subject_name(const Lesson& lesson, const Addition& subject) {
 }
 
 std::string number_word(int n) {
-    constexpr std::array words{tr_later("no"),   tr_later("one"),  tr_later("two"), tr_later("three"),
+    constexpr std::array words{tr_later("one"),  tr_later("two"),  tr_later("three"),
                                tr_later("four"), tr_later("five"), tr_later("six")};
-    return n >= 0 && n < 7 ? tr(words[static_cast<std::size_t>(n)]) : std::to_string(n);
+    return n >= 1 && n <= 6 ? tr(words[static_cast<std::size_t>(n - 1)]) : std::to_string(n);
 }
 
 /// "3 from s, 2 of 3 from p1"
@@ -319,18 +319,20 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
         case Step::Kind::equations: return equations_sentence(lesson, step, *subject);
         case Step::Kind::iteration: return iteration_sentence(step);
         case Step::Kind::assembled: return assembled_sentence(lesson, step, *subject, rank);
-        case Step::Kind::failed:
-            return tr("{0} cannot be closed. The last good pose is kept.", subject_name(lesson, *subject));
+        case Step::Kind::failed: return tr("{0}. The last good pose is kept.", what_failed(lesson, step));
         case Step::Kind::question: return tr("Predict, then see.");
         case Step::Kind::answer: return tr("This is what came out.");
         case Step::Kind::motion: break;
     }
-    if (step.failed()) {
-        return tr(
-            "The motion cannot be followed beyond t = {0} s. This is the last good pose.",
-            number_text(step.t));
-    }
+    if (step.failed()) { return tr("{0}. This is the last good pose.", what_failed(lesson, step)); }
     return motion_sentence(lesson, step, rank);
+}
+
+std::string what_failed(const Lesson& lesson, const Step& step) {
+    if (step.kind == Step::Kind::motion) {
+        return tr("The motion cannot be followed beyond t = {0} s", number_text(step.t));
+    }
+    return tr("{0} cannot be closed", subject_name(lesson, *subject_of(lesson, step)));
 }
 
 std::string once_assembled_text(int here, int once) {

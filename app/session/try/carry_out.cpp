@@ -1,6 +1,7 @@
 #include "app/session/try/carry_out.hpp"
 
 #include "app/session/try/experiment_text.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/numerics/variants.hpp"
 
@@ -46,16 +47,16 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
         // a driven motion was led along its way
         return {
             session.index() != index || said.empty(),
-            said.empty() ? "the motion moved along its path" : said};
+            said.empty() ? tr("the motion moved along its path") : said};
     }
     if (same_pose(before, session.step().state)) {
         session.apply(LetGo{});
-        return {false, said.empty() ? "nothing moves" : said};
+        return {false, said.empty() ? tr("nothing moves") : said};
     }
-    std::string what = "moved along the free motion";
+    std::string what = tr("moved along the free motion");
     if (drag != nullptr) {
         const Body& body = session.lesson().mechanism.bodies[static_cast<std::size_t>(drag->body)];
-        what = body.name + " dragged to " + vector_text(point_at(session, *drag));
+        what = tr("{0} dragged to {1}", body.name, vector_text(point_at(session, *drag)));
     }
     session.apply(Release{});
     return {true, what + (said.empty() ? "" : ": " + said)};
@@ -77,7 +78,7 @@ ExperimentResult carry_out(Session& session, const std::string& text) {
         Overloaded{
             [&](const GoTo& place) -> ExperimentResult {
                 session.apply(place);
-                return {true, "at step " + std::to_string(session.index())};
+                return {true, tr("at step {0}", session.index())};
             },
             [&](const EditsLesson auto& change) { return applied(session, change); },
             [&](const Drag& drag) { return move(session, drag); },

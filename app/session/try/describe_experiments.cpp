@@ -2,6 +2,7 @@
 
 #include "app/session/output/describe.hpp"
 #include "app/session/try/possible_experiments.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "app/session/wording/text_width.hpp"
@@ -13,9 +14,9 @@ namespace {
 constexpr int kWidth = 100;
 
 std::string summary_of(const Effect& e) {
-    return count_text(e.rows, "equation") + ", rank " + std::to_string(e.rank) + ", " +
-           count_text(e.dof, "freedom") + ", " + std::to_string(e.redundant()) + " repeated, condition " +
-           number_text(e.condition, 3);
+    return tr(
+        "{0}, rank {1}, {2}, {3} repeated, condition {4}", tr_count(e.rows, "{0} equation", "{0} equations"),
+        e.rank, tr_count(e.dof, "{0} freedom", "{0} freedoms"), e.redundant(), number_text(e.condition, 3));
 }
 
 /// One table through all groups, each under its title: as wide as the widest text of any.
@@ -26,9 +27,9 @@ std::vector<TextColumn> columns_for(int widest) {
 
 std::vector<std::string> cells(const PossibleExperiment& e) {
     // geometry has no effect yet: it is as it is
-    if (!e.effect) { return {e.text, e.now ? "as it is" : ""}; }
-    const std::string note = e.now ? "as it is" : "";
-    const std::string price = e.free ? "costs no rank" : "";
+    if (!e.effect) { return {e.text, e.now ? tr("as it is") : ""}; }
+    const std::string note = e.now ? tr("as it is") : "";
+    const std::string price = e.free ? tr("costs no rank") : "";
     return {
         e.text,
         std::to_string(e.effect->rank),
@@ -53,27 +54,29 @@ std::string group_text(const ExperimentGroup& group, int widest) {
 }
 
 std::string motions_text(const PossibleExperiments& all) {
-    if (all.free_motions.empty()) { return "No free motion: every direction is held.\n"; }
-    std::string text = "Free motions\n";
+    if (all.free_motions.empty()) {
+        return std::string(tr("No free motion: every direction is held.")) + '\n';
+    }
+    std::string text = std::string(tr("Free motions")) + '\n';
     for (const FreeMotionVerdict& v : all.free_motions) {
-        text += "  " + padded(v.text, 12) + (v.finite ? "finite         " : "instantaneous  ") +
+        text += "  " + padded(v.text, 12) + padded(v.finite ? tr("finite") : tr("instantaneous"), 15) +
                 wrapped(v.motion, kWidth - 29, 29) + '\n';
     }
     return text;
 }
 
 std::string repeated_text(const PossibleExperiments& all) {
-    if (all.combinations.empty()) { return "No equation repeats others.\n\n"; }
-    std::string text = "Equations that repeat each other\n";
+    if (all.combinations.empty()) { return std::string(tr("No equation repeats others.")) + "\n\n"; }
+    std::string text = std::string(tr("Equations that repeat each other")) + '\n';
     for (const std::string& combination : all.combinations) {
         text += "  " + wrapped(combination, kWidth - 2, 4) + '\n';
     }
     std::string list;
     for (const std::string& row : all.removable) { list += (list.empty() ? "" : ", ") + row; }
     const std::string verdict = all.present.redundant() == 1
-                                    ? "Taking out any one of these restores full row rank: "
-                                    : "Taking out any one of these leaves the rank as it is: ";
-    return text + "  " + wrapped(verdict + list, kWidth - 2, 4) + "\n\n";
+                                    ? tr("Taking out any one of these restores full row rank: {0}", list)
+                                    : tr("Taking out any one of these leaves the rank as it is: {0}", list);
+    return text + "  " + wrapped(verdict, kWidth - 2, 4) + "\n\n";
 }
 
 Json json_of(const Effect& e) {
@@ -102,9 +105,10 @@ Json json_of(const ExperimentGroup& group) {
 ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson)
     : widest_(widest_of(outline.coordinates)) {
     for (const ExperimentGroup& group : outline.groups) { widest_ = std::max(widest_, widest_of(group)); }
-    head_ = lesson.title + '\n' + outline.moment + " (step " + std::to_string(outline.step) +
-            "): " + summary_of(outline.present) + "\n\n" +
-            text_table({{"", "rank", "freedoms", "repeated", "condition"}}, columns_for(widest_));
+    head_ =
+        lesson.title + '\n' +
+        tr("{0} (step {1}): {2}", outline.moment, outline.step, summary_of(outline.present)) + "\n\n" +
+        text_table({{"", tr("rank"), tr("freedoms"), tr("repeated"), tr("condition")}}, columns_for(widest_));
 }
 
 std::string ExperimentsText::group(const ExperimentGroup& group) const { return group_text(group, widest_); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw {
@@ -58,9 +59,9 @@ public:
 
     Edit operator()(const SetParallelForm& a) {
         Joint* const joint = joint_of(a.joint);
-        if (joint == nullptr) { return refused("there is no such joint"); }
+        if (joint == nullptr) { return refused(tr("there is no such joint")); }
         if (!joint->type->uses(Role::axes_parallel) && !joint->type->uses(Role::distance_parallel)) {
-            return refused(joint->name + " has no p1 or p2");
+            return refused(tr("{0} has no p1 or p2", joint->name));
         }
         joint->parallel_form = a.form;
         return done(joint->name + ": " + name_of_form(a.form));
@@ -69,25 +70,27 @@ public:
     Edit operator()(const SetScrewAngleForm& a) {
         Joint* const joint = joint_of(a.joint);
         if (joint == nullptr || !joint->type->uses(Role::screw_angle)) {
-            return refused("only a screw has an angle row");
+            return refused(tr("only a screw has an angle row"));
         }
         joint->geometry.screw_angle_form = a.form;
-        return done(joint->name + ": " + label_of(kAngleRows, a.form));
+        return done(joint->name + ": " + tr(label_of(kAngleRows, a.form)));
     }
 
     Edit operator()(const SetCoordinates& a) {
         lesson_.coordinates = a.choice;
-        return done(std::string("coordinates ") + name_of_choice(a.choice));
+        return done(tr("coordinates {0}", name_of_choice(a.choice)));
     }
 
     Edit operator()(const SetPresent& a) {
         const std::size_t size = a.what.kind == Addition::Kind::joint ? lesson_.mechanism.joints.size()
                                                                       : lesson_.mechanism.drivers.size();
-        if (!is_index(a.what.index, size)) { return refused("there is no joint or driver of that number"); }
+        if (!is_index(a.what.index, size)) {
+            return refused(tr("there is no joint or driver of that number"));
+        }
         const std::string name = name_of(lesson_, a.what);
         const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
         if (is_present == a.present) {
-            return refused(name + (is_present ? " is there" : " is out") + " already");
+            return refused(is_present ? tr("{0} is there already", name) : tr("{0} is out already", name));
         }
         if (a.present) { return put_back(a.what, name); }
         std::erase(lesson_.order, a.what);
@@ -95,48 +98,48 @@ public:
         std::erase_if(lesson_.order, [&](const Addition& other) {
             return a.what.kind == Addition::Kind::joint && joint_driven_by(other) == a.what.index;
         });
-        return done(name + " taken out");
+        return done(tr("{0} taken out", name));
     }
 
     Edit operator()(const SetEquationPresent& a) {
         Joint* const joint = joint_of(a.joint);
         if (joint == nullptr || !joint->type->uses(a.equation.role)) {
-            return refused("the joint has no such equation");
+            return refused(tr("the joint has no such equation"));
         }
         const auto found = std::ranges::find(joint->without, a.equation);
         const bool is_present = found == joint->without.end();
-        if (is_present == a.present) { return refused("nothing changes"); }
+        if (is_present == a.present) { return refused(tr("nothing changes")); }
         if (a.present) {
             joint->without.erase(found);
         } else {
             joint->without.push_back(a.equation);
         }
         const std::string name = joint->name + " · " + name_of_role(a.equation.role, joint->parallel_form);
-        return done(name + (a.present ? ": equation put back" : ": equation taken out"));
+        return done(a.present ? tr("{0}: equation put back", name) : tr("{0}: equation taken out", name));
     }
 
     Edit operator()(const SetGeometry& a) {
         Joint* const joint = joint_of(a.joint);
-        if (joint == nullptr) { return refused("there is no such joint"); }
-        if (!usable(a.geometry)) { return refused("points must be finite and directions not zero"); }
+        if (joint == nullptr) { return refused(tr("there is no such joint")); }
+        if (!usable(a.geometry)) { return refused(tr("points must be finite and directions not zero")); }
         if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
-            return refused("a length must be above 0");
+            return refused(tr("a length must be above 0"));
         }
         joint->geometry = a.geometry;
         measure_anew(a.joint);
-        return done(joint->name + " moved");
+        return done(tr("{0} moved", joint->name));
     }
 
     Edit operator()(const SetDriver& a) {
         if (!is_index(a.driver, lesson_.mechanism.drivers.size())) {
-            return refused("there is no such driver");
+            return refused(tr("there is no such driver"));
         }
         if (!is_finite(a.function)) {
-            return refused("numbers of a driver must be finite, a step must have an end");
+            return refused(tr("numbers of a driver must be finite, a step must have an end"));
         }
         Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
         driver.function = a.function;
-        return done(driver.name + " changed");
+        return done(tr("{0} changed", driver.name));
     }
 
     template <class E>
@@ -176,13 +179,13 @@ private:
     Edit put_back(const Addition& what, const std::string& name) {
         const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
         if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
-            return refused(name + " drives " + name_of(lesson_, its_joint) + ": put that back first");
+            return refused(tr("{0} drives {1}: put that back first", name, name_of(lesson_, its_joint)));
         }
         const auto rank = [&](const Addition& a) { return std::ranges::find(written_.order, a); };
         const auto later =
             std::ranges::find_if(lesson_.order, [&](const Addition& a) { return rank(a) > rank(what); });
         lesson_.order.insert(later, what);
-        return done(name + " put back");
+        return done(tr("{0} put back", name));
     }
 
     Edit done(std::string what) { return {std::move(lesson_), std::move(what)}; }

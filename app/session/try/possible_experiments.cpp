@@ -8,6 +8,7 @@
 #include "app/session/view/inspection.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/joint_needs.hpp"
@@ -167,7 +168,7 @@ ExperimentGroup Laboratory::of_joint(int index) const {
 ExperimentGroup Laboratory::of_driver(int index) const {
     const Driver& driver = session_.lesson().mechanism.drivers[static_cast<std::size_t>(index)];
     ExperimentGroup group;
-    group.title = driver.name + " · driver";
+    group.title = driver.name + " · " + tr("driver");
     add_presence({Addition::Kind::driver, index}, group);
     TimeFunction function = driver.function;
     function.polynomial.resize(std::max<std::size_t>(2, function.polynomial.size()), 0.0);
@@ -178,7 +179,7 @@ ExperimentGroup Laboratory::of_driver(int index) const {
 /// The condition is that of Φq with its normalisation rows, as it stands.
 ExperimentGroup Laboratory::coordinates() const {
     ExperimentGroup group;
-    group.title = "coordinates of Φq";
+    group.title = tr("coordinates of Φq");
     const int step = closed_step(session_.story(), session_.index());
     for (const auto& [choice, word, label] : kChoices) {
         PossibleExperiment e{
@@ -217,11 +218,11 @@ std::vector<FreeMotionVerdict> Laboratory::free_motions() const {
 
 std::string Laboratory::moment() const {
     const std::optional<Addition> subject = subject_of(session_.lesson(), step_);
-    if (step_.kind == Step::Kind::motion) { return "at " + number_text(step_.t, 6) + " s"; }
-    if (!subject) { return "with the free bodies"; }
+    if (step_.kind == Step::Kind::motion) { return tr("at {0} s", number_text(step_.t, 6)); }
+    if (!subject) { return tr("with the free bodies"); }
     const Mechanism& m = session_.lesson().mechanism;
     const auto k = static_cast<std::size_t>(subject->index);
-    return "after " + (subject->kind == Addition::Kind::joint ? m.joints[k].name : m.drivers[k].name);
+    return tr("after {0}", subject->kind == Addition::Kind::joint ? m.joints[k].name : m.drivers[k].name);
 }
 
 ExperimentGroup Laboratory::group_of(const Addition& part) const {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_lesson.hpp"
+
 namespace jw {
 
 namespace {
@@ -166,13 +169,13 @@ std::string Session::perform(const Redo& /*experiment*/) {
 
 std::string Session::perform(const StartOver& /*experiment*/) {
     leave_hand();
-    if (!is_changed()) { return "Nothing was changed."; }
-    Past past = present("start over");
+    if (!is_changed()) { return tr("Nothing was changed."); }
+    Past past = present(tr("start over"));
     take_over(written_);
     undo_.push_back(std::move(past));
     redo_.clear();
     gesture_ = 0;
-    return "The lesson is as it was written.";
+    return tr("The lesson is as it was written.");
 }
 
 void Session::leave_hand() {
@@ -198,7 +201,10 @@ std::string Session::edit(const Experiment& experiment) {
 
 std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<Past>& to) {
     gesture_ = 0;
-    if (from.empty()) { return &from == &undo_ ? "There is nothing to undo." : "There is nothing to redo."; }
+    if (from.empty()) {
+        return tr(
+            &from == &undo_ ? tr_later("There is nothing to undo.") : tr_later("There is nothing to redo."));
+    }
     const Past past = from.back();
     Past now = present(past.what);
     take_over(past.lesson);
@@ -207,17 +213,23 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
     to.push_back(std::move(now));
     index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
     changed();
-    return (&from == &undo_ ? "Undone: " : "Done again: ") + past.what;
+    return &from == &undo_ ? tr("Undone: {0}", past.what) : tr("Done again: {0}", past.what);
 }
 
 void Session::replace(Lesson lesson) {
-    Past past = present("the file before");
+    Past past = present(tr("the file before"));
     const auto written = std::make_shared<const Lesson>(std::move(lesson));
     take_over(written);
     written_ = written;
     undo_.push_back(std::move(past));
     redo_.clear();
     gesture_ = 0;
+}
+
+void Session::tell_again() {
+    const auto written = std::make_shared<const Lesson>(shown_lesson(*written_));
+    take_over(is_changed() ? std::make_shared<const Lesson>(shown_lesson(*lesson_)) : written);
+    written_ = written;
 }
 
 Session::Past Session::present(std::string what) const {
@@ -260,18 +272,20 @@ void Session::changed() {
 
 std::string Session::drag(const Drag& drag) {
     const auto bodies = lesson_->mechanism.bodies.size();
-    if (drag.body < 0 || static_cast<std::size_t>(drag.body) >= bodies) { return "there is no such body"; }
+    if (drag.body < 0 || static_cast<std::size_t>(drag.body) >= bodies) {
+        return tr("there is no such body");
+    }
     const Body& body = lesson_->mechanism.bodies[static_cast<std::size_t>(drag.body)];
-    if (body.fixed) { return body.name + " is fixed: it has no unknowns."; }
+    if (body.fixed) { return tr("{0} is fixed: it has no unknowns.", body.name); }
     gesture_ = 0;
     if (!hand_ && step().kind == Step::Kind::motion) { return scrub(drag); }
     if (!hand_) { hand_ = std::make_unique<Hand>(*story_, index_); }
     const DragOutcome outcome = hand_->pull(drag.body, drag.point_local, drag.target);
     changed();
     if (outcome.freedoms == 0) {
-        return "Nothing is free here: the joints and drivers that are present hold every body.";
+        return tr("Nothing is free here: the joints and drivers that are present hold every body.");
     }
-    return outcome.blocked ? "The equations hold " + body.name + " in this direction." : std::string();
+    return outcome.blocked ? tr("The equations hold {0} in this direction.", body.name) : std::string();
 }
 
 /// A driven mechanism goes its way: the hand leads it to the moment where the point is nearest to the target,
@@ -300,11 +314,11 @@ std::string Session::scrub(const Drag& drag) {
 std::string Session::release() {
     if (!hand_) { return {}; }
     const State state = hand_->step().state;
-    Past past = present("start estimate moved by hand");
+    Past past = present(tr("start estimate moved by hand"));
     take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));
     undo_.push_back(std::move(past));
     redo_.clear();
-    return "The pose is the new start estimate.";
+    return tr("The pose is the new start estimate.");
 }
 
 std::string Session::show_freedom(const ShowFreedom& experiment) {
@@ -313,7 +327,7 @@ std::string Session::show_freedom(const ShowFreedom& experiment) {
     if (!hand_->follow(experiment.motion, experiment.part)) {
         hand_.reset();
         changed();
-        return "There is no such free motion here.";
+        return tr("There is no such free motion here.");
     }
     changed();
     return {};

@@ -43,6 +43,9 @@ public:
 
     /// The file was saved anew. What was tried before stays in the history.
     void replace(Lesson lesson);
+    /// Tells the same story again, at the same step, in the language of now
+    /// (app/session/wording/messages.hpp).
+    void tell_again();
 
     const View& view() const;
     const Picture& picture() const;

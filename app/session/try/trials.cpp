@@ -3,6 +3,7 @@
 #include "app/session/story/sentences.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/explanations.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
@@ -14,7 +15,7 @@ ClaimResult result_of(const Trial& trial, const Lesson& lesson) {
     result.span = trial.span;
     result.why = math::plain_words(trial.text);
     result.moment = "try";
-    result.expected = trial.breaks ? "can be carried out" : "can be carried out and goes to its end";
+    result.expected = trial.breaks ? tr("can be carried out") : tr("can be carried out and goes to its end");
     Session session(lesson);
     for (const std::string& action : trial.actions) {
         result.subject += (result.subject.empty() ? "" : ", ") + action;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/session/view/quantities.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/block_formulas.hpp"
 #include "lessons/formula/symbol_values.hpp"
@@ -109,8 +110,9 @@ std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coord
         constexpr const char* axes[] = {"x", "y", "z"};
         derivation.entry =
             entry_of(formula::evaluate_expression(right, meanings), origin.component, place->offset);
-        derivation.row = (value.rows() == 3 ? std::string("row ") + axes[origin.component] + ": " : "row: ") +
-                         numbers(value.d[0].row(origin.component));
+        derivation.row =
+            (value.rows() == 3 ? tr("row {0}", axes[origin.component]) : std::string(tr("row"))) + ": " +
+            numbers(value.d[0].row(origin.component));
     }
     return derivation;
 }

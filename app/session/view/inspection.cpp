@@ -5,6 +5,7 @@
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/wording/explanations.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
@@ -54,10 +55,11 @@ bool is_far_outside(const Lesson& lesson, double t) {
 
 PoseNotReached far_outside(const Lesson& lesson, double t, double reached) {
     return PoseNotReached(
-        lesson.file_name + ": t = " + number_text(t, 4) +
-        " s lies far outside the lesson's motion, which goes from " + number_text(lesson.motion->from, 4) +
-        " s to " + number_text(lesson.motion->to, 4) + " s. It could be followed as far as " +
-        number_text(reached, 4) + " s.");
+        lesson.file_name + ": " +
+        tr("t = {0} s lies far outside the lesson's motion, which goes from {1} s to {2} s. It could be "
+           "followed as far as {3} s.",
+           number_text(t, 4), number_text(lesson.motion->from, 4), number_text(lesson.motion->to, 4),
+           number_text(reached, 4)));
 }
 
 }  // namespace
@@ -67,10 +69,8 @@ PoseNotReached not_reached(const Lesson& lesson, const System& system, const Pos
 }
 
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed) {
-    std::string text = sentence_of(lesson, failed, RankReport{});
-    // "Joint D cannot be closed. ...": its first sentence
-    text = text.substr(0, text.find(". "));
-    return PoseNotReached(lesson.file_name + ": " + text + ": " + failure_text(failed));
+    return PoseNotReached(
+        lesson.file_name + ": " + what_failed(lesson, failed) + ": " + failure_text(failed));
 }
 
 bool is_shown_dense(const Inspection& inspection) {
@@ -80,7 +80,7 @@ bool is_shown_dense(const Inspection& inspection) {
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, Spectrum spectrum) {
     const Step& step = story.steps().at(static_cast<std::size_t>(index));
     Inspection inspection;
-    inspection.moment = "step " + std::to_string(index);
+    inspection.moment = tr("step {0}", index);
     inspection.step = index;
     inspection.choice = choice;
     inspection.system = step.system;
@@ -94,7 +94,7 @@ Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, 
 
 Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice, Spectrum spectrum) {
     Inspection inspection;
-    inspection.moment = "as given";
+    inspection.moment = tr("as given");
     inspection.choice = choice;
     inspection.state = start_state(lesson.mechanism);
     inspection.velocity = start_motion(lesson.mechanism);
@@ -112,7 +112,7 @@ namespace {
 /// State and velocity where masses and forces have led to from an assembled start.
 void simulate_to(const Lesson& lesson, const State& start, Inspection& inspection) {
     if (inspection.t < 0.0) {
-        throw PoseNotReached(lesson.file_name + ": there is no motion before the start at 0 s");
+        throw PoseNotReached(lesson.file_name + ": " + tr("there is no motion before the start at 0 s"));
     }
     const DynamicsRequest request = request_of(lesson);
     const SimulationSettings settings = request.settings;

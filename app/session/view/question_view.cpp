@@ -10,6 +10,7 @@
 
 #include "app/session/story/dynamics_rows.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/numerics/variants.hpp"
@@ -112,7 +113,7 @@ RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
 }
 
 std::string answer_text(const Question& question, const RightAnswer& right) {
-    if (!right.known) { return "It cannot be told in this scene."; }
+    if (!right.known) { return tr("It cannot be told in this scene."); }
     if (right.choice >= 0) { return choices_of(question)[static_cast<std::size_t>(right.choice)]; }
     const std::string unit = unit_of_answer(question);
     // as many digits as the tolerance asks for, and two more
@@ -201,26 +202,26 @@ GivenAnswer judge_answer(const QuestionView& view, const RightAnswer& right, con
     if (!view.choices.empty()) {
         const int choice = chosen(view, given);
         if (choice < 0) {
-            judged.note = "expected the number of a choice, 1 to " + std::to_string(view.choices.size());
+            judged.note = tr("expected the number of a choice, 1 to {0}", view.choices.size());
             return judged;
         }
         judged.understood = true;
         judged.right = right.known && choice == right.choice;
-        judged.note = "You said: " + view.choices[static_cast<std::size_t>(choice)];
+        judged.note = tr("You said: {0}", view.choices[static_cast<std::size_t>(choice)]);
         return judged;
     }
     const std::optional<double> number = typed_number(given, view.unit);
     if (!number) {
-        judged.note = "expected a number" + (view.unit.empty() ? "" : " in " + view.unit);
+        judged.note = view.unit.empty() ? tr("expected a number") : tr("expected a number in {0}", view.unit);
         return judged;
     }
     const double apart = *number - right.number;
     const double off = right.turn > 0.0 ? std::remainder(apart, right.turn) : apart;
     judged.understood = true;
     judged.right = right.known && std::abs(off) <= right.tolerance;
-    judged.note = "You said " + number_text(*number, 6) + (view.unit.empty() ? "" : " " + view.unit) + ".";
+    judged.note = tr("You said {0}.", number_text(*number, 6) + (view.unit.empty() ? "" : " " + view.unit));
     if (right.known && !judged.right && right.tolerance > 0.0) {
-        judged.note += " Off by " + number_text(off, 3) + ".";
+        judged.note = followed(judged.note, tr("Off by {0}.", number_text(off, 3)));
     }
     return judged;
 }

@@ -9,6 +9,7 @@
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/series_parts.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/motion/forces.hpp"
 #include "core/numerics/variants.hpp"
@@ -202,7 +203,7 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
 
 SeriesSet newton_series(const Story& story) {
     SeriesSet set;
-    set.axis = "iteration";
+    set.axis = tr_later("iteration");
     set.logarithmic = true;
     for (const Solve& solve : solves_of(story)) {
         Series series{solve.name, "-", std::vector<double>(set.at.size(), kMissing), 0.0, false};
@@ -215,7 +216,9 @@ SeriesSet newton_series(const Story& story) {
                         series.values.push_back(newton.phi_norm);
                     },
                     [&](const WrongBranch&) {
-                        if (!set.at.empty()) { set.marks.push_back({set.at.back(), "wrong branch left"}); }
+                        if (!set.at.empty()) {
+                            set.marks.push_back({set.at.back(), tr("wrong branch left")});
+                        }
                     },
                 },
                 solve.events[k]);
@@ -224,7 +227,9 @@ SeriesSet newton_series(const Story& story) {
     }
     for (Series& s : set.series) { s.values.resize(set.at.size(), kMissing); }
     set.telling = series::all_of(set);
-    if (set.at.empty()) { set.why_empty = "No iterations here: the lesson adds neither joints nor drivers."; }
+    if (set.at.empty()) {
+        set.why_empty = tr("No iterations here: the lesson adds neither joints nor drivers.");
+    }
     return set;
 }
 

@@ -5,6 +5,7 @@
 #include "app/session/view/series_parts.hpp"
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw {
 
@@ -43,13 +44,13 @@ Mark switches_between(const System& before, const System& now) {
     int joints = 0;
     for (std::size_t k = 0; k < switches.size(); ++k) {
         const Switch& s = switches[k];
-        mark.text += (k == 0 ? "" : "; ") + s.text + ": drop " + axis_name(s.dropped);
+        mark.text += (k == 0 ? "" : "; ") + tr("{0}: drop {1}", s.text, axis_name(s.dropped));
         if (k > 0 && switches[k - 1].joint == s.joint) { continue; }
         mark.brief += (k == 0 ? "" : ", ") + joint_of(s.joint).name;
         ++joints;
     }
-    mark.brief += joints == 1 ? " switches" : " switch";
-    mark.many = "switches of rows";
+    mark.brief = tr_count(joints, "{1} switches", "{1} switch", mark.brief);
+    mark.many = tr("switches of rows");
     return mark;
 }
 
@@ -75,14 +76,16 @@ void add_change_points(const Story& story, SeriesSet& set) {
         if (!is_one(first)) { continue; }
         std::size_t last = first;
         while (last + 1 < set.steps.size() && is_one(last + 1)) { ++last; }
-        set.marks.push_back({0.5 * (set.at[first] + set.at[last]), "change point"});
+        set.marks.push_back({0.5 * (set.at[first] + set.at[last]), tr("change point")});
         first = last;
     }
 }
 
 std::string why_nothing_moves(const Story& story) {
-    if (story.failure() != nullptr) { return "Nothing moves here: the mechanism could not be put together."; }
-    return "Nothing moves here: the lesson ends once everything is put together.";
+    if (story.failure() != nullptr) {
+        return tr("Nothing moves here: the mechanism could not be put together.");
+    }
+    return tr("Nothing moves here: the lesson ends once everything is put together.");
 }
 
 /// Indices of the largest and smallest of many singular values, and of the threshold.
@@ -202,7 +205,7 @@ SeriesSet condition_series(const Story& story, int joint) {
         set.at.clear();
         set.steps.clear();
         if (set.why_empty.empty()) {
-            set.why_empty = "This joint has no p1 or p2: nothing is left out of it.";
+            set.why_empty = tr("This joint has no p1 or p2: nothing is left out of it.");
         }
     }
     return set;

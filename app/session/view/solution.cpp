@@ -5,6 +5,7 @@
 
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/quantity/evaluate.hpp"
@@ -111,10 +112,10 @@ std::string asked_text(const System& system, int row, double value, const std::s
 }
 
 /// The redundant equation that misses what those that it repeats ask for by most.
-/// @param asked right sides: ν or γ
+/// @param asked    right sides: ν or γ
+/// @param of_rates  they are ν
 std::string contradiction_of(
-    const System& system, const MotionFrame& frame, const VectorX& asked, const std::string& what,
-    const std::string& per) {
+    const System& system, const MotionFrame& frame, const VectorX& asked, bool of_rates) {
     const RankReport report = rank_of(system, frame.state, frame.t);
     const RedundantRow* worst = nullptr;
     double most = 0.0;
@@ -136,11 +137,16 @@ std::string contradiction_of(
         if (asked(term.row) == 0.0 || std::ranges::find(owners, owner) != owners.end()) { continue; }
         owners.push_back(owner);
     }
+    const std::string t = number_text(frame.t, 6);
     const std::string self = row_owner(system, worst->row);
-    return "at t = " + number_text(frame.t, 6) + " s " + self + " repeats " +
-           (owners.empty() ? "other equations" : listed(owners)) + " and asks for another " + what + ": " +
-           asked_text(system, worst->row, asked(worst->row), per, frame.t) + " instead of " +
-           asked_text(system, worst->row, implied, per, frame.t);
+    const std::string others = owners.empty() ? tr("other equations") : listed(owners);
+    const std::string per = of_rates ? "/s" : "/s²";
+    const std::string one = asked_text(system, worst->row, asked(worst->row), per, frame.t);
+    const std::string other = asked_text(system, worst->row, implied, per, frame.t);
+    return of_rates ? tr("at t = {0} s {1} repeats {2} and asks for another rate: {3} instead of {4}", t,
+                         self, others, one, other)
+                    : tr("at t = {0} s {1} repeats {2} and asks for another acceleration: {3} instead of {4}",
+                         t, self, others, one, other);
 }
 
 /// Contradiction of the velocity equations, or of the acceleration equations where velocities agree.
@@ -149,10 +155,10 @@ std::string contradiction_at(const System& system, const MotionFrame& frame) {
     assembler.assemble_phi_and_jacobian(frame.state, frame.t);
     if (!frame.velocity_verdict.consistent) {
         assembler.assemble_nu(frame.t);
-        return contradiction_of(system, frame, assembler.nu(), "rate", "/s");
+        return contradiction_of(system, frame, assembler.nu(), true);
     }
     assembler.assemble_gamma(frame.state, frame.velocity, frame.t);
-    return contradiction_of(system, frame, assembler.gamma(), "acceleration", "/s²");
+    return contradiction_of(system, frame, assembler.gamma(), false);
 }
 
 }  // namespace

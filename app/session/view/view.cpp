@@ -9,6 +9,7 @@
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
@@ -119,9 +120,9 @@ NewtonRow newton_row_of(const System& system, const NewtonStep& newton) {
     row.fraction = newton.fraction;
     row.rank = newton.rank;
     if (newton.converged) {
-        row.note = "closed";
+        row.note = tr("closed");
     } else if (newton.fraction < 1.0) {
-        row.note = "step limited";
+        row.note = tr("step limited");
     }
     return row;
 }
@@ -131,7 +132,7 @@ std::vector<NewtonRow> newton_rows_of(const Step& step) {
     const auto add = Overloaded{
         [&](const NewtonStep& newton) { rows.push_back(newton_row_of(*step.system, newton)); },
         [&](const WrongBranch&) {
-            if (!rows.empty()) { rows.back().note = "wrong branch, left"; }
+            if (!rows.empty()) { rows.back().note = tr("wrong branch, left"); }
         },
     };
     for (const PositionEvent& event : step.events) { std::visit(add, event); }
@@ -178,22 +179,23 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
 void add_summary(const Lesson& lesson, View& view) {
     if (lesson.summary.empty()) { return; }
     std::string& text = view.question ? view.question->why : view.author_text;
-    text += (text.empty() ? "In short: " : " In short: ") + lesson.summary;
+    text = followed(text, tr("In short: {0}", lesson.summary));
 }
 
 std::string velocity_note_of(const Step& step) {
     if (step.kind != Step::Kind::motion) { return {}; }
-    const auto contradiction = [&](const LinearVerdict& verdict, const char* what) {
-        return "The rows contradict each other: no " + std::string(what) + " satisfies " +
-               row_label(*step.system, verdict.worst_row) + ".";
-    };
-    if (!step.velocity_verdict.consistent) { return contradiction(step.velocity_verdict, "velocity"); }
+    const auto row = [&](const LinearVerdict& verdict) { return row_label(*step.system, verdict.worst_row); };
+    if (!step.velocity_verdict.consistent) {
+        return tr("The rows contradict each other: no velocity satisfies {0}.", row(step.velocity_verdict));
+    }
     if (!step.acceleration_verdict.consistent) {
-        return contradiction(step.acceleration_verdict, "acceleration");
+        return tr(
+            "The rows contradict each other: no acceleration satisfies {0}.", row(step.acceleration_verdict));
     }
     if (!step.velocity_verdict.unique) {
-        return "Velocities are not unique: of all that satisfy the equations, those nearest to the ones "
-               "before are shown.";
+        return tr(
+            "Velocities are not unique: of all that satisfy the equations, those nearest to the ones before "
+            "are shown.");
     }
     return {};
 }
@@ -234,7 +236,7 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.rank.once_assembled = rank_once_assembled(story, step, index);
     view.sentence = sentence_of(lesson, step, report);
     if (view.rank.differs_once_assembled()) {
-        view.sentence += " " + once_assembled_text(report.rank, *view.rank.once_assembled);
+        view.sentence = followed(view.sentence, once_assembled_text(report.rank, *view.rank.once_assembled));
     }
     if (is_asked(step.kind)) { view.question = question_view_of(story, step); }
     view.author_text = author_text_of(lesson, step);

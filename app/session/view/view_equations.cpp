@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
 
@@ -32,14 +33,16 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
     const auto largest = static_cast<int>(std::ranges::max_element(view.axis_size) - view.axis_size.begin());
     const std::string name = axis_name(dropped);
     if (dropped == largest) {
-        return "The " + name + " equation is left out, because no component of sᵢ is larger than " + name +
-               " (" + size_of(dropped, view) +
-               "): the two that stay both contain it, and their condition is " + condition_of(dropped, view) +
-               ".";
+        return tr(
+            "The {0} equation is left out, because no component of sᵢ is larger than {0} ({1}): the two that "
+            "stay both contain it, and their condition is {2}.",
+            name, size_of(dropped, view), condition_of(dropped, view));
     }
-    return "The " + name + " equation stays out: sᵢ is now longer in " + axis_name(largest) + " (" +
-           size_of(largest, view) + " against " + size_of(dropped, view) +
-           "), but not by enough to switch. Condition " + condition_of(dropped, view) + ".";
+    return tr(
+        "The {0} equation stays out: sᵢ is now longer in {1} ({2} against {3}), but not by enough to switch. "
+        "Condition {4}.",
+        name, axis_name(largest), size_of(largest, view), size_of(dropped, view),
+        condition_of(dropped, view));
 }
 
 /// "x and y", "a", of bits.
@@ -58,22 +61,25 @@ std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view)
     const unsigned all = choice.form == ParallelForm::pair ? 0b11U : 0b111U;
     const unsigned dropped = choice.dropped >= 0 ? 1U << choice.dropped : 0U;
     const unsigned kept = all & ~(choice.taken_out | dropped);
-    const bool several_out = std::popcount(choice.taken_out) > 1;
-    std::string text = "The lesson takes out the equation" + std::string(several_out ? "s " : " ") +
-                       components_of(choice.taken_out, choice.form);
+    const std::string out = components_of(choice.taken_out, choice.form);
+    std::string text = tr_count(
+        std::popcount(choice.taken_out), "The lesson takes out the equation {1}",
+        "The lesson takes out the equations {1}", out);
     if ((dropped & ~choice.taken_out) != 0) {
-        text += ", and " + components_of(dropped, choice.form) + " is left out besides";
+        text = tr("{0}, and {1} is left out besides", text, components_of(dropped, choice.form));
     }
-    if (kept == 0) { return text + ": none is kept."; }
+    if (kept == 0) { return tr("{0}: none is kept.", text); }
+    const std::string left = components_of(kept, choice.form);
     if (std::popcount(kept) == 1) {
-        return text + ": one is kept, " + components_of(kept, choice.form) +
-               ", where two independent ones are needed to keep two directions parallel.";
+        return tr(
+            "{0}: one is kept, {1}, where two independent ones are needed to keep two directions parallel.",
+            text, left);
     }
-    text += ": two are kept, " + components_of(kept, choice.form);
     if (!std::isfinite(view.form_condition)) {
-        return text + ", and they have lost rank here: one of them says nothing.";
+        return tr(
+            "{0}: two are kept, {1}, and they have lost rank here: one of them says nothing.", text, left);
     }
-    return text + ", with condition " + number_text(view.form_condition, 3) + ".";
+    return tr("{0}: two are kept, {1}, with condition {2}.", text, left, number_text(view.form_condition, 3));
 }
 
 std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
@@ -81,21 +87,27 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
     switch (choice.form) {
         case ParallelForm::rule: return reason_of_rule(choice, view);
         case ParallelForm::all_three:
-            return "All three equations are kept on purpose: one of them repeats the other two.";
+            return tr("All three equations are kept on purpose: one of them repeats the other two.");
         case ParallelForm::pair:
-            return "Two equations with vectors a and b perpendicular to sᵢ instead: their condition is " +
-                   number_text(choice.form_condition, 3) + " whatever the direction of sᵢ.";
+            return tr(
+                "Two equations with vectors a and b perpendicular to sᵢ instead: their condition is {0} "
+                "whatever the direction of sᵢ.",
+                number_text(choice.form_condition, 3));
         case ParallelForm::drop_x:
         case ParallelForm::drop_y:
         case ParallelForm::drop_z: break;
     }
     const std::string name = axis_name(choice.dropped);
-    const std::string said =
-        "The lesson forces the " + name + " equation out, where sᵢ has " + size_of(choice.dropped, view);
+    const std::string size = size_of(choice.dropped, view);
     if (!std::isfinite(view.form_condition)) {
-        return said + ", so the two that stay have lost rank: one of them says nothing.";
+        return tr(
+            "The lesson forces the {0} equation out, where sᵢ has {1}, so the two that stay have lost rank: "
+            "one of them says nothing.",
+            name, size);
     }
-    return said + ", and the two that stay have condition " + number_text(view.form_condition, 3) + ".";
+    return tr(
+        "The lesson forces the {0} equation out, where sᵢ has {1}, and the two that stay have condition {2}.",
+        name, size, number_text(view.form_condition, 3));
 }
 
 }  // namespace

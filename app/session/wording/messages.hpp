@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/session/wording/message_catalogue.hpp"
+#include "lessons/translatable.hpp"
 
 /// The program's own sentences in the language of the reader.
 ///
@@ -66,8 +67,5 @@ std::string tr_count(
         key, count == 1 ? key : messages::view_of(several), count,
         fmt::make_format_args(count, arguments...));
 }
-
-/// Marks a text of a table as a message, to be translated by `tr` when it is shown.
-constexpr const char* tr_later(const char* english) { return english; }
 
 }  // namespace jw

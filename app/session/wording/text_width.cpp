@@ -48,4 +48,9 @@ std::string wrapped(const std::string& text, int width, int indent) {
     return out;
 }
 
+std::string labelled(const std::string& label, const std::string& text, int width) {
+    const int indent = displayed_width(label) + 3;
+    return "  " + label + ' ' + wrapped(text, width - indent, indent) + '\n';
+}
+
 }  // namespace jw

@@ -15,4 +15,7 @@ std::string padded(const std::string& text, int width, bool right = false);
 /// allow; every line after the first is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int width, int indent);
 
+/// A line "  label text", in which what is wrapped begins under the text.
+std::string labelled(const std::string& label, const std::string& text, int width);
+
 }  // namespace jw

@@ -1,5 +1,6 @@
 #include "tests/app/host/person.hpp"
 
+#include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
 
 namespace jw::test {
@@ -13,6 +14,7 @@ constexpr int kMostFrames = 600;
 
 Person::Person(
     const std::string& lesson, Pictures pictures, int width, int height, bool dark, float text_scale) {
+    set_language("en");  // somebody before may have chosen another one
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
     setup.pictures = folder_.path();
