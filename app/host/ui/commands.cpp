@@ -31,6 +31,8 @@ constexpr std::array kCommands{
     CommandInfo{Command::panel_up, Group::panels, "Scroll the panel up", "[", Key::none, '['},
     CommandInfo{Command::text_down, Group::panels, "Scroll the text down", "}", Key::none, '}'},
     CommandInfo{Command::text_up, Group::panels, "Scroll the text up", "{", Key::none, '{'},
+    CommandInfo{Command::next_symbol, Group::panels, "Next symbol of the text", "t", Key::none, 't'},
+    CommandInfo{Command::symbol_before, Group::panels, "Symbol of the text before", "T", Key::none, 'T'},
 
     CommandInfo{Command::undo, Group::experiments, "Undo", "Ctrl+Z, u", Key::none, 'u', Key::z},
     CommandInfo{Command::redo, Group::experiments, "Do again", "Ctrl+Y, U", Key::none, 'U', Key::y},
