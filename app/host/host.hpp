@@ -105,6 +105,7 @@ private:
     void act_on(const InputEvent& event);
     void draw_interface();
     void draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots);
+    void draw_tip(const std::vector<std::string>& lines, const panels::Box& beside) const;
     void advance(double seconds);
     void need_characters_of_lesson();
     void need_characters_of_shelf();
@@ -119,6 +120,7 @@ private:
     void carry_out_trial(int index);
     void play_motion();
     void next_freedom();
+    void show_symbol(int by);
     void let_go();
     void fit_camera(bool at_once);
     void change_tone();

@@ -136,6 +136,8 @@ void Host::carry_out(Command command) {
         case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
         case Command::panel_down: return say(scroll_by(state_.column, kPage));
         case Command::panel_up: return say(scroll_by(state_.column, -kPage));
+        case Command::next_symbol: return show_symbol(1);
+        case Command::symbol_before: return show_symbol(-1);
         case Command::text_down: return say(scroll_by(state_.caption, kPage));
         case Command::text_up: return say(scroll_by(state_.caption, -kPage));
         case Command::undo: return apply(Undo{});
@@ -203,6 +205,18 @@ void Host::answer() {
     predictions_.focus();
 }
 
+void Host::show_symbol(int by) {
+    const std::vector<SymbolView>& symbols = session_->view().symbols;
+    const auto texts = std::ranges::count_if(symbols, [](const SymbolView& s) { return s.scope.empty(); });
+    const int count = static_cast<int>(texts);
+    if (count == 0) { return say(tr("No symbol of this text has a value here.")); }
+    // those of texts come first; beyond either end none is chosen
+    const int places = count + 1;
+    state_.symbol = (state_.symbol + 1 + by + places) % places - 1;
+    state_.pointed_at = {};
+    rouse();
+}
+
 void Host::play_motion() {
     const std::optional<int> first = first_moment(session_->story());
     if (!first) { return say(tr("Nothing moves in this lesson: it ends when everything is put together.")); }
@@ -213,6 +227,7 @@ void Host::play_motion() {
 void Host::let_go() {
     task_ = DrawingTask::none;
     state_.playback.leave_freedom();
+    state_.symbol = -1;
     notice_.blame("");
     apply(LetGo{});
 }

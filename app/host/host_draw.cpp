@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <imgui.h>
 
 #include "app/host/host.hpp"
@@ -8,7 +10,7 @@
 #include "app/host/ui/scrolled.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/tip.hpp"
 
 namespace jw::host {
 
@@ -16,9 +18,11 @@ void Host::draw_interface() {
     Requests requests;
     std::vector<panels::HotSpot> spots;
     const Emphasis lit = session_ ? emphasis_of(*session_, state_.lit()) : Emphasis();
+    const std::vector<SymbolView> no_symbols;
     const panels::Canvas canvas = panels::Canvas(ImGui::GetBackgroundDrawList(), fonts_.fonts())
                                       .pointed(lit, spots)
-                                      .in(state_.dark ? render::Tone::dark : render::Tone::light);
+                                      .in(state_.dark ? render::Tone::dark : render::Tone::light)
+                                      .naming(shows_lesson() ? session_->view().symbols : no_symbols);
     const Ui ui{state_, canvas, requests};
     if (shows_lesson()) {
         draw_lesson({ui, *session_, hand_.camera()}, spots);
@@ -37,6 +41,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     if (view.step != state_.scrolled_step) {
         if (view.kind != Step::Kind::motion) { state_.column = state_.caption = {}; }
         state_.scrolled_step = view.step;
+        state_.symbol = -1;
     }
     panels::draw_annotations(
         ui.canvas, picture(), hand_.camera(), layout_.scene,
@@ -63,8 +68,18 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     if (state_.pointed_at != before) { rouse(); }
 
     const Pointable link = hand_.is_dragging() ? Pointable() : state_.pointed_at;
-    const std::string tip = tip_of(*session_, pointed, link);
-    if (!tip.empty() && reachable) { ImGui::SetTooltip("%s", panels::with_minus_signs(tip).c_str()); }
+    if (reachable) { draw_tip(tip_of(*session_, pointed, link), {mouse.x + 6.0F, mouse.y, 0.0F, 8.0F}); }
+    if (!state_.pointed_at && state_.symbol >= 0) {
+        const Pointable chosen = Pointable::symbol(state_.symbol);
+        const auto spot = std::ranges::find(spots, chosen, &panels::HotSpot::link);
+        draw_tip(tip_of(*session_, {}, chosen), spot == spots.end() ? layout_.caption : spot->box);
+    }
+}
+
+void Host::draw_tip(const std::vector<std::string>& lines, const panels::Box& beside) const {
+    const panels::Canvas canvas = panels::Canvas(ImGui::GetForegroundDrawList(), fonts_.fonts())
+                                      .in(state_.dark ? render::Tone::dark : render::Tone::light);
+    panels::draw_tip(canvas, {beside, layout_.whole}, lines);
 }
 
 const Picture& Host::picture() {

@@ -16,6 +16,11 @@ Emphasis emphasis_of(const Session& session, const Lit& lit) {
     const System& system = *session.step().system;
     const int angular = angular_of(session.lesson().coordinates);
     Emphasis all(system, angular, lit.pointed_at);
+    const std::vector<SymbolView>& symbols = session.view().symbols;
+    const auto k = static_cast<std::size_t>(lit.pointed_at.index);
+    if (lit.pointed_at.kind == Pointable::Kind::symbol && k < symbols.size()) {
+        for (const Pointable& link : links_of(symbols[k], system)) { all.light(system, angular, link); }
+    }
     for (const int row : lit.rows) { all.light(system, angular, Pointable::row(row)); }
     return all;
 }

@@ -1,32 +1,33 @@
 #include "app/host/parts/pointed.hpp"
 
-#include "app/session/view/derivation.hpp"
+#include <algorithm>
+#include <iterator>
+
+#include "app/session/output/symbol_tip.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "lessons/math/read_math.hpp"
-#include "lessons/math/write_math.hpp"
 
 namespace jw::host {
 
 namespace {
 
-/// Formula of the block, numbers of its vectors, and its row: a line each.
-std::string derivation_text(const std::optional<Derivation>& derivation) {
-    if (!derivation) { return {}; }
-    std::string text = "\n" + math::write_plain(math::own_math(derivation->formula));
-    for (const std::string& symbol : derivation->symbols) { text += "\n" + symbol; }
-    return text + (derivation->row.empty() ? "" : "\n" + derivation->row);
-}
-
-std::string tip_of_cell(const Session& session, int row, int column) {
+std::vector<std::string> tip_of_cell(const Session& session, int row, int column) {
     const MatrixView& matrix = session.view().matrix;
     if (row >= matrix.values.rows() || column >= matrix.values.cols()) { return {}; }
     const MatrixView::Row& r = matrix.rows[static_cast<std::size_t>(row)];
     const MatrixView::Column& c = matrix.columns[static_cast<std::size_t>(column)];
-    return "∂(" + r.owner + " · " + r.label + ") / ∂(" + c.owner + " · " + c.symbol +
-           ") = " + number_text(matrix.values(row, column), 6) +
-           derivation_text(derivation_of(session.step(), matrix.choice, row, column));
+    std::vector<std::string> lines{
+        "∂(" + r.owner + " · " + r.label + ") / ∂(" + c.owner + " · " + c.symbol +
+        ") = " + number_text(matrix.values(row, column), 6)};
+    if (const auto derivation = derivation_of(session.step(), matrix.choice, row, column)) {
+        std::ranges::move(derivation_tip(*derivation), std::back_inserter(lines));
+    }
+    return lines;
+}
+
+std::vector<std::string> line_of(const std::string& text) {
+    return text.empty() ? std::vector<std::string>() : std::vector<std::string>{text};
 }
 
 std::string tip_of_row(const Session& session, int row) {
@@ -66,6 +67,7 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
                 mechanism.bodies[static_cast<std::size_t>(body)].name);
         }
         case Pointable::Kind::none:
+        case Pointable::Kind::symbol:
         case Pointable::Kind::row:
         case Pointable::Kind::column: break;
     }
@@ -79,6 +81,10 @@ Pointed pointed_at(const std::vector<panels::HotSpot>& spots, panels::Point mous
     for (const panels::HotSpot& spot : spots) {
         if (!spot.box.contains(mouse)) { continue; }
         const Pointable::Kind kind = spot.link.kind;
+        if (kind == Pointable::Kind::symbol) {
+            found.symbol = spot.link;
+            continue;
+        }
         Pointable& under = kind == Pointable::Kind::row      ? found.row
                            : kind == Pointable::Kind::column ? found.column
                                                              : found.other;
@@ -87,11 +93,16 @@ Pointed pointed_at(const std::vector<panels::HotSpot>& spots, panels::Point mous
     return found;
 }
 
-std::string tip_of(const Session& session, const Pointed& pointed, const Pointable& link) {
+std::vector<std::string> tip_of(const Session& session, const Pointed& pointed, const Pointable& link) {
+    const std::vector<SymbolView>& symbols = session.view().symbols;
+    const Pointable symbol = link.kind == Pointable::Kind::symbol ? link : pointed.symbol;
+    if (symbol && static_cast<std::size_t>(symbol.index) < symbols.size()) {
+        return symbol_tip(symbols[static_cast<std::size_t>(symbol.index)]);
+    }
     if (pointed.row && pointed.column) {
         return tip_of_cell(session, pointed.row.index, pointed.column.index);
     }
-    return pointed.row ? tip_of_row(session, pointed.row.index) : tip_of_link(session, link);
+    return line_of(pointed.row ? tip_of_row(session, pointed.row.index) : tip_of_link(session, link));
 }
 
 }  // namespace jw::host

@@ -43,6 +43,9 @@ constexpr std::array kCommands{
     CommandInfo{Command::panel_up, Group::panels, tr_later("Scroll the panel up"), "[", Key::none, '['},
     CommandInfo{Command::text_down, Group::panels, tr_later("Scroll the text down"), "}", Key::none, '}'},
     CommandInfo{Command::text_up, Group::panels, tr_later("Scroll the text up"), "{", Key::none, '{'},
+    CommandInfo{Command::next_symbol, Group::panels, tr_later("Next symbol of the text"), "t", Key::none, 't'},
+    CommandInfo{
+        Command::symbol_before, Group::panels, tr_later("Symbol of the text before"), "T", Key::none, 'T'},
 
     CommandInfo{Command::undo, Group::experiments, tr_later("Undo"), "Ctrl+Z, u", Key::none, 'u', Key::z},
     CommandInfo{Command::redo, Group::experiments, tr_later("Do again"), "Ctrl+Y, U", Key::none, 'U', Key::y},
@@ -73,7 +76,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::dark, Group::picture, tr_later("Light or dark"), "d", Key::none, 'd'},
     CommandInfo{Command::larger_text, Group::picture, tr_later("Larger text"), "+", Key::none, '+'},
     CommandInfo{Command::smaller_text, Group::picture, tr_later("Smaller text"), "-", Key::none, '-'},
-    CommandInfo{Command::language, Group::picture, tr_later("Next language"), "t", Key::none, 't'},
+    CommandInfo{Command::language, Group::picture, tr_later("Next language"), "G", Key::none, 'G'},
 
     CommandInfo{Command::lessons, Group::files, tr_later("Lessons"), "Ctrl+O, g", Key::none, 'g', Key::o},
     CommandInfo{Command::reload, Group::files, tr_later("Read the file again"), "F5", Key::f5},

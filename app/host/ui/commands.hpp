@@ -34,6 +34,8 @@ enum class Command {
     panel_up,
     text_down,
     text_up,
+    next_symbol,
+    symbol_before,
     // experiments
     undo,
     redo,

@@ -41,11 +41,13 @@ struct UiState {
     float text_scale = 1.0F;
 
     Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
+    int symbol = -1;            ///< of the caption, chosen by the keyboard; -1: none
     std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
-    Lit lit() const { return {pointed_at, lit_rows}; }
+    Lit lit() const { return {pointed_at || symbol < 0 ? pointed_at : Pointable::symbol(symbol), lit_rows}; }
     /// Another lesson follows, or the lesson as it was changed: what was pointed at need not be there.
     void forget_pointed() {
         pointed_at = {};
+        symbol = -1;
         lit_rows.clear();
     }
 

@@ -95,6 +95,7 @@ FormulaLines formula_lines(const FormulaFonts& fonts, const std::string& markup,
 float draw_formula_at(const Canvas& canvas, Point at, const Formula& formula, const EquationGroup& group) {
     const float baseline = at.y + std::ceil(formula.ascent) + canvas.px(1.0F);
     if (group.joint >= 0) { link_formula(canvas, {at.x, baseline}, formula, group.joint); }
+    link_symbols(canvas, {at.x, baseline}, formula, scope_of(group));
     draw_formula(canvas, {at.x, baseline}, formula, theme::kInk, true);
     return std::ceil(formula.ascent + formula.descent);
 }

@@ -41,6 +41,17 @@ Canvas Canvas::within(const Box& box) const {
     return canvas;
 }
 
+Canvas Canvas::naming(const std::vector<SymbolView>& symbols) const {
+    Canvas canvas = *this;
+    canvas.symbols_ = &symbols;
+    return canvas;
+}
+
+Pointable Canvas::symbol(std::string_view scope, std::string_view source) const {
+    const int index = symbols_ == nullptr ? -1 : index_of_symbol(*symbols_, scope, source);
+    return index < 0 ? Pointable() : Pointable::symbol(index);
+}
+
 unsigned Canvas::packed(const Colour& colour) const {
     if (tone_ == render::Tone::light) { return packed_as_it_is(colour); }
     if (last_packed_ == 0 || !(last_ == colour)) {

@@ -6,6 +6,7 @@
 
 #include "app/panels/parts/box.hpp"
 #include "app/session/picture/pointable.hpp"
+#include "app/session/view/symbols.hpp"
 #include "render/fonts.hpp"
 #include "render/palette.hpp"
 
@@ -47,6 +48,11 @@ public:
 
     /// Canvas of which only what lies in `box` is seen: places outside cannot be pointed at.
     Canvas within(const Box& box) const;
+
+    /// Canvas of which the symbols in that list can be pointed at; the list must outlive it.
+    Canvas naming(const std::vector<SymbolView>& symbols) const;
+    /// Link of a symbol; none if it stands for nothing.
+    Pointable symbol(std::string_view scope, std::string_view source) const;
 
     /// `box` stands for `link`.
     void spot(const Box& box, const Pointable& link) const;
@@ -91,6 +97,7 @@ private:
     const Emphasis* lit_ = nullptr;
     std::vector<HotSpot>* spots_ = nullptr;
     std::optional<Box> seen_;
+    const std::vector<SymbolView>* symbols_ = nullptr;
 };
 
 }  // namespace jw::panels

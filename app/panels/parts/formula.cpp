@@ -81,4 +81,19 @@ void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
     }
 }
 
+void link_symbols(const Canvas& canvas, Point baseline, const Formula& formula, std::string_view scope) {
+    for (const FormulaSymbol& symbol : formula.symbols) {
+        const Pointable link = canvas.symbol(scope, symbol.source);
+        if (!link) { continue; }
+        const float air = canvas.px(2.0F);
+        const Box box{
+            baseline.x + symbol.box.x - 0.5F * air, baseline.y + symbol.box.y - air, symbol.box.width + air,
+            symbol.box.height + 2.0F * air};
+        canvas.spot(box, link);
+        if (!canvas.lit(link)) { continue; }
+        canvas.fill(box, theme::kSubject, canvas.px(3.0F));
+        canvas.fill({box.x, box.bottom() - air, box.width, air}, theme::kSubjectMark);
+    }
+}
+
 }  // namespace jw::panels

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,8 +37,15 @@ struct FormulaRule {
     Box box;  ///< from the left end of the baseline
 };
 
+/// A symbol of the formula, its dots and scripts included.
+struct FormulaSymbol {
+    Box box;             ///< from the left end of the baseline
+    std::string source;  ///< see formula::TextSymbol
+};
+
 struct Formula {
     std::vector<FormulaGlyph> glyphs;
+    std::vector<FormulaSymbol> symbols;
     std::vector<FormulaRule> rules;
     float width = 0.0F;
     float ascent = 0.0F;   ///< above the baseline, of what is really inked
@@ -61,5 +69,10 @@ void draw_formula(
 
 /// The vectors of the formula can be pointed at; those that are lit are marked. Call before drawing it.
 void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, int joint);
+
+/// The symbols of the formula that stand for something can be pointed at, and the one that is lit is marked.
+/// Call before drawing it.
+/// @param scope  see SymbolView
+void link_symbols(const Canvas& canvas, Point baseline, const Formula& formula, std::string_view scope = {});
 
 }  // namespace jw::panels

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <imgui.h>
 
@@ -59,6 +60,11 @@ void put_into(Formula& whole, const Formula& part, Point at) {
     for (FormulaGlyph glyph : part.glyphs) {
         glyph.origin = {glyph.origin.x + at.x, glyph.origin.y + at.y};
         whole.glyphs.push_back(glyph);
+    }
+    for (FormulaSymbol symbol : part.symbols) {
+        symbol.box.x += at.x;
+        symbol.box.y += at.y;
+        whole.symbols.push_back(std::move(symbol));
     }
     for (FormulaRule rule : part.rules) {
         rule.box.x += at.x;

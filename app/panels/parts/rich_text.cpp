@@ -206,6 +206,7 @@ void draw_rich(
         const float baseline = y + line.ascent;
         for (const RichPiece& piece : line.pieces) {
             if (piece.words.empty()) {
+                link_symbols(canvas, {top_left.x + piece.x, baseline}, piece.formula);
                 draw_formula(canvas, {top_left.x + piece.x, baseline}, piece.formula, colour, true);
             } else {
                 canvas.text(

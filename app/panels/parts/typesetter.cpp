@@ -7,6 +7,7 @@
 #include "app/panels/parts/formula_parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/formula/text_symbols.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/symbols.hpp"
 #include "render/math_alphabets.hpp"
@@ -160,6 +161,15 @@ private:
     Typesetter part() const { return {fonts_, false, small_ || !display_}; }
 
     Formula node(const math::Node& node) const {
+        Formula laid = with_scripts(node);
+        if (const auto symbol = formula::text_symbol_of(node)) {
+            const Box box{0.0F, -laid.ascent, laid.width, laid.ascent + laid.descent};
+            laid.symbols = {{box, symbol->source}};
+        }
+        return laid;
+    }
+
+    Formula with_scripts(const math::Node& node) const {
         const Ink ink = ink_of(node);
         Formula laid = nucleus(node, ink);
         if (node.below.empty() && node.above.empty()) { return laid; }

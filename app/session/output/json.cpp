@@ -71,6 +71,27 @@ Json json_of(const QuantityMotion& q) {
             {"value", number(q.value)}, {"rate", number(q.rate)}, {"acceleration", number(q.acceleration)}};
 }
 
+Json json_of(const SymbolMeaning& meaning) {
+    return {
+        {"owner", text_or_null(meaning.owner)},
+        {"symbol", meaning.source},
+        {"value", jw::json_of(meaning.value)},
+        {"frame", text_or_null(meaning.frame)}};
+}
+
+Json json_of(const SymbolView& symbol) {
+    Json meanings = Json::array();
+    for (const SymbolMeaning& meaning : symbol.meanings) { meanings.push_back(json_of(meaning)); }
+    return {
+        {"symbol", symbol.source},
+        {"of_formula", text_or_null(symbol.scope)},
+        {"what", text_or_null(symbol.what)},
+        {"unit", text_or_null(symbol.unit)},
+        {"defined", text_or_null(symbol.defined)},
+        {"meanings", meanings},
+        {"more", symbol.more}};
+}
+
 template <class T>
 Json list_of(const std::vector<T>& items) {
     Json list = Json::array();
@@ -96,6 +117,7 @@ Json json_of(const View& view, const Step& step) {
         {"sentence", view.sentence},
         {"text", text_or_null(view.author_text)},
         {"equations", list_of(view.equations)},
+        {"symbols", list_of(view.symbols)},
         {"rank",
          {{"rows", view.rank.rows},
           {"columns", view.rank.columns},

@@ -1,6 +1,7 @@
 #include "app/session/picture/pointable.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace jw {
 
@@ -22,6 +23,21 @@ int vectors_of(Role role) {
            has(kPoints | kAxisJ | kSidesH | kSidesU, Pointable::kVectorJ) | has(kD, Pointable::kVectorD);
 }
 
+std::vector<int> rows_of(const System& system, const SymbolPart& part) {
+    std::vector<int> rows;
+    for (int row = 0; row < system.rows(); ++row) {
+        const RowOrigin origin = system.origin(row);
+        const bool of_joint = origin.kind == RowOrigin::Kind::constraint;
+        if (part.joint >= 0) {
+            if (!of_joint) { continue; }
+            const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
+            if (c.joint != part.joint || (part.role && c.role != *part.role)) { continue; }
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 }  // namespace
 
 int picture_id(const Pointable& link) {
@@ -30,6 +46,7 @@ int picture_id(const Pointable& link) {
         case Pointable::Kind::joint: return (link.index + 1) * kRadix + kJoint;
         case Pointable::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
         case Pointable::Kind::none:
+        case Pointable::Kind::symbol:
         case Pointable::Kind::row:
         case Pointable::Kind::column: break;
     }
@@ -46,6 +63,24 @@ Pointable pointable_of(int id) {
         return Pointable::vector(index, kind - kVector);
     }
     return {};
+}
+
+std::vector<Pointable> links_of(const SymbolView& symbol, const System& system) {
+    std::vector<Pointable> links;
+    for (const SymbolMeaning& meaning : symbol.meanings) {
+        const SymbolPart& part = meaning.part;
+        switch (part.kind) {
+            case SymbolPart::Kind::vector: links.push_back(Pointable::vector(part.joint, part.vector)); break;
+            case SymbolPart::Kind::body: links.push_back(Pointable::body(part.body)); break;
+            case SymbolPart::Kind::rows: {
+                const std::vector<int> rows = rows_of(system, part);
+                std::ranges::transform(rows, std::back_inserter(links), &Pointable::row);
+                break;
+            }
+            case SymbolPart::Kind::none: break;
+        }
+    }
+    return links;
 }
 
 Emphasis::Emphasis(const System& system, int angular, const Pointable& pointed_at) {
@@ -68,6 +103,7 @@ void Emphasis::light(const System& system, int angular, const Pointable& pointed
                 }
             }
             break;
+        case Pointable::Kind::symbol:
         case Pointable::Kind::none: break;
     }
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/session/view/symbols.hpp"
 #include "core/equations/system.hpp"
 
 /// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
@@ -17,6 +18,7 @@ struct Pointable {
         body,    ///< index: in the mechanism
         joint,   ///< index: in the mechanism
         vector,  ///< index: joint; part: kVectorI, kVectorJ, kVectorD
+        symbol,  ///< index: in View::symbols
     };
     static constexpr int kVectorI = 0;  ///< fixed in body i
     static constexpr int kVectorJ = 1;  ///< fixed in body j
@@ -33,12 +35,16 @@ struct Pointable {
     static Pointable column(int index) { return {Kind::column, index}; }
     static Pointable body(int index) { return {Kind::body, index}; }
     static Pointable joint(int index) { return {Kind::joint, index}; }
+    static Pointable symbol(int index) { return {Kind::symbol, index}; }
     static Pointable vector(int joint, int part) { return {Kind::vector, joint, part}; }
 };
 
 /// A link as the number of something drawn in 3D, and back; 0 is nothing. Bodies, joints and vectors only.
 int picture_id(const Pointable& link);
 Pointable pointable_of(int picture_id);
+
+/// What a symbol stands for.
+std::vector<Pointable> links_of(const SymbolView& symbol, const System& system);
 
 /// Set of all things that light up together.
 class Emphasis {

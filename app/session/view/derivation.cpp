@@ -1,12 +1,12 @@
 #include "app/session/view/derivation.hpp"
 
-#include <algorithm>
-
 #include "app/session/view/quantities.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/markup.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/block_formulas.hpp"
 #include "lessons/formula/symbol_values.hpp"
+#include "lessons/formula/text_symbols.hpp"
 #include "lessons/math/write_math.hpp"
 
 namespace jw {
@@ -49,31 +49,27 @@ double entry_of(const formula::Value& value, int row, int column) {
     return value.d[0](row, column);
 }
 
-/// Vectors in a formula, each once: their source and their value.
-void collect_vectors(
-    const math::Row& row, const formula::Meanings& meanings, std::vector<std::string>& lines) {
-    for (const math::Node& node : row) {
-        if (const auto* const group = std::get_if<math::Group>(&node.nucleus)) {
-            collect_vectors(group->inner, meanings, lines);
-            continue;
-        }
-        math::Node plain = node;
-        // the vector itself, not its tilde, bar or transpose
-        if (const auto* const accent = std::get_if<math::Accent>(&node.nucleus)) {
-            if (accent->inner.size() != 1) { continue; }
-            plain.nucleus = accent->inner[0].nucleus;
-        }
-        if (!is_kind(plain, math::SignKind::letter) || is_sign(plain, "I")) { continue; }
-        std::erase_if(plain.above, [](const math::Node& n) { return is_sign(n, "T"); });
-        try {
-            const formula::Value value = formula::evaluate_expression({plain}, meanings);
-            if (value.cols() != 1 || value.rows() == 1) { continue; }
-            const std::string line = math::write_plain({plain}) + " = " + numbers(value.d[0]);
-            if (std::ranges::find(lines, line) == lines.end()) { lines.push_back(line); }
-        } catch (const formula::NotEvaluated&) {
-            // a symbol without a value is left out
-        }
+math::Row substituted(const math::Row& row, const formula::Meanings& meanings);
+
+/// The matrix of numbers that a symbol stands for, as it stands there; 0, I and what has no value stay.
+math::Node number_of(const math::Node& node, const formula::Meanings& meanings) {
+    if (const auto* const group = std::get_if<math::Group>(&node.nucleus)) {
+        math::Node inner = node;
+        inner.nucleus = math::Group{group->open, group->close, substituted(group->inner, meanings)};
+        return inner;
     }
+    if (!formula::text_symbol_of(node)) { return node; }
+    try {
+        const formula::Value value = formula::evaluate_expression({node}, meanings);
+        if (value.kind != formula::Value::Kind::matrix) { return node; }
+        return math::own_math(matrix_markup(value.d[0], kDigits)).front();
+    } catch (const formula::NotEvaluated&) { return node; }
+}
+
+math::Row substituted(const math::Row& row, const formula::Meanings& meanings) {
+    math::Row numbers;
+    for (const math::Node& node : row) { numbers.push_back(number_of(node, meanings)); }
+    return numbers;
 }
 
 }  // namespace
@@ -103,10 +99,11 @@ std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coord
 
     Derivation derivation;
     derivation.formula = formula::block_name(block) + " = " + *source;
-    collect_vectors(right, meanings, derivation.symbols);
+    derivation.numbers = math::write_latex(substituted(right, meanings));
     const formula::Value value =
         formula::evaluate_expression(math::own_math(formula::block_name(block)), meanings);
     if (value.kind == formula::Value::Kind::matrix && origin.component < value.rows()) {
+        derivation.block = matrix_markup(value.d[0], kDigits);
         constexpr const char* axes[] = {"x", "y", "z"};
         derivation.entry =
             entry_of(formula::evaluate_expression(right, meanings), origin.component, place->offset);

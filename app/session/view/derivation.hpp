@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/session/story/story.hpp"
 
@@ -11,10 +10,11 @@ namespace jw {
 
 /// The block that an entry belongs to, with numbers for its symbols.
 struct Derivation {
-    std::string formula;               ///< "\Phi_{...} = ...", as docs/mathematics.md says
-    std::vector<std::string> symbols;  ///< "sᵢ = (0, −0.6, 0.8)", one line each
-    double entry = 0.0;                ///< as the formula gives it
-    std::string row;                   ///< the row of the block with the entry: "x: (0, 0.8, 0.6)"
+    std::string formula;  ///< "\Phi_{...} = ...", as docs/mathematics.md says
+    std::string numbers;  ///< its right side with matrices of numbers for its symbols
+    std::string block;    ///< its value
+    double entry = 0.0;   ///< as the formula gives it
+    std::string row;      ///< the row of the block with the entry: "row x: (0, 0.8, 0.6)"
 };
 
 /// @param row of the step's system

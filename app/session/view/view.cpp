@@ -200,6 +200,30 @@ std::string velocity_note_of(const Step& step) {
     return {};
 }
 
+/// All texts of the step that may have symbols.
+std::vector<std::string> texts_of(const View& view) {
+    std::vector<std::string> texts{view.sentence, view.author_text};
+    if (!view.question) { return texts; }
+    texts.insert(texts.end(), {view.question->ask, view.question->answer, view.question->why});
+    std::ranges::copy(view.question->choices, std::back_inserter(texts));
+    return texts;
+}
+
+/// A driver is about its joint, or about the body that it moves.
+SymbolSubject symbol_subject_of(const Lesson& lesson, const std::vector<int>& joints, int driver) {
+    SymbolSubject subject{joints, -1};
+    if (driver < 0) { return subject; }
+    const Mechanism& mechanism = lesson.mechanism;
+    const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
+    if (d.joint >= 0) {
+        subject.joints = {d.joint};
+    } else {
+        const bool j_moves = !mechanism.bodies[static_cast<std::size_t>(d.body_j)].fixed;
+        subject.body = j_moves ? d.body_j : d.body_i;
+    }
+    return subject;
+}
+
 }  // namespace
 
 View view_of(const Story& story, int index, ViewParts parts) {
@@ -245,6 +269,9 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
     }
+    view.symbols = symbols_of(
+        step, lesson.coordinates, symbol_subject_of(lesson, shown_joints, driver), texts_of(view),
+        view.equations);
     if (parts == ViewParts::all) { view.matrix = matrix_of(step, lesson.coordinates, report, joint, driver); }
     view.newton = newton_rows_of(step);
     view.bodies = body_motions_of(step);

@@ -8,6 +8,7 @@
 #include "app/session/view/dynamics_view.hpp"
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/question_view.hpp"
+#include "app/session/view/symbols.hpp"
 #include "app/session/view/view_equations.hpp"
 
 /// Contents of a step as plain values. The terminal, the JSON, the panels and the pictures all read them, so
@@ -94,6 +95,7 @@ struct View {
     std::string author_text;               ///< may be empty
     std::optional<QuestionView> question;  ///< of a question and its answer
     std::vector<EquationGroup> equations;
+    std::vector<SymbolView> symbols;  ///< of the texts above and of the formulas of `equations`
     MatrixView matrix;
     RankView rank;
     std::vector<NewtonRow> newton;  ///< of this solve, up to this step

@@ -152,7 +152,8 @@ std::vector<EquationGroup> equations_of_joint(
     for (const Constraint& c : step.system->constraints()) {
         if (c.joint != joint) { continue; }
         const EquationText text = equation_text(*step.system, c);
-        EquationGroup group{text.primitive, text.formula, text.plain, text.unit, {}, std::nullopt, joint};
+        EquationGroup group{text.primitive, text.formula, text.plain, text.unit, {},
+                            std::nullopt,   joint,        c.role};
         const VectorX values = values_of(c, step.state);
         int row = c.first_row;
         for (int k = 0; k < c.equations; ++k) {

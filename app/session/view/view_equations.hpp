@@ -39,6 +39,7 @@ struct EquationGroup {
     std::vector<EquationRow> rows;
     std::optional<ChoiceView> choice;  ///< p1 and p2 only
     int joint = -1;                    ///< index in the mechanism, -1 for a driver
+    std::optional<Role> role = {};     ///< of the joint's primitive
     std::string owner = {};            ///< name of the joint where those of several are shown; else empty
 };
 

@@ -1,0 +1,340 @@
+#include "app/session/view/symbols.hpp"
+
+#include <algorithm>
+
+#include "app/session/view/quantities.hpp"
+#include "app/session/view/symbol_facts.hpp"
+#include "app/session/wording/labels.hpp"
+#include "app/session/wording/messages.hpp"
+#include "core/quantity/names.hpp"
+#include "lessons/formula/symbol_values.hpp"
+#include "lessons/math/text_parts.hpp"
+#include "lessons/math/write_math.hpp"
+
+namespace jw {
+
+namespace {
+
+/// More bodies or joints than this are not listed.
+constexpr std::size_t kMostMeanings = 4;
+
+std::size_t at_of(int index) { return static_cast<std::size_t>(index); }
+
+/// Letters of an index, words included: "crank".
+std::string written_index(const math::Row& below) {
+    std::string text;
+    for (const math::Node& node : below) {
+        if (const auto* const sign = std::get_if<math::Sign>(&node.nucleus)) {
+            text += sign->utf8 == "−" ? "-" : sign->utf8;
+        } else if (const auto* const words = std::get_if<math::Words>(&node.nucleus)) {
+            text += words->utf8;
+        }
+    }
+    return text;
+}
+
+bool belongs_to(const formula::Symbol& symbol, std::string_view letters) {
+    return !symbol.letter.empty() && letters.find(symbol.letter) != std::string_view::npos;
+}
+
+math::Node with_index(math::Node node, const char* index) {
+    math::Node sign;
+    sign.nucleus = math::Sign{index, math::SignKind::letter, math::Alphabet::italic};
+    node.below.push_back(sign);
+    return node;
+}
+
+/// Finds what a symbol stands for at one step.
+class Finder {
+public:
+    Finder(const Step& step, CoordinateChoice coordinates, const formula::TextSymbol& symbol)
+        : system_(step.system.get()),
+          mechanism_(&step.system->mechanism()),
+          instant_(instant_of(step)),
+          coordinates_(coordinates),
+          symbol_(&symbol) {}
+
+    std::vector<SymbolMeaning> found(const SymbolSubject& subject) {
+        if (of_time() || of_named_body()) { return meanings_; }
+        const bool given = !subject.joints.empty();
+        const std::vector<int> joints = given ? subject.joints : present_joints();
+        // without an index of the joint's bodies, "r" of a text is not that of a joint
+        for (const int joint : joints) { of_joint(joint); }
+        if (meanings_.empty()) {
+            for (const int body : given ? bodies_of(joints) : bodies_without_joint(subject)) {
+                of_body(body, symbol_->node);
+            }
+        }
+        const bool is_matrix = symbol_->name.letter == "Φ" && !symbol_->name.index.empty();
+        if (meanings_.empty() || is_matrix || !given) { of_system(); }
+        return meanings_;
+    }
+
+    std::vector<SymbolMeaning> found(int joint, Role role) {
+        of_primitive(joint, role);
+        return meanings_;
+    }
+
+private:
+    const Joint& joint_of(int joint) const { return mechanism_->joints[at_of(joint)]; }
+
+    std::optional<MatrixX> value_of(const formula::Subject& subject, const math::Node& node) const {
+        formula::Subject of = subject;
+        of.coordinates = coordinates_;
+        try {
+            const formula::Value value =
+                formula::evaluate_expression({node}, formula::meanings_of(of, instant_));
+            if (value.kind == formula::Value::Kind::matrix && value.d[0].size() > 0 &&
+                value.d[0].allFinite()) {
+                return value.d[0];
+            }
+        } catch (const formula::NotEvaluated&) {
+            // it stands for nothing there
+        }
+        return std::nullopt;
+    }
+
+    bool add(
+        const formula::Subject& subject, const math::Node& node, const std::string& owner,
+        const std::string& frame, const SymbolPart& part) {
+        const std::optional<MatrixX> value = value_of(subject, node);
+        // a bold letter is no number: L of a body is not the length of a joint
+        const bool is_number = value && value->size() == 1;
+        const bool one_row = belongs_to(symbol_->name, "Φγλ");
+        if (!value || (is_number && symbol_->bold && !one_row)) { return false; }
+        meanings_.push_back({owner, math::write_latex({node}), *value, frame, part});
+        return true;
+    }
+
+    bool of_time() {
+        if (symbol_->name != formula::Symbol{"t", 0, {}, {}} || symbol_->bold || symbol_->dots > 0) {
+            return false;
+        }
+        SymbolPart part;
+        part.kind = SymbolPart::Kind::none;
+        meanings_.push_back({{}, symbol_->source, MatrixX::Constant(1, 1, instant_.t), {}, part});
+        return true;
+    }
+
+    /// "p_{crank}", "e_{1, crank}".
+    bool of_named_body() {
+        const std::string index = written_index(symbol_->node.below);
+        for (std::size_t b = 0; b < mechanism_->bodies.size(); ++b) {
+            const std::string& name = mechanism_->bodies[b].name;
+            if (!index.ends_with(name)) { continue; }
+            math::Node node = symbol_->node;
+            node.below.clear();
+            std::string rest = index.substr(0, index.size() - name.size());
+            while (rest.ends_with(",") || rest.ends_with(" ")) { rest.pop_back(); }
+            if (!rest.empty()) { node = with_index(node, rest.c_str()); }
+            if (of_body(static_cast<int>(b), node)) { return true; }
+        }
+        return false;
+    }
+
+    std::string frame_in(int body, int primes) const {
+        if (!belongs_to(symbol_->name, "rsdhuωJfn")) { return {}; }
+        return primes > 0 ? tr("in the frame of body {0}", mechanism_->bodies[at_of(body)].name)
+                          : std::string(tr("in the global frame"));
+    }
+
+    bool of_body(int body, const math::Node& node) {
+        formula::Subject subject;
+        subject.body = body;
+        SymbolPart part;
+        part.body = body;
+        return add(
+            subject, node, mechanism_->bodies[at_of(body)].name, frame_in(body, symbol_->name.primes), part);
+    }
+
+    void of_joint(int joint) {
+        if (belongs_to(symbol_->name, "Φγ")) {
+            for (const Constraint& c : system_->constraints()) {
+                if (c.joint == joint) { of_primitive(joint, c.role); }
+            }
+            return;
+        }
+        if (vector_of_joint(joint, symbol_->node)) { return; }
+        // s without an index may be either
+        if (symbol_->name.index.empty() && belongs_to(symbol_->name, "shu")) {
+            vector_of_joint(joint, with_index(symbol_->node, "i"));
+            vector_of_joint(joint, with_index(symbol_->node, "j"));
+        }
+    }
+
+    void of_primitive(int joint, Role role) {
+        if (!belongs_to(symbol_->name, "Φγ")) {
+            vector_of_joint(joint, symbol_->node);
+            return;
+        }
+        formula::Subject subject;
+        subject.joint = joint;
+        subject.role = role;
+        const std::string name = name_of_role(role, joint_of(joint).parallel_form);
+        const bool alone = joint_of(joint).type->roles.size() == 1;
+        SymbolPart part{SymbolPart::Kind::rows, joint, -1, 0, role};
+        add(subject, symbol_->node, joint_of(joint).name + (alone ? "" : " · " + name), {}, part);
+    }
+
+    bool vector_of_joint(int joint, const math::Node& node) {
+        const Joint& j = joint_of(joint);
+        const std::string index = written_index(node.below);
+        const bool of_j = index.ends_with("j");
+        SymbolPart part;
+        part.joint = joint;
+        part.body = of_j ? j.body_j : j.body_i;
+        part.vector = symbol_->name.letter == "d" ? 2 : (of_j ? 1 : 0);
+        if (belongs_to(symbol_->name, "shud")) {
+            if (!is_used(*j.type)) { return false; }
+            part.kind = SymbolPart::Kind::vector;
+        } else if (!of_j && !index.ends_with("i") && !is_used(*j.type)) {
+            return false;
+        }
+        const bool of_body = part.kind == SymbolPart::Kind::body && (of_j || index.ends_with("i"));
+        const std::string& owner = of_body ? mechanism_->bodies[at_of(part.body)].name : j.name;
+        formula::Subject subject;
+        subject.joint = joint;
+        return add(subject, node, owner, frame_in(part.body, symbol_->name.primes), part);
+    }
+
+    /// The vectors and numbers of a joint that its type has no use for stand for nothing.
+    bool is_used(const JointType& type) const {
+        const formula::Symbol& name = symbol_->name;
+        if (name.letter == "s" && name.marks.empty()) {
+            return type.uses(Vectors(kAxisI)) || type.uses(Vectors(kAxisJ));
+        }
+        if (name.letter == "s" || name.letter == "d") { return type.uses(kPoints) || type.uses(kD); }
+        if (name.letter == "h") { return type.uses(kSidesH); }
+        if (name.letter == "u") { return type.has_angle() || type.uses(kSidesU); }
+        if (name.letter == "L") { return type.has_distance(); }
+        if (name.letter == "α") { return type.artificial > 0; }
+        return name.letter == "θ" || name.letter == "q";
+    }
+
+    std::vector<int> present_joints() const {
+        std::vector<int> joints;
+        for (const Constraint& c : system_->constraints()) {
+            if (std::ranges::find(joints, c.joint) == joints.end()) { joints.push_back(c.joint); }
+        }
+        return joints;
+    }
+
+    std::vector<int> bodies_of(const std::vector<int>& joints) const {
+        std::vector<int> bodies;
+        for (const int joint : joints) {
+            for (const int body : {joint_of(joint).body_j, joint_of(joint).body_i}) {
+                const bool known = std::ranges::find(bodies, body) != bodies.end();
+                if (!mechanism_->bodies[at_of(body)].fixed && !known) { bodies.push_back(body); }
+            }
+        }
+        return bodies;
+    }
+
+    std::vector<int> bodies_without_joint(const SymbolSubject& subject) const {
+        return subject.body >= 0 ? std::vector<int>{subject.body} : system_->moving_bodies();
+    }
+
+    void of_system() {
+        // in the choices of ω there is no q, only its rates
+        if (symbol_->name.letter == "q" && symbol_->dots == 0) { return; }
+        SymbolPart part;
+        part.kind = SymbolPart::Kind::rows;
+        add({}, symbol_->node, {}, {}, part);
+    }
+
+    const System* system_;
+    const Mechanism* mechanism_;
+    Instant instant_;
+    CoordinateChoice coordinates_;
+    const formula::TextSymbol* symbol_;
+    std::vector<SymbolMeaning> meanings_;
+};
+
+std::string unit_in_words(const Step& step, const formula::Symbol& symbol, const SymbolMeaning& meaning) {
+    if (symbol.letter != "Φ" || !meaning.part.role || !symbol.index.empty()) { return {}; }
+    for (const Constraint& c : step.system->constraints()) {
+        if (c.joint != meaning.part.joint || c.role != *meaning.part.role) { continue; }
+        const std::string unit = equation_text(*step.system, c).unit;
+        return unit == "-" ? "" : unit;
+    }
+    return {};
+}
+
+std::optional<SymbolView> viewed(
+    const Step& step, const formula::TextSymbol& symbol, std::vector<SymbolMeaning> meanings) {
+    if (meanings.empty()) { return std::nullopt; }
+    SymbolView view;
+    view.source = symbol.source;
+    if (const SymbolFact* const fact = fact_of(symbol.name)) {
+        view.what = tr(fact->meaning);
+        view.unit = unit_of_rate(fact->unit, symbol.dots);
+        view.defined = fact->slide;
+    }
+    if (meanings.size() == 1 && symbol.name.letter == "Φ") {
+        view.unit = unit_in_words(step, symbol.name, meanings[0]);
+    }
+    view.more = static_cast<int>(meanings.size()) - static_cast<int>(kMostMeanings);
+    view.more = std::max(0, view.more);
+    if (view.more > 0) { meanings.resize(kMostMeanings); }
+    view.meanings = std::move(meanings);
+    return view;
+}
+
+void add_symbols(
+    std::vector<SymbolView>& list, const std::string& scope, const math::Row& row,
+    const std::function<std::optional<SymbolView>(const formula::TextSymbol&)>& view_of_symbol) {
+    formula::for_each_symbol(row, [&](const formula::TextSymbol& symbol) {
+        if (index_of_symbol(list, scope, symbol.source) >= 0) { return; }
+        if (std::optional<SymbolView> view = view_of_symbol(symbol)) {
+            view->scope = scope;
+            list.push_back(std::move(*view));
+        }
+    });
+}
+
+}  // namespace
+
+std::optional<SymbolView> symbol_view_of(
+    const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
+    const formula::TextSymbol& symbol) {
+    return viewed(step, symbol, Finder(step, coordinates, symbol).found(subject));
+}
+
+std::optional<SymbolView> symbol_view_of(
+    const Step& step, int joint, Role role, const formula::TextSymbol& symbol) {
+    return viewed(step, symbol, Finder(step, CoordinateChoice::omega_local, symbol).found(joint, role));
+}
+
+std::string scope_of(const EquationGroup& group) {
+    return group.role ? std::to_string(group.joint) + " " + std::string(word_of(*group.role)) : std::string();
+}
+
+std::vector<SymbolView> symbols_of(
+    const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
+    const std::vector<std::string>& texts, const std::vector<EquationGroup>& equations) {
+    std::vector<SymbolView> list;
+    for (const std::string& text : texts) {
+        for (const math::TextPart& part : math::text_parts(text).parts) {
+            add_symbols(list, {}, part.row, [&](const formula::TextSymbol& symbol) {
+                return symbol_view_of(step, coordinates, subject, symbol);
+            });
+        }
+    }
+    for (const EquationGroup& group : equations) {
+        if (!group.role) { continue; }
+        add_symbols(
+            list, scope_of(group), math::read_math(group.formula).row,
+            [&](const formula::TextSymbol& symbol) {
+                return symbol_view_of(step, group.joint, *group.role, symbol);
+            });
+    }
+    return list;
+}
+
+int index_of_symbol(const std::vector<SymbolView>& symbols, std::string_view scope, std::string_view source) {
+    const auto found = std::ranges::find_if(
+        symbols, [&](const SymbolView& s) { return s.scope == scope && s.source == source; });
+    return found == symbols.end() ? -1 : static_cast<int>(found - symbols.begin());
+}
+
+}  // namespace jw
