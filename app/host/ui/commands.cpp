@@ -25,6 +25,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::tab_plot, Group::panels, "Plots", "3", Key::none, '3'},
     CommandInfo{Command::tab_newton, Group::panels, "Newton-Raphson, compared", "4", Key::none, '4'},
     CommandInfo{Command::tab_price, Group::panels, "Price: what a digit costs", "5", Key::none, '5'},
+    CommandInfo{Command::tab_exercises, Group::panels, "Exercises of this lesson", "6", Key::none, '6'},
     CommandInfo{Command::next_tab, Group::panels, "Next of these", "Tab", Key::tab},
     CommandInfo{Command::panel_keys, Group::panels, "Arrows move in the panel", "w", Key::none, 'w'},
     CommandInfo{Command::panel_down, Group::panels, "Scroll the panel down", "]", Key::none, ']'},
@@ -38,6 +39,12 @@ constexpr std::array kCommands{
     CommandInfo{
         Command::play_freedom, Group::experiments, "Move along the next free motion", "m", Key::none, 'm'},
     CommandInfo{Command::let_go, Group::experiments, "Back to the step", "Escape", Key::escape},
+
+    CommandInfo{Command::exercise_hint, Group::exercises, "One more hint", "H", Key::none, 'H'},
+    CommandInfo{Command::exercise_solution, Group::exercises, "Show the solution", "S", Key::none, 'S'},
+    CommandInfo{Command::exercise_anew, Group::exercises, "The same with new numbers", "N", Key::none, 'N'},
+    CommandInfo{
+        Command::exercise_list, Group::exercises, "Back to the list of exercises", "L", Key::none, 'L'},
 
     CommandInfo{Command::fit, Group::picture, "Fit the picture", "f", Key::none, 'f'},
     CommandInfo{Command::view_front, Group::picture, "From the front", "y", Key::none, 'y'},
@@ -86,6 +93,7 @@ const char* name_of(Group group) {
         case Group::timeline: return "Steps";
         case Group::panels: return "Beside the picture";
         case Group::experiments: return "Experiments";
+        case Group::exercises: return "Exercises";
         case Group::picture: return "Picture";
         case Group::files: break;
     }
