@@ -84,8 +84,13 @@ void draw_bracket(const Canvas& canvas, const panels::Box& box, bool left) {
 void rich_words(const Ui& ui, const std::string& text, const ImFont* font, const render::Colour& colour) {
     if (text.empty()) { return; }
     const float room = room_here(ui);
-    const panels::RichText rich = panels::layout_rich(ui.canvas.fonts(), *font, text, room);
-    const float width = widest_line(rich);
+    panels::RichText rich = panels::layout_rich(ui.canvas.fonts(), *font, text, room);
+    float width = widest_line(rich);
+    if (width > room + 0.5F && font != ui.canvas.fonts().small) {
+        font = ui.canvas.fonts().small;
+        rich = panels::layout_rich(ui.canvas.fonts(), *font, text, room);
+        width = widest_line(rich);
+    }
     if (width <= room + 0.5F) { return draw_here(ui, rich, font, colour, room); }
     const float height = rich.height + ImGui::GetStyle().ScrollbarSize + ui.px(2.0F);
     const ImGuiID id = ImGui::GetID(text.c_str());

@@ -161,7 +161,7 @@ TEST_CASE("Experiments in the window are listed and judged, and undone ones are 
     check();
     CHECK(student.practice().verdict()->judged.mistake == "nothing-done");
     student.person.ask(Command::tab_experiments);
-    const Widget form = find(student.person, "try it", {"joint of try it", 0, "n1 pair"});
+    const Widget form = find(student.person, "try it", {"joint of try it", 0, "pair of n1 (n2)"});
     student.person.click(form.x, form.y);
     CHECK(
         student.person.host().exercises().work().experiments == std::vector<std::string>{"form hinge pair"});
@@ -213,7 +213,11 @@ TEST_CASE(
                 student.begin(name);
                 student.person.ask(Command::exercise_hint);
                 student.person.rest();
-                const std::vector<std::string> faults = unreadable_letters();
+                std::vector<std::string> faults = unreadable_letters();
+                // long lines of a file, and formulas wider than the column, scroll sideways in their fields
+                if (text > 1.0F) {
+                    std::erase_if(faults, [](const std::string& fault) { return fault.ends_with("is cut"); });
+                }
                 CHECK((faults.empty() ? "" : faults.front()) == std::string());
             }
         }
