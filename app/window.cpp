@@ -252,6 +252,9 @@ void run_window(const WindowSetup& setup) {
     glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
     Host host(wanted);
     if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
+    if (!setup.exercise.empty() && !host.begin_exercise(setup.exercise)) {
+        host.say("The lesson has no exercise '" + setup.exercise + "'.");
+    }
     glfwSetWindowUserPointer(window.get(), &host);
     listen(window.get());
     use_clipboard(window.get());

@@ -18,6 +18,7 @@ struct WindowSetup {
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
     std::string at;
     std::vector<std::string> experiments;  ///< experiments to begin with
+    std::string exercise;                  ///< to begin with; empty: none
     std::ostream* log = nullptr;           ///< where faults of drawing are told; must be set
 };
 

@@ -6,6 +6,7 @@
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
+#include "app/exercises/grading/grade.hpp"
 #include "app/host/lesson/timeline.hpp"
 #include "app/host/screen.hpp"
 #include "app/window.hpp"
@@ -26,6 +27,7 @@ struct OpenOptions {
     bool dark = false;
     double text = 1.0;
     std::string tab = "step";
+    std::string exercise;
     std::string picture;
 };
 
@@ -33,11 +35,25 @@ struct OpenOptions {
 constexpr PixelSize kSmallest{320, 200};
 constexpr PixelSize kLargest{7680, 7680};
 
+/// @throws CommandError if the lesson has no such exercise
+void begin(host::Host& host, const std::string& exercise) {
+    if (host.begin_exercise(exercise)) { return; }
+    std::string names;
+    for (const PracticeExercise& offered : host.exercises().practice().exercises()) {
+        names += (names.empty() ? "" : ", ") + offered.exercise->name;
+    }
+    throw CommandError(
+        Exit::bad_input, "jointwise: error: --exercise '" + exercise + "'; the lesson has " +
+                             (names.empty() ? "no exercises" : "these: " + names));
+}
+
 /// Draws the window into a file; needs no display.
 void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
     if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
+    if (!setup.exercise.empty()) { begin(host, setup.exercise); }
+    host.wait_for_exercises();
     host::Screen screen(surface.gl(), host);
     // a frame for ImGui to find its sizes, and one per small picture of the browser
     constexpr int most = 2000;
@@ -59,6 +75,9 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.recent_file = host::RecentLessons::usual_file();
     setup.host.unsaved = setup.host.recent_file.empty() ? "jointwise-unsaved"
                                                         : setup.host.recent_file.parent_path() / "unsaved";
+    setup.host.progress = Progress::usual_file();
+    setup.host.judge_program = judge_program_file;
+    setup.exercise = options.exercise;
     setup.log = &streams.err;
     setup.host.dark = options.dark;
     setup.host.text_scale = static_cast<float>(options.text);
@@ -82,6 +101,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
         // the same picture whatever was opened before
         setup.host.recent_file.clear();
         setup.host.unsaved.clear();
+        setup.host.progress.clear();
         draw_window(setup, options.picture);
         return Exit::done;
     }
@@ -105,10 +125,14 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::Range(0.75, 1.5))
         ->type_name("X")
         ->capture_default_str();
-    command->add_option("--tab", options->tab, "beside the picture: step, try, plots, newton or price")
+    command
+        ->add_option(
+            "--tab", options->tab, "beside the picture: step, try, plots, newton, price or exercises")
         ->check(CLI::IsMember(words_of(host::kTabs)))
         ->type_name("TAB")
         ->capture_default_str();
+    command->add_option("--exercise", options->exercise, "an exercise of the lesson to begin with")
+        ->type_name("NAME");
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")
         ->type_name("FILE");
     command->footer("Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B");

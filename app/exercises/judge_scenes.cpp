@@ -106,6 +106,30 @@ std::string healthy(const Task& task) {
     return scene;
 }
 
+/// What differs from the file that was handed out. A program that saves a lesson writes all of it anew: such
+/// a file is compared with what was handed out, written anew.
+SceneDifference difference_from_handed_out(const std::string& before, const std::string& after) {
+    SceneDifference difference = difference_of(before, after);
+    if (difference.count() == 0) { return difference; }
+    const ReadResult read = read_lesson(before, "handed out");
+    if (!read.lesson) { return difference; }
+    SceneDifference other = difference_of(lesson_text(*read.lesson), after);
+    return other.count() < difference.count() ? other : difference;
+}
+
+/// The lesson that experiments lead to; empty, and not understood, if one of them cannot be carried out.
+std::string state_after(const Task& task, const std::vector<std::string>& actions, Judged& judged) {
+    Session session(task.variant.lesson, false);
+    for (const std::string& action : actions) {
+        const ExperimentResult result = carry_out(session, action);
+        if (result.done) { continue; }
+        judged.understood = false;
+        judged.feedback.push_back("'" + action + "' cannot be carried out: " + result.said);
+        return {};
+    }
+    return lesson_text(session.lesson());
+}
+
 std::string built(const Task& task) { return healthy(task) + "\n" + task.exercise().solution; }
 
 }  // namespace
@@ -139,7 +163,7 @@ Judged judge_repair(const Task& task, const Handed& handed) {
     Judged judged;
     const std::string sick = handed_out(task);
     judge_claims(handed.text, task.exercise(), judged);
-    const SceneDifference difference = difference_of(sick, handed.text);
+    const SceneDifference difference = difference_from_handed_out(sick, handed.text);
     const bool is_toml = judged.understood || difference.count() > 0 || handed.text == sick;
     const auto removed = std::ranges::find_if(difference.removed, is_addition);
     if (is_toml && difference.count() == 0) {
@@ -182,7 +206,7 @@ std::vector<HandedMistake> mistaken_builds(const Task& task) {
 Judged judge_build(const Task& task, const Handed& handed) {
     Judged judged;
     const std::string scene = healthy(task);
-    const SceneDifference difference = difference_of(scene, handed.text);
+    const SceneDifference difference = difference_from_handed_out(scene, handed.text);
     if (difference.count() == 0) {
         name_mistake(judged, "unchanged", "nothing was added", "Nothing was added to the file.");
         return judged;
@@ -231,15 +255,9 @@ Judged judge_experiment(const Task& task, const Handed& handed) {
         judged.feedback.emplace_back("There are more than 20 experiments.");
         return judged;
     }
-    Session session(task.variant.lesson, false);
-    for (const std::string& action : handed.list) {
-        const ExperimentResult result = carry_out(session, action);
-        if (result.done) { continue; }
-        judged.understood = false;
-        judged.feedback.push_back("'" + action + "' cannot be carried out: " + result.said);
-        return judged;
-    }
-    judge_claims(lesson_text(session.lesson()), task.exercise(), judged);
+    const std::string state = handed.text.empty() ? state_after(task, handed.list, judged) : handed.text;
+    if (!judged.understood) { return judged; }
+    judge_claims(state, task.exercise(), judged);
     const auto needed = static_cast<std::size_t>(task.exercise().most);
     if (!judged.right && judged.understood && handed.list.size() < needed) {
         name_mistake(

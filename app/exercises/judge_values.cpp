@@ -103,6 +103,38 @@ void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX
     if (!mistake.slide.empty()) { judged.feedback.push_back("Look at " + mistake.slide + "."); }
 }
 
+/// An order that is none of the known mistakes.
+void tell_order(const Task& task, const MatrixX& given, Judged& judged) {
+    const MatrixX& right = task.asked.right;
+    std::vector<double> numbers(given.data(), given.data() + given.size());
+    std::ranges::sort(numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        if (numbers[k] == static_cast<double>(k + 1)) { continue; }
+        judged.feedback.push_back(
+            "Each of the numbers 1 to " + std::to_string(numbers.size()) + " has to stand there once.");
+        return;
+    }
+    Eigen::Index first = 0;
+    while (first + 1 < right.rows() && given(first, 0) == right(first, 0)) { ++first; }
+    judged.feedback.push_back(
+        "The first wrong one is at place " + std::to_string(first + 1) + ": number " +
+        number_text(given(first, 0), 3) + " does not belong there.");
+}
+
+/// An answer that has to be exact, and is none of the known mistakes.
+void tell_what_differs(const Task& task, const MatrixX& given, Judged& judged) {
+    if (task.exercise().kind == ExerciseKind::order) { return tell_order(task, given, judged); }
+    if (task.exercise().kind == ExerciseKind::choose) {
+        judged.feedback.push_back(
+            "This is none of the choices; expected a number from 1 to " + std::to_string(task.shown.size()) +
+            ".");
+        return;
+    }
+    judged.feedback.push_back(
+        "No known mistake leads to this answer. It is off by " +
+        number_text(difference_from(task.asked.right, given, task.asked), 3) + ".");
+}
+
 /// Where components are chosen, "y" is 2.
 std::string number_of_letter(const Task& task, const std::string& text) {
     const auto shown = std::ranges::find(task.shown, text);
@@ -158,7 +190,7 @@ Judged judge_value(const Task& task, const Handed& handed) {
     } else if (const KnownMistake* const mistake = known_mistake(asked, given)) {
         tell_mistake(*mistake, asked, given, judged);
     } else if (is_exact(asked)) {
-        judged.feedback.emplace_back("This is not right.");
+        tell_what_differs(task, given, judged);
     } else {
         tell_how_far(asked, given, judged);
     }

@@ -11,7 +11,8 @@ namespace jw {
 
 /// What a student hands in, as text.
 struct Handed {
-    std::string text;               ///< numbers; the output of a program; a lesson file
+    std::string text;  ///< numbers; the output of a program; a lesson file; of experiments the lesson that
+                       ///< they led to, empty: they are carried out
     std::vector<std::string> list;  ///< experiments
 };
 

@@ -20,6 +20,7 @@ constexpr int kMostDraws = 400;
 /// Answers of mistakes are so many tolerances apart.
 constexpr double kTolerancesApart = 10.0;
 constexpr std::size_t kMostChoices = 4;
+constexpr const char* kStopped = "nobody waits for this exercise any more";
 
 bool is_computed(const Exercise& exercise) { return !exercise.asked.empty(); }
 
@@ -162,15 +163,16 @@ void show(Task& task) {
 
 }  // namespace
 
-TaskMaker::TaskMaker(const Exercise& exercise) : exercise_(&exercise) {
+TaskMaker::TaskMaker(const Exercise& exercise, const std::stop_token& stop) : exercise_(&exercise) {
     problem_ = unknown_mistake(exercise);
     if (!exercise.formula.empty()) { plan_ = std::make_shared<const FormulaPlan>(formula_plan(exercise)); }
-    if (problem_.empty() && is_computed(exercise)) { find_groups(); }
+    if (problem_.empty() && is_computed(exercise)) { find_groups(stop); }
 }
 
-void TaskMaker::find_groups() {
+void TaskMaker::find_groups(const std::stop_token& stop) {
     std::vector<Asked> samples;
     for (int k = 0; k < kMostSampleDraws && static_cast<int>(samples.size()) < kSamples; ++k) {
+        if (stop.stop_requested()) { break; }
         const VariantDraw draw =
             drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name), plan_);
         problem_ = draw.problem;
@@ -179,7 +181,8 @@ void TaskMaker::find_groups() {
         problem_ = asked.problem;
         if (asked.problem.empty()) { samples.push_back(std::move(asked)); }
     }
-    if (samples.empty()) { return; }
+    if (stop.stop_requested()) { problem_ = kStopped; }
+    if (samples.empty() || stop.stop_requested()) { return; }
     problem_.clear();
     const std::size_t count = samples.front().mistakes.size();
     const auto always_same = [&](auto a, auto b) {
@@ -252,7 +255,7 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
     return true;
 }
 
-Task TaskMaker::make(std::uint64_t seed) const {
+Task TaskMaker::make(std::uint64_t seed, const std::stop_token& stop) const {
     Task task;
     task.variant.exercise = exercise_;
     task.problem = problem_;
@@ -260,6 +263,10 @@ Task TaskMaker::make(std::uint64_t seed) const {
     Random random(seed);
     std::string why;
     for (int k = 0; k < kMostDraws; ++k) {
+        if (stop.stop_requested()) {
+            task.problem = kStopped;
+            return task;
+        }
         VariantDraw draw = drawn_variant(*exercise_, k == 0 ? seed : random.next(), plan_);
         if (!draw.variant) {
             task.problem = draw.problem;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,15 +25,16 @@ struct Task {
 /// Makes the tasks of one exercise. `exercise` must outlive it and its tasks.
 class TaskMaker {
 public:
-    explicit TaskMaker(const Exercise& exercise);
+    /// @param stop  who no longer wants tasks asks for this: the maker then has a problem
+    explicit TaskMaker(const Exercise& exercise, const std::stop_token& stop = {});
 
-    /// The same task for the same seed.
-    Task make(std::uint64_t seed) const;
+    /// The same task for the same seed; none where it was stopped.
+    Task make(std::uint64_t seed, const std::stop_token& stop = {}) const;
     /// Why no task can be made; empty otherwise.
     const std::string& problem() const { return problem_; }
 
 private:
-    void find_groups();
+    void find_groups(const std::stop_token& stop);
     bool accept(Task& task, std::string& why) const;
 
     const Exercise* exercise_;

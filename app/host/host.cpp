@@ -24,6 +24,8 @@ constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
 // between two looks at a measurement: fast enough to be watched, and it costs next to nothing
 constexpr double kMeasuring = 0.25;
+// between two looks at an exercise whose numbers are drawn: short enough not to be noticed
+constexpr double kDrawingNumbers = 0.05;
 
 /// How far a key moves the list of keys, in parts of what is seen of it; 0: not at all.
 float way_of(Key key) {
@@ -42,7 +44,8 @@ Host::Host(const HostSetup& setup)
     : context_(ImGui::CreateContext()),
       shelf_(setup.catalogue, setup.recent_file),
       unsaved_(setup.unsaved),
-      pictures_(setup.pictures) {
+      pictures_(setup.pictures),
+      desk_({setup.catalogue, setup.progress, setup.judge_program}) {
     // creating does not make it the current one if there is another
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -79,6 +82,7 @@ bool Host::open(
     state_.experiment_driver = 0;
     shown_.forget_session();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
+    desk_.open(path);
     for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
     if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
     fit_camera(true);
@@ -95,6 +99,7 @@ bool Host::look_at_file() {
     if (!read.lesson) { return true; }
     session_->replace(shown_lesson(*read.lesson));
     need_characters_of_lesson();
+    desk_.follow_file(file_, tabs_.exercises);
     state_.forget_pointed();
     state_.playback.leave_freedom();
     if (hand_.is_own()) { fit_camera(true); }
@@ -103,7 +108,8 @@ bool Host::look_at_file() {
 }
 
 void Host::keep_unsaved() {
-    if (!session_) { return; }
+    // what is done to the lesson of an exercise is kept with the exercise
+    if (!session_ || desk_.has_aside()) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
     if (!problem.empty()) { say(tr("Unsaved experiments will be lost when the program ends: {0}", problem)); }
 }
@@ -151,6 +157,7 @@ void Host::frame(double seconds) {
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
         resize(layout_.width, layout_.height);
     }
+    look_at_exercises();
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();
@@ -178,6 +185,7 @@ void Host::act_on(const InputEvent& event) {
     // while somebody types, letters are letters
     if (io.WantTextInput) { return; }
     const Modifiers modifiers{io.KeyCtrl, io.KeyShift};
+    if (act_in_exercises(event)) { return; }
     if (const CommandInfo* info = command_for(event, modifiers)) { carry_out(info->command); }
 }
 
@@ -199,6 +207,7 @@ double Host::seconds_to_change() const {
     double due = notice_.seconds_left();
     if (!shows_lesson()) { return due; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    if (desk_.is_busy()) { due = std::min(due, kDrawingNumbers); }
     return std::min(due, state_.playback.seconds_to_change(*session_));
 }
 

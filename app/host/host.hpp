@@ -9,6 +9,7 @@
 #include "app/host/lesson/lesson_shelf.hpp"
 #include "app/host/lesson/saving.hpp"
 #include "app/host/lesson/unsaved.hpp"
+#include "app/host/parts/exercise_desk.hpp"
 #include "app/host/parts/notice.hpp"
 #include "app/host/parts/predictions.hpp"
 #include "app/host/parts/scene_hand.hpp"
@@ -29,6 +30,8 @@ struct HostSetup {
     std::filesystem::path recent_file;     ///< where the lessons opened last are kept; empty: nowhere
     std::filesystem::path unsaved;         ///< folder for what was tried and not saved; empty: nowhere
     std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
+    std::filesystem::path progress;        ///< file of what is solved; empty: nowhere
+    ProgramJudge judge_program;            ///< of exercises that ask for programs; nothing: none is run
     Tab tab = Tab::step;                   ///< what stands beside the picture to begin with
     bool dark = false;
     float text_scale = 1.0F;
@@ -49,6 +52,13 @@ public:
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
+
+    /// Begins an exercise of the open lesson, and waits until it is asked.
+    /// @return false if the lesson has none of that name
+    bool begin_exercise(const std::string& name);
+    /// Waits for what is computed in threads about exercises, and takes it over.
+    void wait_for_exercises();
+    const ExerciseDesk& exercises() const { return desk_; }
 
     /// Size of the picture in pixels of the framebuffer.
     void resize(int width, int height);
@@ -106,6 +116,7 @@ private:
     void draw_interface();
     void draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots);
     void draw_tip(const std::vector<std::string>& lines, const panels::Box& beside) const;
+    void draw_step(const LessonUi& ui, const View& view);
     void advance(double seconds);
     void need_characters_of_lesson();
     void need_characters_of_shelf();
@@ -130,6 +141,16 @@ private:
     void save_lesson();
     void save_csv();
 
+    // exercises (host_exercises.cpp)
+    OpenLesson open_lesson() { return {file_, session_}; }
+    bool shows_figure() const;
+    void look_at_exercises();
+    bool act_in_exercises(const InputEvent& event);
+    void carry_out_exercises(const Requests& requests);
+    void carry_out_exercise(Command command);
+    void note_experiment(const Experiment& experiment, const std::string& words);
+    void draw_figure(const Ui& ui);
+
     ImGuiContext* context_;
     ScaledFonts fonts_;
     WindowLayout layout_;
@@ -147,6 +168,8 @@ private:
     ShownPicture shown_;
     Notice notice_;
     Predictions predictions_;
+    ExerciseDesk desk_;
+    bool shown_figure_ = false;  ///< in the frame before
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins

@@ -13,6 +13,7 @@
 #include "app/session/output/export.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/messages.hpp"
 
 namespace jw::host {
@@ -73,6 +74,7 @@ void Host::carry_out(Requests requests) {
     for (const Command command : requests.commands) { carry_out(command); }
     if (requests.trial) { carry_out_trial(*requests.trial); }
     if (requests.show_joint && session_) { show_joint(*requests.show_joint); }
+    carry_out_exercises(requests);
     if (requests.copy) { say(copied(*requests.copy, tr("Copied."))); }
     if (requests.open) { open(*requests.open); }
 }
@@ -82,7 +84,10 @@ void Host::apply(const Experiment& experiment) {
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
     try {
+        // the words are about the lesson as it is before
+        const std::string words = desk_.has_aside() ? text_of(experiment, *session_) : std::string();
         say(session_->apply(experiment));
+        if (session_->told() != told) { note_experiment(experiment, words); }
     } catch (const std::exception& error) {
         // the lesson is as it was before
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -132,6 +137,7 @@ void Host::carry_out(Command command) {
         case Command::tab_plot: state_.tab = Tab::plot; return;
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
+        case Command::tab_exercises: state_.tab = Tab::exercises; return;
         case Command::next_tab: state_.tab = tab_after(state_.tab); return;
         case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
         case Command::panel_down: return say(scroll_by(state_.column, kPage));
@@ -145,6 +151,10 @@ void Host::carry_out(Command command) {
         case Command::start_over: return apply(StartOver{});
         case Command::play_freedom: return next_freedom();
         case Command::let_go: return let_go();
+        case Command::exercise_hint:
+        case Command::exercise_solution:
+        case Command::exercise_anew:
+        case Command::exercise_list: return carry_out_exercise(command);
         case Command::fit: return fit_camera(false);
         case Command::view_front:
         case Command::view_back:
@@ -274,6 +284,9 @@ void Host::next_freedom() {
 }
 
 void Host::fit_camera(bool at_once) {
+    if (shows_figure()) {
+        return hand_.show(desk_.figure()->camera(layout_.scene, layout_.scene_safe), at_once);
+    }
     hand_.show(camera_of(session_->story(), session_->style(), layout_.scene, layout_.scene_safe), at_once);
 }
 

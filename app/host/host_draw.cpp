@@ -27,7 +27,7 @@ void Host::draw_interface() {
     if (shows_lesson()) {
         draw_lesson({ui, *session_, hand_.camera()}, spots);
     } else {
-        browser(ui, layout_.whole, shelf_, session_ != nullptr);
+        browser(ui, layout_.whole, shelf_, desk_.practice().progress(), session_ != nullptr);
     }
     const panels::Box room = shows_lesson() ? panels::box_of(layout_.scene) : layout_.whole;
     notice_.draw(ui, room, session_ != nullptr);
@@ -43,24 +43,22 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
         state_.scrolled_step = view.step;
         state_.symbol = -1;
     }
+    const bool figure = shows_figure();
     panels::draw_annotations(
         ui.canvas, picture(), hand_.camera(), layout_.scene,
-        predictions_.height(ui, panels::box_of(layout_.scene)));
-    panels::draw_title(ui.canvas, layout_.title, view);
-    const float height = panels::caption_height(ui.canvas, layout_.caption, view);
-    scrolled(
-        ui, layout_.caption, height, state_.caption,
-        [&](const panels::Canvas& canvas, const panels::Box& box) {
-            panels::draw_caption(canvas, box, view);
-        });
-    predictions_.draw(ui, panels::box_of(layout_.scene));
-    if (session_->in_hand()) { draw_badge(ui, panels::box_of(layout_.scene)); }
-    side_column(ui, layout_, tabs_);
+        figure ? 0.0F : predictions_.height(ui, panels::box_of(layout_.scene)),
+        figure ? panels::BodyNames::all : panels::BodyNames::where_room);
+    if (figure) {
+        draw_figure(ui);
+    } else {
+        draw_step(ui, view);
+    }
+    side_column(ui, layout_, tabs_, desk_.practice(), desk_.work());
     timeline_bar(ui, layout_.bar);
 
     // the thing under the pointer lights up in the next frame
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help;
+    const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help && !figure;
     const Pointed pointed = reachable ? pointed_at(spots, {mouse.x, mouse.y}) : Pointed{};
     const Pointable before = state_.pointed_at;
     if (!hand_.is_dragging()) { state_.pointed_at = pointed.first(); }
@@ -82,8 +80,22 @@ void Host::draw_tip(const std::vector<std::string>& lines, const panels::Box& be
     panels::draw_tip(canvas, {beside, layout_.whole}, lines);
 }
 
+/// Title and words of the step.
+void Host::draw_step(const LessonUi& ui, const View& view) {
+    panels::draw_title(ui.canvas, layout_.title, view);
+    const float height = panels::caption_height(ui.canvas, layout_.caption, view);
+    scrolled(
+        ui, layout_.caption, height, state_.caption,
+        [&](const panels::Canvas& canvas, const panels::Box& box) {
+            panels::draw_caption(canvas, box, view);
+        });
+    predictions_.draw(ui, panels::box_of(layout_.scene));
+    if (session_->in_hand()) { draw_badge(ui, panels::box_of(layout_.scene)); }
+}
+
 const Picture& Host::picture() {
     if (!session_) { return shown_.picture(); }
+    if (shows_figure()) { return shown_.of(desk_.figure()->picture()); }
     return shown_.of(
         *session_, state_.lit(), {tabs_.newton.ghosts(session_->told()), tabs_.newton.version()});
 }

@@ -49,9 +49,10 @@ constexpr std::array<std::string_view, 10> kPanels{
     "imgui.h",
     "render/palette.hpp"};
 
-// the interface knows no window and no command
-constexpr std::array<std::string_view, 8> kHost{"app/host/", "app/panels/", "app/session/", "core/",
-                                                "lessons/",  "render/",     "Eigen/",       "imgui.h"};
+// the interface knows no window and no command; exercises are practised in it, and know nothing of it
+constexpr std::array<std::string_view, 9> kHost{"app/host/",      "app/panels/", "app/session/",
+                                                "app/exercises/", "core/",       "lessons/",
+                                                "render/",        "Eigen/",      "imgui.h"};
 
 // programs of students: the system alone
 constexpr std::array<std::string_view, 14> kRun{

@@ -72,6 +72,16 @@ void grade_exercise(const Task& task, const fs::path& folder, const HandedIn& ha
 
 }  // namespace
 
+Judged judge_program_file(const Task& task, const fs::path& file) {
+    const exercises::ProgramSearch found = exercises::read_program(file.string());
+    if (found.outcome == exercises::ProgramSearch::Outcome::found) {
+        return judge_program(task, kind_of(task.exercise().kind), found.program);
+    }
+    return not_judged(
+        found.reason.empty() ? "There is no file '" + file.string() + "'; expected a program."
+                             : found.reason);
+}
+
 ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises) {
     ReadyCourse course;
     course.secret = std::move(secret);

@@ -50,6 +50,9 @@ struct Grade {
 /// is read, links are not followed, programs run in a sandbox or not at all.
 Grade grade_submission(const ReadyCourse& course, const std::filesystem::path& folder);
 
+/// Runs a program in the sandbox and judges what it writes; why it was not run is said in the feedback.
+Judged judge_program_file(const Task& task, const std::filesystem::path& file);
+
 /// Digest of all that a folder hands in; empty if it cannot be read.
 std::string digest_of(const std::filesystem::path& folder);
 

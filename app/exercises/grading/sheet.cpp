@@ -1,10 +1,10 @@
 #include "app/exercises/grading/sheet.hpp"
 
+#include "app/exercises/figure_scene.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/exercise/handed_in.hpp"
-#include "lessons/reader.hpp"
 
 namespace jw {
 
@@ -41,29 +41,6 @@ std::string without_exponents(std::string text) {
     return text;
 }
 
-bool hands_out_file(const Exercise& exercise) {
-    switch (exercise.kind) {
-        case ExerciseKind::repair:
-        case ExerciseKind::build:
-        case ExerciseKind::experiment: return true;
-        case ExerciseKind::code:
-        case ExerciseKind::order: return false;
-        default: return !exercise.asked.empty() && exercise.formula.empty();
-    }
-}
-
-/// A figure of a formula at random states would show none of them.
-bool has_figure(const Exercise& exercise) {
-    return !exercise.scene.empty() && exercise.kind != ExerciseKind::code &&
-           exercise.kind != ExerciseKind::order;
-}
-
-bool is_as_given(const Task& task) {
-    if (hands_out_file(task.exercise()) && task.exercise().asked.empty()) { return true; }
-    const std::vector<Claim>& claims = task.variant.lesson.claims;
-    return claims.empty() || !std::holds_alternative<AfterAddition>(claims.front().when);
-}
-
 std::string line_of(const Exercise& exercise, const std::string& value) {
     return exercise.name + " = " + value;
 }
@@ -78,15 +55,6 @@ std::string list_in_toml(const std::vector<std::string>& list) {
         text += (k > 0 ? ", " : "") + writing::string_text(list[k]);
     }
     return text + "]";
-}
-
-/// The scene as the student gets it: of a repair the sick one.
-std::vector<std::uint8_t> figure_of(const SheetEntry& entry, const FigureOf& figure) {
-    if (entry.file_text.empty() || !entry.task.exercise().asked.empty()) {
-        return figure(entry.task.variant.lesson, is_as_given(entry.task));
-    }
-    const ReadResult read = read_lesson(entry.file_text, entry.file);
-    return read.lesson ? figure(*read.lesson, true) : std::vector<std::uint8_t>{};
 }
 
 SheetEntry entry_of(Task task, int number, const FigureOf& figure) {
@@ -104,7 +72,8 @@ SheetEntry entry_of(Task task, int number, const FigureOf& figure) {
         entry.file = exercise.name + ".toml";
         entry.file_text = handed_out(entry.task);
     }
-    if (figure && has_figure(exercise)) { entry.figure = figure_of(entry, figure); }
+    const std::optional<FigureScene> scene = figure ? figure_scene(entry.task) : std::nullopt;
+    if (scene) { entry.figure = figure(scene->lesson, scene->as_given); }
     if (std::string(kind_of(exercise.kind).file).empty()) { entry.template_line = empty_line(exercise); }
     return entry;
 }

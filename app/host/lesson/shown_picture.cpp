@@ -28,12 +28,23 @@ Emphasis emphasis_of(const Session& session, const Lit& lit) {
 const Picture& ShownPicture::of(const Session& session, const Lit& lit, const Ghosts& ghosts) {
     MadeOf wanted{session.version(), lit, ghosts.version, !ghosts.poses.empty()};
     if (made_of_ == wanted) { return picture_; }
+    still_ = nullptr;
     picture_ = session.picture();
     add_ghosts(session.lesson(), session.style(), ghosts.poses, picture_);
     light_up(picture_, emphasis_of(session, lit));
     if (made_of_.session != wanted.session) { ++pose_version_; }
     ++version_;
     made_of_ = std::move(wanted);
+    return picture_;
+}
+
+const Picture& ShownPicture::of(const Picture& still) {
+    if (still_ == &still) { return picture_; }
+    picture_ = still;
+    still_ = &still;
+    made_of_ = {};
+    ++pose_version_;
+    ++version_;
     return picture_;
 }
 

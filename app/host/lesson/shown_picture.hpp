@@ -29,11 +29,16 @@ struct Ghosts {
 class ShownPicture {
 public:
     const Picture& of(const Session& session, const Lit& lit, const Ghosts& ghosts);
+    /// A picture that is not one of a session; the same one as long as it has the same address.
+    const Picture& of(const Picture& still);
     /// The picture that was made last; empty before.
     const Picture& picture() const { return picture_; }
 
     /// Another session follows: its versions say nothing about those of the one before.
-    void forget_session() { made_of_.session = 0; }
+    void forget_session() {
+        made_of_.session = 0;
+        still_ = nullptr;
+    }
     /// Has the same picture drawn again, in other colours.
     void redraw() { ++version_; }
 
@@ -54,6 +59,7 @@ private:
 
     Picture picture_;
     MadeOf made_of_;
+    const Picture* still_ = nullptr;  ///< that picture_ is a copy of
     std::uint64_t version_ = 0;
     std::uint64_t pose_version_ = 0;
 };

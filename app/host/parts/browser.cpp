@@ -28,17 +28,26 @@ constexpr float kWordsHeight = 74.0F;
 constexpr float kCardGap = 14.0F;
 constexpr float kChapterHeight = 28.0F;
 
-/// What a card says below the title: "slide 2 · 3 exercises".
-std::string origin_text(const CatalogueEntry& e) {
+/// "3 exercises", "1 of 3 exercises solved"
+std::string exercises_text(const CatalogueEntry& e, const Progress& progress) {
     const std::size_t count = e.exercises.size();
-    if (count == 0) { return e.source; }
-    const std::string exercises = count == 1 ? "1 exercise" : std::to_string(count) + " exercises";
+    const auto solved = std::ranges::count_if(e.exercises, [&](const IndexedExercise& exercise) {
+        return progress.of(record_key(exercise.file, exercise.name)).solved > 0;
+    });
+    const std::string all = count == 1 ? "1 exercise" : std::to_string(count) + " exercises";
+    return solved == 0 ? all : std::to_string(solved) + " of " + all + " solved";
+}
+
+/// What a card says below the title: "slide 2 · 3 exercises".
+std::string origin_text(const CatalogueEntry& e, const Progress& progress) {
+    if (e.exercises.empty()) { return e.source; }
+    const std::string exercises = exercises_text(e, progress);
     return e.source.empty() ? exercises : e.source + "  ·  " + exercises;
 }
 
 void draw_card(
     const Canvas& canvas, ImDrawList* list, const Box& card, const CatalogueEntry& e, bool chosen,
-    bool hovered) {
+    bool hovered, const Progress& progress) {
     canvas.fill(card, theme::kWhite, canvas.px(5.0F));
     const Box picture{
         card.x + 1.0F, card.y + 1.0F, card.width - 2.0F, std::round(kPictureShape * card.width)};
@@ -58,7 +67,7 @@ void draw_card(
     panels::cut_top(words, height + canvas.px(2.0F));
     panels::paragraph(
         canvas, words, canvas.fonts().small, e.error.empty() ? theme::kSoft : theme::kRedundant,
-        e.error.empty() ? origin_text(e) : e.error, e.error.empty() ? 1 : 2);
+        e.error.empty() ? origin_text(e, progress) : e.error, e.error.empty() ? 1 : 2);
     const render::Colour edge = chosen ? theme::kSubjectMark : (hovered ? theme::kAccent : theme::kLine);
     canvas.outline(card, edge, chosen ? canvas.px(3.0F) : panels::hairline(canvas), canvas.px(5.0F));
 }
@@ -73,7 +82,9 @@ std::string headline(const std::string& chapter) {
 }
 
 /// One card at the cursor of ImGui, the name of its chapter above if it is the first; a click opens it.
-void card(const Ui& ui, LessonShelf& shelf, int index, float width, bool first_of_chapter) {
+void card(
+    const Ui& ui, LessonShelf& shelf, const Progress& progress, int index, float width,
+    bool first_of_chapter) {
     const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float above = ui.px(kChapterHeight);
@@ -100,7 +111,7 @@ void card(const Ui& ui, LessonShelf& shelf, int index, float width, bool first_o
             canvas.text(
                 {at.x, at.y + ui.px(4.0F)}, canvas.fonts().bold, theme::kInk, headline(entry.chapter));
         }
-        draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, shelf.chosen() == index, hovered);
+        draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, shelf.chosen() == index, hovered, progress);
     }
     ImGui::PopID();
 }
@@ -135,7 +146,7 @@ void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
 
 }  // namespace
 
-void browser(const Ui& ui, const Box& window, LessonShelf& shelf, bool has_lesson) {
+void browser(const Ui& ui, const Box& window, LessonShelf& shelf, const Progress& progress, bool has_lesson) {
     Box rest = window;
     ui.canvas.fill(rest, theme::kShade);
     head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
@@ -152,7 +163,7 @@ void browser(const Ui& ui, const Box& window, LessonShelf& shelf, bool has_lesso
     for (const int k : found) {
         const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(k)];
         if (column > 0) { ImGui::SameLine(0.0F, gap); }
-        card(ui, shelf, k, width, chapter == nullptr || *chapter != entry.chapter);
+        card(ui, shelf, progress, k, width, chapter == nullptr || *chapter != entry.chapter);
         chapter = &entry.chapter;
         column = (column + 1) % columns;
     }

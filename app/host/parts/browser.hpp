@@ -1,13 +1,17 @@
 #pragma once
 
+#include "app/exercises/practice/lesson_exercises.hpp"
+#include "app/exercises/practice/progress.hpp"
 #include "app/host/lesson/lesson_shelf.hpp"
 #include "app/host/ui/ui.hpp"
 
 /// The lessons as cards by chapter, with a search.
 namespace jw::host {
 
+/// @param progress  of the exercises that the cards count
 /// @param has_lesson  one is open: there is a way back to it
-void browser(const Ui& ui, const panels::Box& window, LessonShelf& shelf, bool has_lesson);
+void browser(
+    const Ui& ui, const panels::Box& window, LessonShelf& shelf, const Progress& progress, bool has_lesson);
 
 /// Handles keys and letters while the lessons are shown.
 /// @return whether the event was for the browser

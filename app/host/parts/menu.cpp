@@ -22,8 +22,8 @@ constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
 constexpr float kKeysWidth = 96.0F;
 constexpr float kMouseWidth = 190.0F;
 
-constexpr Group kGroups[] = {
-    Group::timeline, Group::panels, Group::experiments, Group::picture, Group::files};
+constexpr Group kGroups[] = {Group::timeline,  Group::panels,  Group::experiments,
+                             Group::exercises, Group::picture, Group::files};
 
 constexpr const char* kMouse[][2] = {
     {tr_later("Drag a body"), tr_later("pull it: what is assembled holds it")},

@@ -1,5 +1,8 @@
 #include "app/host/tabs/tabs.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include <imgui.h>
 
 #include "app/host/tabs/experiment_tab.hpp"
@@ -23,19 +26,49 @@ Command command_of(Tab tab) {
         case Tab::experiments: return Command::tab_experiments;
         case Tab::plot: return Command::tab_plot;
         case Tab::newton: return Command::tab_newton;
-        case Tab::price: break;
+        case Tab::price: return Command::tab_price;
+        case Tab::exercises: break;
     }
-    return Command::tab_price;
+    return Command::tab_exercises;
+}
+
+/// Places of the tabs side by side, as wide as their words need.
+std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, const ImFont* font) {
+    std::vector<float> widths;
+    float all = 0.0F;
+    for (const EnumWord<Tab>& tab : kTabs) {
+        widths.push_back(canvas.text_width(font, tab.label));
+        all += widths.back();
+    }
+    const float room = std::max(0.0F, strip.width - all) / static_cast<float>(widths.size());
+    std::vector<Box> places;
+    float x = strip.x;
+    for (const float width : widths) {
+        places.push_back({x, strip.y, width + room, strip.height});
+        x += width + room;
+    }
+    return places;
+}
+
+/// The largest letters in which all tabs fit.
+const ImFont* font_of_tabs(const panels::Canvas& canvas, const Box& strip) {
+    float width = 0.0F;
+    for (const EnumWord<Tab>& tab : kTabs) {
+        width += canvas.text_width(canvas.fonts().bold, tab.label) + canvas.px(8.0F);
+    }
+    return width <= strip.width ? canvas.fonts().bold : canvas.fonts().small;
 }
 
 void tab_strip(const LessonUi& ui, const Box& strip) {
     const panels::Canvas& canvas = ui.canvas;
+    const ImFont* const widest = font_of_tabs(canvas, strip);
+    const std::vector<Box> places = places_of_tabs(canvas, strip, widest);
     canvas.fill(strip, theme::kShade);
     Area area(ui, "tabs", strip);
     constexpr int count = static_cast<int>(kTabs.size());
     for (int k = 0; k < count; ++k) {
         const Tab tab = kTabs[static_cast<std::size_t>(k)].value;
-        const Box box = panels::column_of(strip, k, count);
+        const Box box = places[static_cast<std::size_t>(k)];
         const bool chosen = ui.state.tab == tab;
         ImGui::SetCursorScreenPos({box.x, box.y});
         ImGui::PushID(k);
@@ -50,7 +83,8 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
             canvas.fill(box, theme::kPaper);
             canvas.fill({box.x, box.y, box.width, canvas.px(3.0F)}, theme::kAccent);
         }
-        const ImFont* const font = chosen ? canvas.fonts().bold : canvas.fonts().normal;
+        const bool small = widest == canvas.fonts().small;
+        const ImFont* const font = small ? widest : (chosen ? canvas.fonts().bold : canvas.fonts().normal);
         const float y = box.centre().y - 0.5F * canvas.line_height(font);
         canvas.text(
             {box.centre().x, y}, font, chosen || hovered ? theme::kInk : theme::kSoft,
@@ -67,12 +101,15 @@ const char* area_of(Tab tab) {
         case Tab::plot: return "plots";
         case Tab::newton: return "newton";
         case Tab::price: return "price";
+        case Tab::exercises: return "exercises";
         case Tab::step: break;
     }
     return "tabs";
 }
 
-void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs) {
+void side_column(
+    const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs, const Practice& practice,
+    const ExerciseWork& work) {
     tab_strip(ui, layout.tabs);
     if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
     if (ui.state.tab == Tab::step) {
@@ -90,6 +127,7 @@ void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& ta
         case Tab::plot: return tabs.plot.draw(ui, layout.column);
         case Tab::newton: return tabs.newton.draw(ui, layout.column);
         case Tab::price: return tabs.price.draw(ui, layout.column);
+        case Tab::exercises: return tabs.exercises.draw(ui, layout.column, practice, work);
         case Tab::step: return;
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/host/tabs/exercise_tab.hpp"
 #include "app/host/tabs/newton_tab.hpp"
 #include "app/host/tabs/plot_tab.hpp"
 #include "app/host/tabs/price_tab.hpp"
@@ -16,9 +17,12 @@ struct Tabs {
     PlotTab plot{};
     NewtonTab newton{};
     PriceTab price{};
+    ExerciseTab exercises{};
 };
 
 /// The tabs and the column under them.
-void side_column(const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs);
+void side_column(
+    const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs, const Practice& practice,
+    const ExerciseWork& work);
 
 }  // namespace jw::host

@@ -36,6 +36,8 @@ constexpr std::array kCommands{
         Command::tab_newton, Group::panels, tr_later("Newton-Raphson, compared"), "4", Key::none, '4'},
     CommandInfo{
         Command::tab_price, Group::panels, tr_later("Price: what a digit costs"), "5", Key::none, '5'},
+    CommandInfo{
+        Command::tab_exercises, Group::panels, tr_later("Exercises of this lesson"), "6", Key::none, '6'},
     CommandInfo{Command::next_tab, Group::panels, tr_later("Next of these"), tr_later("Tab"), Key::tab},
     CommandInfo{
         Command::panel_keys, Group::panels, tr_later("Arrows move in the panel"), "w", Key::none, 'w'},
@@ -57,6 +59,15 @@ constexpr std::array kCommands{
         Key::none, 'm'},
     CommandInfo{
         Command::let_go, Group::experiments, tr_later("Back to the step"), tr_later("Escape"), Key::escape},
+
+    CommandInfo{Command::exercise_hint, Group::exercises, tr_later("One more hint"), "H", Key::none, 'H'},
+    CommandInfo{
+        Command::exercise_solution, Group::exercises, tr_later("Show the solution"), "S", Key::none, 'S'},
+    CommandInfo{
+        Command::exercise_anew, Group::exercises, tr_later("The same with new numbers"), "N", Key::none, 'N'},
+    CommandInfo{
+        Command::exercise_list, Group::exercises, tr_later("Back to the list of exercises"), "L", Key::none,
+        'L'},
 
     CommandInfo{Command::fit, Group::picture, tr_later("Fit the picture"), "f", Key::none, 'f'},
     CommandInfo{Command::view_front, Group::picture, tr_later("From the front"), "y", Key::none, 'y'},
@@ -111,6 +122,7 @@ const char* name_of(Group group) {
         case Group::timeline: return tr("Steps");
         case Group::panels: return tr("Beside the picture");
         case Group::experiments: return tr("Experiments");
+        case Group::exercises: return tr("Exercises");
         case Group::picture: return tr("Picture");
         case Group::files: break;
     }

@@ -28,6 +28,7 @@ enum class Command {
     tab_plot,
     tab_newton,
     tab_price,
+    tab_exercises,
     next_tab,
     panel_keys,
     panel_down,
@@ -42,6 +43,11 @@ enum class Command {
     start_over,
     play_freedom,
     let_go,
+    // exercises
+    exercise_hint,
+    exercise_solution,
+    exercise_anew,
+    exercise_list,
     // picture
     fit,
     view_front,
@@ -75,7 +81,7 @@ enum class Command {
     quit,  // stays the last one: the table is checked by it
 };
 
-enum class Group { timeline, panels, experiments, picture, files };
+enum class Group { timeline, panels, experiments, exercises, picture, files };
 
 struct CommandInfo {
     Command command;

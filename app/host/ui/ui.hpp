@@ -16,13 +16,14 @@
 /// frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
-enum class Tab { step, experiments, plot, newton, price };
+enum class Tab { step, experiments, plot, newton, price, exercises };
 inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::step, "step", tr_later("Step")},
     EnumWord<Tab>{Tab::experiments, "try", tr_later("Try it")},
     EnumWord<Tab>{Tab::plot, "plots", tr_later("Plots")},
     EnumWord<Tab>{Tab::newton, "newton", tr_later("Newton")},
-    EnumWord<Tab>{Tab::price, "price", tr_later("Price")}};
+    EnumWord<Tab>{Tab::price, "price", tr_later("Price")},
+    EnumWord<Tab>{Tab::exercises, "exercises", tr_later("Exercises")}};
 
 /// How far a part of the window is scrolled.
 struct Scroll {
@@ -68,11 +69,14 @@ struct UiState {
 struct Requests {
     std::vector<Experiment> experiments;
     std::vector<Command> commands;
-    std::optional<std::string> open;  ///< lesson file
-    std::optional<int> trial;         ///< of the lesson: to be carried out
-    std::optional<std::string> copy;  ///< text for the clipboard
-    std::optional<int> show_joint;    ///< its vectors and equations, while everything moves
-    std::vector<int> lit_rows;        ///< for the next frame
+    std::optional<std::string> open;     ///< lesson file
+    std::optional<int> trial;            ///< of the lesson: to be carried out
+    std::optional<std::string> copy;     ///< text for the clipboard
+    std::optional<int> show_joint;       ///< its vectors and equations, while everything moves
+    std::vector<int> lit_rows;           ///< for the next frame
+    std::optional<int> exercise;         ///< of the lesson: to be begun
+    std::optional<std::string> answer;   ///< to the exercise: to be judged
+    std::optional<std::string> starter;  ///< file of a program to begin with: to be written
 
     void add(const Experiment& experiment) { experiments.push_back(experiment); }
     void add(Command command) { commands.push_back(command); }

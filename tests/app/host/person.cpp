@@ -20,6 +20,7 @@ Person::Person(
     setup.pictures = folder_.path();
     setup.recent_file = folder_.path() / "state" / "recent";
     setup.unsaved = folder_.path() / "state" / "unsaved";
+    setup.progress = folder_.path() / "state" / "progress.toml";
     setup.dark = dark;
     setup.text_scale = text_scale;
     setup.width = width;

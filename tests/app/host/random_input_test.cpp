@@ -7,6 +7,7 @@
 
 #include "lessons/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
+#include "tests/app/host/exercise_lesson.hpp"
 #include "tests/app/host/random_person.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -70,6 +71,12 @@ TEST_CASE("Whatever somebody does at random to any lesson, numbers stay finite a
         if (only != nullptr && lessons[k].stem() != only) { continue; }
         try_lesson(lessons[k], texts, seed + (only != nullptr ? 0 : static_cast<std::uint32_t>(k)));
     }
+}
+
+TEST_CASE("Whatever somebody does at random to a lesson with exercises of every kind, nothing breaks") {
+    const TemporaryFolder folder;
+    const std::filesystem::path lesson = folder.write("all-kinds.toml", lesson_with_exercises());
+    try_lesson(lesson, {text_of(lesson)}, number_from("JW_RANDOM_SEED", kSeed));
 }
 
 }  // namespace jw::test

@@ -1,0 +1,258 @@
+#include "app/exercises/practice/practice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/exercises/random.hpp"
+
+namespace jw {
+
+namespace {
+
+AnswerVerdict could_not_judge(const std::string& why) {
+    AnswerVerdict verdict;
+    verdict.judged.understood = false;
+    verdict.judged.feedback.push_back("This could not be judged: " + why);
+    return verdict;
+}
+
+/// Kinds whose answers are judged at once; others simulate, or run programs.
+bool is_judged_at_once(ExerciseKind kind) {
+    switch (kind) {
+        case ExerciseKind::repair:
+        case ExerciseKind::build:
+        case ExerciseKind::experiment:
+        case ExerciseKind::code: return false;
+        default: return true;
+    }
+}
+
+}  // namespace
+
+Practice::Practice(PracticeSetup setup) : setup_(std::move(setup)), progress_(setup_.progress) {}
+
+Practice::~Practice() {
+    // all at once, and not one after the other
+    give_up(std::move(reading_));
+    give_up(std::move(drawing_));
+    give_up(std::move(judging_));
+}
+
+void Practice::open(const std::filesystem::path& lesson_file) {
+    leave();
+    exercises_.clear();
+    problem_.clear();
+    give_up(std::move(reading_));
+    unread_ = lesson_file;
+}
+
+void Practice::begin_reading() {
+    if (unread_.empty()) { return; }
+    reading_ = std::make_unique<Background<Found>>(
+        [lesson_file = std::exchange(unread_, {}), folder = setup_.lessons,
+         with_slides = slides_.empty()](const std::stop_token& stop) {
+            Found found;
+            found.exercises = exercises_to_practise(lesson_file, folder, stop);
+            found.with_slides = with_slides && !found.exercises.exercises.empty();
+            if (found.with_slides) { found.slides = lessons_of_slides(folder, stop); }
+            return found;
+        });
+}
+
+void Practice::offer(std::vector<PracticeExercise> exercises) {
+    leave();
+    give_up(std::move(reading_));
+    unread_.clear();
+    problem_.clear();
+    exercises_ = std::move(exercises);
+}
+
+bool Practice::look() {
+    std::erase_if(given_up_, [](const auto& work) { return work->is_done(); });
+    bool is_new = false;
+    if (reading_ && reading_->is_done()) {
+        take_found();
+        is_new = true;
+    }
+    if (drawing_ && drawing_->is_done()) {
+        take_drawn();
+        is_new = true;
+    }
+    if (judging_ && judging_->is_done()) {
+        take_verdict();
+        is_new = true;
+    }
+    return is_new;
+}
+
+void Practice::wait() {
+    while (is_busy()) {
+        if (reading_) { reading_->wait(); }
+        if (drawing_) { drawing_->wait(); }
+        if (judging_) { judging_->wait(); }
+        look();
+    }
+}
+
+std::string Practice::doing() const {
+    if (reading_) { return "reading the exercises …"; }
+    if (drawing_) { return "drawing numbers …"; }
+    if (judging_) { return "checking …"; }
+    return {};
+}
+
+void Practice::take_found() {
+    const std::unique_ptr<Background<Found>> done = std::move(reading_);
+    try {
+        Found found = done->take();
+        exercises_ = std::move(found.exercises.exercises);
+        problem_ = std::move(found.exercises.problem);
+        if (found.with_slides) { slides_ = std::move(found.slides); }
+    } catch (const std::exception& error) {
+        problem_ = std::string("The exercises could not be read: ") + error.what();
+    }
+}
+
+void Practice::take_drawn() {
+    const std::unique_ptr<Background<Drawn>> done = std::move(drawing_);
+    try {
+        Drawn drawn = done->take();
+        maker_ = std::move(drawn.maker);
+        task_ = std::move(drawn.task);
+    } catch (const std::exception& error) {
+        task_.emplace();
+        task_->problem = std::string("The numbers could not be drawn: ") + error.what();
+    }
+    ++tasks_made_;
+}
+
+void Practice::choose(int index) {
+    leave();
+    if (index < 0 || static_cast<std::size_t>(index) >= exercises_.size()) { return; }
+    chosen_ = index;
+    held_ = exercises_[static_cast<std::size_t>(index)].exercise;
+    draw();
+}
+
+void Practice::leave() {
+    forget_task();
+    chosen_ = -1;
+    maker_.reset();
+}
+
+void Practice::forget_task() {
+    give_up(std::move(drawing_));
+    give_up(std::move(judging_));
+    task_.reset();
+    verdict_.reset();
+    hints_given_ = 0;
+    solution_ = solved_ = false;
+}
+
+void Practice::give_up(std::unique_ptr<BackgroundWork> work) {
+    if (!work) { return; }
+    work->stop();
+    given_up_.push_back(std::move(work));
+}
+
+const Exercise* Practice::exercise() const {
+    return chosen_ < 0 ? nullptr : exercises_[static_cast<std::size_t>(chosen_)].exercise.get();
+}
+
+ExerciseRecord Practice::record() const {
+    return chosen_ < 0 ? ExerciseRecord() : progress_.of(exercises_[static_cast<std::size_t>(chosen_)].key);
+}
+
+bool Practice::has_variants() const {
+    const Exercise* const e = exercise();
+    return e != nullptr &&
+           (!e->vary.empty() || e->kind == ExerciseKind::choose || e->kind == ExerciseKind::order);
+}
+
+void Practice::draw() {
+    forget_task();
+    const std::uint64_t seed = seed_of("practice", std::to_string(record().variant), exercise()->name);
+    // the exercise lives as long as somebody works with it
+    drawing_ = std::make_unique<Background<Drawn>>(
+        [exercise = held_, maker = maker_, seed](const std::stop_token& stop) mutable {
+            if (!maker) { maker = std::make_shared<const TaskMaker>(*exercise, stop); }
+            Task task = maker->make(seed, stop);
+            return Drawn{std::move(maker), std::move(task)};
+        });
+}
+
+void Practice::draw_anew() {
+    if (chosen_ < 0 || !has_variants()) { return; }
+    ExerciseRecord next = record();
+    // a solved variant has made way for the next one already
+    if (!solved_) { ++next.variant; }
+    if (!solved_ && !solution_ && verdict_) { next.streak = 0; }
+    progress_.keep(exercises_[static_cast<std::size_t>(chosen_)].key, next);
+    draw();
+}
+
+void Practice::give_hint() {
+    const Exercise* const e = exercise();
+    if (e != nullptr && hints_given_ < static_cast<int>(e->hints.size())) { ++hints_given_; }
+}
+
+void Practice::show_solution() {
+    if (!task_) { return; }
+    if (!solution_ && !solved_) {
+        ExerciseRecord changed = record();
+        changed.streak = 0;
+        progress_.keep(exercises_[static_cast<std::size_t>(chosen_)].key, changed);
+    }
+    solution_ = true;
+}
+
+void Practice::check(const Handed& handed) {
+    if (!task_ || !task_->problem.empty() || judging_) { return; }
+    if (!is_judged_at_once(task_->exercise().kind)) {
+        return judge_in_thread([task = *task_, held = held_, handed] { return verdict_on(task, handed); });
+    }
+    verdict_ = verdict_on(*task_, handed);
+    keep_result();
+}
+
+void Practice::check_program(const std::filesystem::path& file) {
+    if (!task_ || !task_->problem.empty() || judging_) { return; }
+    if (!setup_.judge_program) {
+        verdict_ = could_not_judge("programs of students run in a sandbox only, and there is none here.");
+        return;
+    }
+    judge_in_thread([task = *task_, held = held_, file, judge = setup_.judge_program] {
+        return verdict_of(task, {}, judge(task, file));
+    });
+}
+
+void Practice::judge_in_thread(std::function<AnswerVerdict()> judge) {
+    judging_ = std::make_unique<Background<AnswerVerdict>>(
+        [judge = std::move(judge)](const std::stop_token&) { return judge(); });
+}
+
+void Practice::take_verdict() {
+    const std::unique_ptr<Background<AnswerVerdict>> done = std::move(judging_);
+    try {
+        verdict_ = done->take();
+    } catch (const std::exception& error) { verdict_ = could_not_judge(error.what()); }
+    keep_result();
+}
+
+void Practice::keep_result() {
+    const Judged& judged = verdict_->judged;
+    // what was not understood is no try, and what is solved or shown is over
+    if (!judged.understood || solved_ || solution_) { return; }
+    ExerciseRecord result = record();
+    ++result.tried;
+    solved_ = judged.right;
+    result.streak = judged.right ? result.streak + 1 : 0;
+    if (judged.right) {
+        ++result.solved;
+        // who comes back gets other numbers
+        ++result.variant;
+    }
+    progress_.keep(exercises_[static_cast<std::size_t>(chosen_)].key, result);
+}
+
+}  // namespace jw

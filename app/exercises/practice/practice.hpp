@@ -1,0 +1,137 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/exercises/practice/background.hpp"
+#include "app/exercises/practice/lesson_exercises.hpp"
+#include "app/exercises/practice/progress.hpp"
+#include "app/exercises/practice/verdict.hpp"
+
+/// Practising the exercises of a lesson, without drawing.
+namespace jw {
+
+/// Runs the program of a file and judges what it writes; may take seconds.
+using ProgramJudge = std::function<Judged(const Task& task, const std::filesystem::path& file)>;
+
+struct PracticeSetup {
+    std::filesystem::path lessons;   ///< folder of the course
+    std::filesystem::path progress;  ///< file; empty: nothing is kept
+    ProgramJudge judge_program;      ///< nothing: programs cannot be run here
+};
+
+/// Which exercise is solved, with which numbers, what was said of the answers. Whatever takes long is done in
+/// threads; `look` takes over what they found, so between two calls of it nothing changes by itself.
+class Practice {
+public:
+    explicit Practice(PracticeSetup setup);
+    ~Practice();
+    Practice(const Practice&) = delete;
+    Practice& operator=(const Practice&) = delete;
+
+    /// Another lesson is open: the exercises of the one before are left.
+    void open(const std::filesystem::path& lesson_file);
+    /// Begins to read the exercises of the open lesson, once.
+    void begin_reading();
+
+    /// Offers these exercises, whatever lesson they belong to.
+    void offer(std::vector<PracticeExercise> exercises);
+
+    /// Takes over what was computed. @return true if something is new
+    bool look();
+    /// Waits for everything under way and takes it over: for pictures and tests.
+    void wait();
+    /// What is under way, for people: "drawing numbers ..."; empty if nothing is.
+    std::string doing() const;
+    bool is_busy() const { return reading_ || drawing_ || judging_; }
+
+    const std::vector<PracticeExercise>& exercises() const { return exercises_; }
+    /// What is wrong with files of exercises.
+    const std::string& problem() const { return problem_; }
+    const Progress& progress() const { return progress_; }
+    std::string take_notice() { return progress_.take_notice(); }
+    /// The lesson that explains a slide; nullptr if there is none.
+    const SlideLesson* lesson_about(const std::string& slide) const {
+        return lesson_of_slide(slides_, slide);
+    }
+
+    /// Begins an exercise: its numbers are drawn.
+    void choose(int index);
+    /// Back to the list. What is under way is given up.
+    void leave();
+    /// Index of the exercise begun; -1: none.
+    int chosen() const { return chosen_; }
+    const Exercise* exercise() const;
+    ExerciseRecord record() const;
+    /// The exercise with its numbers; nullptr until they are drawn.
+    const Task* task() const { return task_ ? &*task_ : nullptr; }
+    /// Grows with every task: what was made of the one before is out of date.
+    int tasks_made() const { return tasks_made_; }
+    /// There are variants with other numbers, or in another order.
+    bool has_variants() const;
+    /// The next variant.
+    void draw_anew();
+
+    /// One more hint, if there is one.
+    void give_hint();
+    int hints_given() const { return hints_given_; }
+    /// Shows the solution: this variant does not count as solved any more.
+    void show_solution();
+    bool shows_solution() const { return solution_; }
+
+    /// Judges an answer.
+    void check(const Handed& handed);
+    /// Judges a program.
+    void check_program(const std::filesystem::path& file);
+    /// Nothing until an answer was judged.
+    const AnswerVerdict* verdict() const { return verdict_ ? &*verdict_ : nullptr; }
+    bool is_solved() const { return solved_; }
+
+private:
+    struct Found {
+        LessonExercises exercises;
+        std::vector<SlideLesson> slides;
+        bool with_slides = false;
+    };
+    struct Drawn {
+        std::shared_ptr<const TaskMaker> maker;
+        Task task;
+    };
+
+    void draw();
+    void forget_task();
+    void give_up(std::unique_ptr<BackgroundWork> work);
+    void judge_in_thread(std::function<AnswerVerdict()> judge);
+    void take_found();
+    void take_drawn();
+    void take_verdict();
+    void keep_result();
+
+    PracticeSetup setup_;
+    std::filesystem::path unread_;  ///< lesson whose exercises were not asked for so far
+    Progress progress_;
+    std::vector<PracticeExercise> exercises_;
+    std::vector<SlideLesson> slides_;
+    std::string problem_;
+
+    int chosen_ = -1;
+    std::shared_ptr<const TaskMaker> maker_;  ///< of the chosen exercise, once it was made
+    std::shared_ptr<const Exercise> held_;    ///< what the task points to
+    std::optional<Task> task_;
+    int tasks_made_ = 0;
+    int hints_given_ = 0;
+    bool solution_ = false;
+    bool solved_ = false;
+    std::optional<AnswerVerdict> verdict_;
+
+    std::unique_ptr<Background<Found>> reading_;
+    std::unique_ptr<Background<Drawn>> drawing_;
+    std::unique_ptr<Background<AnswerVerdict>> judging_;
+    std::vector<std::unique_ptr<BackgroundWork>> given_up_;  ///< told to stop, not ended yet
+};
+
+}  // namespace jw

@@ -1,0 +1,117 @@
+#include "app/exercises/practice/verdict.hpp"
+
+#include <cmath>
+
+#include "app/exercises/given_value.hpp"
+#include "app/session/wording/numbers.hpp"
+
+namespace jw {
+
+namespace {
+
+// more digits than the tightest tolerance asks for
+constexpr int kShownDigits = 6;
+
+bool is_value(ExerciseKind kind) {
+    return kind == ExerciseKind::number || kind == ExerciseKind::vector || kind == ExerciseKind::matrix ||
+           kind == ExerciseKind::pose;
+}
+
+/// The answer as a matrix of the shape that is asked for; empty if it has another.
+MatrixX understood_value(const Task& task, const std::string& text) {
+    const Asked& asked = task.asked;
+    const GivenValue read = read_given_value(text, asked.unit);
+    if (!read.problem.empty()) { return {}; }
+    const bool same = read.value.rows() == asked.right.rows() && read.value.cols() == asked.right.cols();
+    if (same) { return read.value; }
+    const bool turned = read.value.rows() == asked.right.cols() && read.value.cols() == asked.right.rows();
+    const bool vector = std::min(read.value.rows(), read.value.cols()) == 1;
+    return turned && vector ? MatrixX(read.value.transpose()) : MatrixX();
+}
+
+/// Of p and −p the one that is nearer to what was given.
+MatrixX nearest_right(const Asked& asked, const MatrixX& given) {
+    MatrixX right = asked.right;
+    if (!asked.sign_of_p || right.rows() < 7) { return right; }
+    const auto p = right.bottomRows(4);
+    const auto p_given = given.bottomRows(4);
+    if ((p + p_given).norm() < (p - p_given).norm()) { right.bottomRows(4) *= -1.0; }
+    return right;
+}
+
+std::vector<std::vector<bool>> differing(const Asked& asked, const MatrixX& given) {
+    const MatrixX right = nearest_right(asked, given);
+    std::vector<std::vector<bool>> wrong(static_cast<std::size_t>(given.rows()));
+    for (Eigen::Index r = 0; r < given.rows(); ++r) {
+        for (Eigen::Index c = 0; c < given.cols(); ++c) {
+            wrong[static_cast<std::size_t>(r)].push_back(
+                !(std::abs(given(r, c) - right(r, c)) <= std::max(asked.tolerance, 1e-9)));
+        }
+    }
+    return wrong;
+}
+
+}  // namespace
+
+AnswerVerdict verdict_of(const Task& task, const Handed& handed, Judged judged) {
+    AnswerVerdict verdict{std::move(judged), {}, {}};
+    if (!is_value(task.exercise().kind) || !verdict.judged.understood) { return verdict; }
+    verdict.given = understood_value(task, handed.text);
+    const bool can_differ = verdict.given.size() > 1 && !verdict.judged.right;
+    if (can_differ) { verdict.wrong = differing(task.asked, verdict.given); }
+    return verdict;
+}
+
+AnswerVerdict verdict_on(const Task& task, const Handed& handed) {
+    return verdict_of(task, handed, kind_of(task.exercise().kind).judge(task, handed));
+}
+
+/// "1e-05" in a formula would be 1 times e minus 05.
+std::string number_latex(double value) {
+    const std::string text = number_text(value, kShownDigits);
+    const std::size_t at = text.find('e');
+    if (at == std::string::npos) { return text; }
+    return text.substr(0, at) + " \\cdot 10^{" + std::to_string(std::stoi(text.substr(at + 1))) + "}";
+}
+
+std::string value_latex(const MatrixX& value) {
+    if (value.size() == 1) { return number_latex(value(0, 0)); }
+    std::string text = "\\begin{bmatrix} ";
+    for (Eigen::Index r = 0; r < value.rows(); ++r) {
+        if (r > 0) { text += " \\\\ "; }
+        for (Eigen::Index c = 0; c < value.cols(); ++c) {
+            text += (c > 0 ? " & " : "") + number_latex(value(r, c));
+        }
+    }
+    return text + " \\end{bmatrix}";
+}
+
+std::string given_latex(const GivenSymbol& symbol) {
+    return symbol.latex + " = " + value_latex(symbol.value);
+}
+
+std::string solution_words(const Task& task) {
+    const Exercise& exercise = task.exercise();
+    switch (exercise.kind) {
+        case ExerciseKind::code: return "$" + task.asked.latex + "$";
+        case ExerciseKind::repair: {
+            std::string keys;
+            for (const SceneEdit& edit : exercise.spoil) { keys += (keys.empty() ? "" : ", ") + edit.key; }
+            return "What was changed: " + keys + ".";
+        }
+        case ExerciseKind::build: return exercise.solution;
+        case ExerciseKind::experiment: {
+            std::string list;
+            for (const std::string& action : exercise.does) { list += (list.empty() ? "" : "\n") + action; }
+            return list;
+        }
+        case ExerciseKind::choose:
+        case ExerciseKind::order: return written(task.asked.right);
+        default: break;
+    }
+    const std::string unit = task.asked.unit.empty() ? "" : " " + task.asked.unit;
+    const std::string value = "$" + value_latex(task.asked.right) + "$" + unit;
+    return task.asked.latex.empty() ? value : "$" + task.asked.latex + "$\n" + value;
+}
+
+}  // namespace jw

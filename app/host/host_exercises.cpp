@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/host/host.hpp"
+#include "app/host/parts/notice.hpp"
+#include "app/panels/frame/caption.hpp"
+
+namespace jw::host {
+
+bool Host::shows_figure() const {
+    return shows_lesson() && state_.tab == Tab::exercises && desk_.figure() != nullptr;
+}
+
+void Host::look_at_exercises() {
+    // other tabs need none of it
+    if (shows_lesson() && state_.tab == Tab::exercises) { desk_.practice().begin_reading(); }
+    const ExerciseDesk::News news = desk_.look(open_lesson(), tabs_.exercises);
+    if (news.any || news.other_picture) { rouse(); }
+    say(desk_.practice().take_notice());
+    if (news.other_picture) {
+        shown_.forget_session();
+        state_.forget_pointed();
+        state_.playback.stop();
+        state_.experiment_joint = -1;
+        state_.experiment_driver = 0;
+        notice_.blame("");
+        tabs_.newton = {};
+        tabs_.plot = {};
+    }
+    if (session_) { desk_.follow_lesson(*session_, tabs_.exercises); }
+    if (news.other_picture || shows_figure() != shown_figure_) { fit_camera(true); }
+    shown_figure_ = shows_figure();
+}
+
+void Host::wait_for_exercises() {
+    look_at_exercises();
+    while (desk_.is_busy()) {
+        desk_.wait();
+        frame(1.0 / 60.0);
+    }
+}
+
+bool Host::begin_exercise(const std::string& name) {
+    state_.tab = Tab::exercises;
+    wait_for_exercises();
+    const std::vector<PracticeExercise>& all = desk_.practice().exercises();
+    const auto found =
+        std::ranges::find(all, name, [](const PracticeExercise& e) { return e.exercise->name; });
+    if (found == all.end()) { return false; }
+    desk_.practice().choose(static_cast<int>(found - all.begin()));
+    wait_for_exercises();
+    return true;
+}
+
+bool Host::act_in_exercises(const InputEvent& event) {
+    if (state_.tab != Tab::exercises || !shows_lesson() || state_.panel_keys) { return false; }
+    // what is led by hand is let go first
+    if (event.key == Key::escape && session_->in_hand()) { return false; }
+    Requests requests;
+    if (!tabs_.exercises.act(event, desk_.practice(), requests)) { return false; }
+    carry_out(std::move(requests));
+    rouse();
+    return true;
+}
+
+void Host::carry_out_exercises(const Requests& requests) {
+    if (requests.exercise) {
+        keep_unsaved();
+        desk_.practice().choose(*requests.exercise);
+        rouse();
+    }
+    if (requests.answer) {
+        say(desk_.check(open_lesson(), *requests.answer));
+        rouse();
+    }
+    if (requests.starter) { say(desk_.write_starter(*requests.starter)); }
+}
+
+void Host::carry_out_exercise(Command command) {
+    Practice& practice = desk_.practice();
+    state_.tab = Tab::exercises;
+    if (practice.chosen() < 0) { return; }
+    switch (command) {
+        case Command::exercise_hint: return practice.give_hint();
+        case Command::exercise_solution: return practice.show_solution();
+        case Command::exercise_anew: return practice.draw_anew();
+        default: return practice.leave();
+    }
+}
+
+void Host::note_experiment(const Experiment& experiment, const std::string& words) {
+    if (!desk_.has_aside()) { return; }
+    if (std::holds_alternative<Undo>(experiment)) { return desk_.note_undo(); }
+    if (std::holds_alternative<Redo>(experiment)) { return desk_.note_redo(); }
+    if (std::holds_alternative<StartOver>(experiment)) { return desk_.note_start_over(); }
+    desk_.note_experiment(words);
+}
+
+/// The words around the figure of an exercise, in place of those of a step.
+void Host::draw_figure(const Ui& ui) {
+    View view;
+    view.lesson_title = session_->lesson().title;
+    view.title = desk_.practice().exercise()->title;
+    view.source = desk_.practice().exercise()->source;
+    view.step = 0;
+    view.steps = 1;
+    view.sentence = "The scene of the exercise. It can be turned; what is asked cannot be read off it.";
+    panels::draw_title(ui.canvas, layout_.title, view);
+    panels::draw_caption(ui.canvas, layout_.caption, view);
+}
+
+}  // namespace jw::host

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "app/session/picture/picture.hpp"
+
+namespace jw::host {
+
+/// A lesson's scene at rest, as figures of exercises show it: bodies, joints, their names and vectors;
+/// nothing that tells numbers, rank or rows.
+class Still {
+public:
+    /// @param as_given  true: all joints and drivers at the poses of the file, whether they fit or not;
+    ///                  false: everything put together, and as given where that is impossible
+    Still(const Lesson& lesson, bool as_given);
+    ~Still();
+    Still(const Still&) = delete;
+    Still& operator=(const Still&) = delete;
+
+    const Picture& picture() const { return picture_; }
+    const PictureStyle& style() const { return style_; }
+    /// The camera in which everything is in sight.
+    render::Camera camera(const render::Rect& viewport, const render::Rect& safe) const;
+
+private:
+    std::unique_ptr<const Lesson> lesson_;  ///< that the story is told of
+    std::unique_ptr<const Story> story_;
+    PictureStyle style_;
+    Picture picture_;
+};
+
+}  // namespace jw::host

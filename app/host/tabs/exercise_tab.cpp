@@ -1,0 +1,147 @@
+#include "app/host/tabs/exercise_tab.hpp"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/host/tabs/exercise_words.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/parts.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "lessons/exercise/read_exercises.hpp"
+
+namespace jw::host {
+
+namespace {
+
+using panels::Box;
+using panels::Canvas;
+namespace theme = panels::theme;
+
+constexpr float kMark = 18.0F;  // room for the mark before a row
+
+std::string points_text(double points) {
+    return points == 1.0 ? std::string("1 point") : number_text(points, 4) + " points";
+}
+
+/// "new", "tried", "solved 3 times, the last 2 in a row"
+std::string state_text(const ExerciseRecord& record) {
+    if (record.solved == 0) { return record.tried == 0 ? "new" : "tried"; }
+    std::string text = record.solved == 1 ? "solved" : "solved " + std::to_string(record.solved) + " times";
+    if (record.streak > 1) { text += ", the last " + std::to_string(record.streak) + " in a row"; }
+    return text;
+}
+
+std::string row_text(const Exercise& exercise, const ExerciseRecord& record) {
+    return std::string(label_of(kExerciseKinds, exercise.kind)) + "   ·   " + points_text(exercise.points) +
+           "   ·   " + state_text(record);
+}
+
+/// Empty: new; half: tried; full: solved.
+void draw_mark(const Canvas& canvas, panels::Point at, const ExerciseRecord& record) {
+    const float radius = canvas.px(5.0F);
+    if (record.solved > 0) { return canvas.disc(at, radius, theme::kAccent); }
+    canvas.ring(at, radius, record.tried > 0 ? theme::kSubjectMark : theme::kFaint, canvas.px(2.0F));
+    if (record.tried > 0) { canvas.disc(at, 0.5F * radius, theme::kSubjectMark); }
+}
+
+}  // namespace
+
+void ExerciseTab::draw(
+    const LessonUi& ui, const Box& box, const Practice& practice, const ExerciseWork& work) {
+    const Area area(ui, "exercises", box, true);
+    if (practice.chosen() < 0) { return list(ui, practice); }
+    task(ui, practice, work);
+}
+
+void ExerciseTab::list(const LessonUi& ui, const Practice& practice) {
+    section(ui, "Exercises of this lesson");
+    if (practice.is_busy()) { note(ui, practice.doing()); }
+    if (!practice.problem().empty()) { note(ui, practice.problem()); }
+    const auto count = static_cast<int>(practice.exercises().size());
+    if (count == 0) {
+        if (!practice.is_busy()) { note(ui, "This lesson has no exercises."); }
+        return;
+    }
+    row_ = std::clamp(row_, 0, count - 1);
+    note(ui, "Up and Down choose, Enter begins. The numbers are new each time.");
+    for (int k = 0; k < count; ++k) { row(ui, practice, k); }
+    wants_row_ = false;
+}
+
+void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
+    const PracticeExercise& entry = practice.exercises()[static_cast<std::size_t>(index)];
+    const ExerciseRecord record = practice.progress().of(entry.key);
+    const render::Fonts& fonts = ui.canvas.fonts();
+    const float mark = ui.px(kMark);
+    const float room = std::max(ui.px(60.0F), ImGui::GetContentRegionAvail().x);
+    const float inner = room - mark - ui.px(8.0F);
+    const std::string below = row_text(*entry.exercise, record);
+    const float title = panels::paragraph_height(ui.canvas, fonts.normal, entry.exercise->title, inner);
+    const float height =
+        title + panels::paragraph_height(ui.canvas, fonts.small, below, inner) + ui.px(10.0F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushID(index);
+    if (ImGui::InvisibleButton("exercise", {room, height})) {
+        row_ = index;
+        ui.requests.exercise = index;
+    }
+    const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    if (wants_row_ && row_ == index) { ImGui::SetScrollHereY(0.5F); }
+    ImGui::PopID();
+    const Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+    const Box box{at.x, at.y, room, height};
+    if (row_ == index || hovered) {
+        canvas.fill(box, row_ == index ? theme::kSubject : theme::kShade, ui.px(4.0F));
+    }
+    draw_mark(
+        canvas, {at.x + 0.5F * mark, at.y + ui.px(5.0F) + 0.5F * canvas.line_height(fonts.normal)}, record);
+    const Box words{at.x + mark, at.y + ui.px(5.0F), inner, height};
+    panels::paragraph(canvas, words, fonts.normal, theme::kInk, entry.exercise->title);
+    panels::paragraph(canvas, {words.x, words.y + title, inner, height}, fonts.small, theme::kSoft, below);
+}
+
+bool ExerciseTab::act(const InputEvent& event, const Practice& practice, Requests& requests) {
+    if (event.kind != InputEvent::Kind::key || !event.down) { return false; }
+    const bool in_list = practice.chosen() < 0;
+    const auto move = [&](int by) {
+        row_ = std::clamp(row_ + by, 0, std::max(0, static_cast<int>(practice.exercises().size()) - 1));
+        wants_row_ = true;
+    };
+    switch (event.key) {
+        case Key::up:
+            if (in_list) { move(-1); }
+            return in_list;
+        case Key::down:
+            if (in_list) { move(1); }
+            return in_list;
+        case Key::enter:
+            if (in_list) {
+                requests.exercise = row_;
+            } else {
+                wants_focus_ = true;
+            }
+            return true;
+        case Key::escape:
+            if (in_list) { return false; }
+            requests.add(Command::exercise_list);
+            return true;
+        default: return false;
+    }
+}
+
+void ExerciseTab::follow(const Practice& practice) {
+    const int index = practice.chosen();
+    const std::string now = index < 0 || practice.task() == nullptr
+                                ? std::string()
+                                : practice.exercises()[static_cast<std::size_t>(index)].key + "#" +
+                                      std::to_string(practice.task()->variant.seed);
+    if (now == answers_) { return; }
+    if (!answers_.empty()) { drafts_[answers_] = answer_; }
+    answers_ = now;
+    answer_ = now.empty() ? std::string() : drafts_[now];
+}
+
+}  // namespace jw::host

@@ -1,0 +1,243 @@
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/exercises/figure_scene.hpp"
+#include "app/host/tabs/exercise_tab.hpp"
+#include "app/host/tabs/exercise_words.hpp"
+#include "app/host/ui/widgets.hpp"
+#include "app/panels/frame/caption.hpp"
+#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace theme = panels::theme;
+
+constexpr int kLinesOfMatrix = 4;
+constexpr int kLinesOfFile = 14;
+
+bool is_file(ExerciseKind kind) { return kind == ExerciseKind::repair || kind == ExerciseKind::build; }
+
+/// How the answer is given here, where it differs from a sheet on paper.
+std::string how_to_answer(const Task& task) {
+    const bool counts = task.asked.tolerance == 0.0;
+    switch (task.exercise().kind) {
+        case ExerciseKind::repair:
+            return "Mend the lesson: in this field, with 'Try it', or in an editor. Change as little as "
+                   "possible.";
+        case ExerciseKind::build:
+            return "Add joints at the end of the lesson: in this field or in an editor. Leave the rest as it "
+                   "is.";
+        case ExerciseKind::experiment:
+            return "Do experiments with the lesson in 'Try it'. Those that you do are listed here and "
+                   "judged.";
+        case ExerciseKind::code:
+            return "Write a program: .py, .cpp, .m or .js. It reads JSON and writes JSON.";
+        case ExerciseKind::choose: return "Press the number of a choice, or type it.";
+        case ExerciseKind::number:
+            if (counts) { return "Write a whole number."; }
+            break;
+        default: break;
+    }
+    return kind_of(task.exercise().kind).hand_in;
+}
+
+const char* hint_of_field(ExerciseKind kind) {
+    switch (kind) {
+        case ExerciseKind::number: return "0.5236, 1/3, sqrt(3)/2";
+        case ExerciseKind::vector: return "[1, 2, 3]";
+        case ExerciseKind::choose: return "its number";
+        case ExerciseKind::order: return "3, 1, 2";
+        case ExerciseKind::code: return "file of the program";
+        default: return "";
+    }
+}
+
+void bold_words(const LessonUi& ui, const std::string& text, const render::Colour& colour) {
+    rich_words(ui, text, ui.canvas.fonts().bold, colour);
+}
+
+}  // namespace
+
+void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const ExerciseWork& work) {
+    head(ui, practice);
+    const Task* const task = practice.task();
+    if (task == nullptr) { return note(ui, practice.doing()); }
+    if (!task->problem.empty()) {
+        return note(ui, "This exercise cannot be set with these numbers: " + task->problem);
+    }
+    question(ui, *task);
+    answer_field(ui, *task, work);
+    buttons(ui, practice);
+    verdict(ui, practice);
+    hints(ui, practice);
+    solution(ui, practice);
+}
+
+void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
+    command_button(ui, Command::exercise_list, "List");
+    if (practice.has_variants()) {
+        next_button("New numbers");
+        command_button(ui, Command::exercise_anew, "New numbers");
+    }
+    const Exercise& exercise = *practice.exercise();
+    section(ui, exercise.title.c_str());
+    const std::string where = exercise.source.empty() ? "" : exercise.source + "   ·   ";
+    note(
+        ui, where + (exercise.allowed == Allowed::paper ? "on paper: what is asked cannot be read off here"
+                                                        : "the program may be used"));
+}
+
+void ExerciseTab::question(const LessonUi& ui, const Task& task) {
+    const render::Fonts& fonts = ui.canvas.fonts();
+    rich_words(ui, panels::typeset(panels::run_on(task.exercise().ask)), fonts.normal, theme::kInk);
+    if (task.exercise().kind == ExerciseKind::code) {
+        std::string names;
+        for (const std::string& name : input_names(task.exercise())) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        return note(ui, "Inputs of a case: " + names + ".");
+    }
+    for (const GivenSymbol& symbol : task.asked.given) {
+        ImGui::Dummy({0.0F, ui.px(2.0F)});
+        rich_words(ui, "$" + given_latex(symbol) + "$", fonts.normal, theme::kInk);
+    }
+    choices(ui, task);
+    // what a figure cannot tell: how the joints are called, where their points are
+    const bool has_scene = hands_out_file(task.exercise()) && !task.exercise().asked.empty();
+    if (has_scene && ImGui::CollapsingHeader("The scene as a lesson file")) {
+        text_box(ui, "scene", handed_out(task), kLinesOfFile);
+    }
+}
+
+void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
+    const bool pressed_to_choose = task.exercise().kind == ExerciseKind::choose;
+    for (std::size_t k = 0; k < task.shown.size(); ++k) {
+        const std::string number = std::to_string(k + 1);
+        ImGui::PushID(static_cast<int>(k));
+        if (pressed_to_choose) {
+            if (ImGui::SmallButton((" " + number + " ").c_str())) {
+                answer_ = number;
+                ui.requests.answer = number;
+            }
+        } else {
+            ImGui::TextUnformatted((number + " ").c_str());
+        }
+        ImGui::SameLine();
+        ImGui::BeginGroup();
+        rich_words(ui, panels::typeset(panels::run_on(task.shown[k])), ui.canvas.fonts().normal, theme::kInk);
+        ImGui::EndGroup();
+        ImGui::PopID();
+    }
+}
+
+void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work) {
+    const ExerciseKind kind = task.exercise().kind;
+    section(ui, "Your answer");
+    std::string how = how_to_answer(task);
+    if (!task.asked.unit.empty()) { how += " The answer is in " + task.asked.unit + "."; }
+    note(ui, how);
+    if (kind == ExerciseKind::experiment) {
+        for (const std::string& action : work.experiments) { ImGui::BulletText("%s", action.c_str()); }
+        if (work.experiments.empty()) { note(ui, "none so far"); }
+        wants_focus_ = false;
+        return;
+    }
+    if (is_file(kind) && !work.file.empty()) { note(ui, "The lesson is also here: " + work.file.string()); }
+    if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
+    wants_focus_ = false;
+    const bool large = kind == ExerciseKind::matrix || kind == ExerciseKind::pose;
+    const int lines = is_file(kind) ? kLinesOfFile : (large ? kLinesOfMatrix : 1);
+    if (text_field(ui, "##answer", hint_of_field(kind), answer_, lines, !is_file(kind))) {
+        ui.requests.answer = answer_;
+    }
+    if (kind == ExerciseKind::code) {
+        if (ImGui::Button("Write a starter")) { ui.requests.starter = answer_; }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("a program to begin with, and a file with its input, unless they are there");
+        }
+    }
+}
+
+void ExerciseTab::buttons(const LessonUi& ui, const Practice& practice) {
+    const Task& task = *practice.task();
+    ImGui::BeginDisabled(practice.is_busy());
+    if (ImGui::Button("Check")) { ui.requests.answer = answer_; }
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(is_file(task.exercise().kind) ? "(Ctrl+Enter in the field)" : "(Enter)");
+    }
+    const auto hints = static_cast<int>(task.exercise().hints.size());
+    if (hints > practice.hints_given()) {
+        next_button("Hint");
+        command_button(ui, Command::exercise_hint, "Hint");
+    }
+    if (!practice.shows_solution()) {
+        next_button("Show solution");
+        command_button(ui, Command::exercise_solution, "Show solution");
+    }
+    if (practice.is_busy()) { note(ui, practice.doing()); }
+}
+
+void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
+    const AnswerVerdict* const verdict = practice.verdict();
+    if (verdict == nullptr) { return; }
+    const Judged& judged = verdict->judged;
+    ImGui::Dummy({0.0F, ui.px(4.0F)});
+    if (judged.right) {
+        bold_words(ui, "Right.", theme::kAccent);
+        if (!practice.task()->exercise().why.empty() && !practice.shows_solution()) {
+            rich_words(
+                ui, panels::typeset(panels::run_on(practice.task()->exercise().why)),
+                ui.canvas.fonts().normal, theme::kInk);
+        }
+        return;
+    }
+    std::string title = judged.understood ? "Not so." : "Not understood.";
+    if (!judged.title.empty()) { title = "Not so: " + judged.title + "."; }
+    bold_words(ui, title, theme::kRedundant);
+    for (const std::string& sentence : judged.feedback) {
+        rich_words(ui, sentence, ui.canvas.fonts().normal, theme::kInk);
+    }
+    if (!verdict->wrong.empty()) {
+        note(ui, "Your answer; the entries in frames differ:");
+        marked_matrix(ui, verdict->given, verdict->wrong);
+    }
+    if (judged.slide.empty()) { return; }
+    if (const SlideLesson* const lesson = practice.lesson_about(judged.slide)) {
+        const std::string label = "Open the lesson of " + judged.slide;
+        if (ImGui::Button(label.c_str())) { ui.requests.open = lesson->file.string(); }
+        if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", lesson->title.c_str()); }
+    }
+}
+
+void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
+    const int given = practice.hints_given();
+    if (given == 0) { return; }
+    const std::vector<std::string>& all = practice.exercise()->hints;
+    section(ui, ("Hint " + std::to_string(given) + " of " + std::to_string(all.size())).c_str());
+    for (int k = 0; k < given; ++k) {
+        rich_words(
+            ui, panels::typeset(panels::run_on(all[static_cast<std::size_t>(k)])), ui.canvas.fonts().normal,
+            theme::kInk);
+    }
+}
+
+void ExerciseTab::solution(const LessonUi& ui, const Practice& practice) {
+    if (!practice.shows_solution()) { return; }
+    section(ui, "Solution");
+    note(ui, "This variant does not count as solved.");
+    const Task& task = *practice.task();
+    const render::Fonts& fonts = ui.canvas.fonts();
+    if (task.exercise().kind == ExerciseKind::build) {
+        text_box(ui, "solution", solution_words(task), kLinesOfFile);
+    } else {
+        rich_words(ui, solution_words(task), fonts.normal, theme::kInk);
+    }
+    rich_words(ui, panels::typeset(panels::run_on(task.exercise().why)), fonts.normal, theme::kInk);
+}
+
+}  // namespace jw::host

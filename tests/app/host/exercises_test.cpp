@@ -1,0 +1,227 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/exercises/kinds.hpp"
+#include "lessons/catalogue.hpp"
+#include "tests/app/host/checks.hpp"
+#include "tests/app/host/exercise_lesson.hpp"
+#include "tests/app/host/overprint.hpp"
+#include "tests/app/host/reach.hpp"
+
+namespace jw::test {
+namespace {
+
+using host::Command;
+using host::Key;
+using host::Tab;
+
+/// A person who has opened a lesson with exercises of every kind.
+struct Student {
+    explicit Student(int width = 1280, int height = 720, float text = 1.0F)
+        : file(folder.write("mine/all-kinds.toml", lesson_with_exercises())),
+          person(file.string(), Person::Pictures::none, width, height, false, text) {
+        person.ask(Command::tab_exercises);
+        wait();
+    }
+
+    void wait() {
+        person.host().wait_for_exercises();
+        person.settle();
+    }
+    const Practice& practice() { return person.host().exercises().practice(); }
+    /// With the keyboard alone.
+    void begin(const std::string& name) {
+        const auto& all = practice().exercises();
+        const auto found = std::ranges::find(all, name, [](const auto& e) { return e.exercise->name; });
+        REQUIRE(found != all.end());
+        person.ask(Command::tab_exercises);
+        person.ask(Command::exercise_list);
+        for (std::size_t k = 0; k < all.size(); ++k) { person.press(Key::up); }
+        for (auto k = all.begin(); k != found; ++k) { person.press(Key::down); }
+        person.press(Key::enter);
+        wait();
+        REQUIRE(practice().exercise() != nullptr);
+        REQUIRE(practice().exercise()->name == name);
+        REQUIRE(practice().task() != nullptr);
+    }
+    void answer(const std::string& text) {
+        person.press(Key::enter);
+        person.type(text);
+        person.press(Key::enter);
+        wait();
+    }
+    std::string right() { return kind_of(practice().exercise()->kind).right(*practice().task()).text; }
+
+    TemporaryFolder folder;
+    std::filesystem::path file;
+    Person person;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "With the keyboard alone a number, a vector, a matrix, a choice and an order are solved", "[exercises]") {
+    Student student;
+    for (const char* const name : {"number", "vector", "matrix", "choose", "order", "pose"}) {
+        CAPTURE(name);
+        student.begin(name);
+        student.answer(student.right());
+        REQUIRE(student.practice().verdict() != nullptr);
+        CHECK(student.practice().is_solved());
+        CHECK(student.practice().record().solved == 1);
+        student.person.ask(Command::exercise_anew);
+        student.wait();
+        CHECK_FALSE(student.practice().is_solved());
+    }
+}
+
+TEST_CASE("Nonsense is refused, and what was typed stays, even when Escape leaves the field", "[exercises]") {
+    Student student;
+    student.begin("number");
+    student.answer("nonsense");
+    REQUIRE(student.practice().verdict() != nullptr);
+    CHECK_FALSE(student.practice().verdict()->judged.understood);
+    CHECK(student.practice().record().tried == 0);
+    student.person.press(Key::enter);
+    student.person.press(Key::end);
+    student.person.type("7");
+    student.person.press(Key::escape);
+    CHECK(student.practice().exercise() != nullptr);
+    student.person.press(Key::escape);
+    CHECK(student.practice().exercise() == nullptr);
+    student.begin("number");
+    student.person.press(Key::enter);
+    student.person.press(Key::enter);
+    // "nonsense7": it was kept
+    CHECK_FALSE(student.practice().verdict()->judged.understood);
+    CHECK(student.practice().verdict()->judged.feedback.front().find("nonsense") != std::string::npos);
+}
+
+TEST_CASE("Hints and the solution come by keys", "[exercises]") {
+    Student student;
+    student.begin("number");
+    student.person.ask(Command::exercise_hint);
+    CHECK(student.practice().hints_given() == 1);
+    student.person.ask(Command::exercise_solution);
+    CHECK(student.practice().shows_solution());
+    student.answer(student.right());
+    CHECK_FALSE(student.practice().is_solved());
+}
+
+TEST_CASE("A figure takes the place of the lesson's picture while its exercise is looked at", "[exercises]") {
+    Student student;
+    const std::size_t names = student.person.host().picture().annotations.size();
+    student.begin("number");
+    REQUIRE(student.person.host().exercises().figure() != nullptr);
+    CHECK(&student.person.host().picture() == &student.person.host().shown().picture());
+    CHECK(student.person.host().picture().annotations.size() > names);
+    student.person.ask(Command::tab_step);
+    CHECK(student.person.host().picture().annotations.size() == names);
+    CHECK(fault_of(student.person.host()) == "");
+}
+
+TEST_CASE(
+    "A sick lesson takes the place of the open one, is mended in an editor, and gives it back",
+    "[exercises]") {
+    Student student;
+    const std::string title = student.person.session().lesson().title;
+    student.person.press(Key::right);
+    const int step = student.person.session().index();
+    student.begin("repair");
+    REQUIRE(student.person.host().exercises().has_aside());
+    const std::filesystem::path copy = student.person.host().exercises().work().file;
+    REQUIRE(std::filesystem::exists(copy));
+    std::ofstream(copy) << student.right();
+    std::filesystem::last_write_time(copy, std::filesystem::last_write_time(copy) + std::chrono::seconds(2));
+    CHECK(student.person.host().look_at_file());
+    student.person.press(Key::enter);
+    student.person.press(Key::enter, true);
+    student.wait();
+    REQUIRE(student.practice().verdict() != nullptr);
+    CAPTURE(student.practice().verdict()->judged.feedback);
+    CHECK(student.practice().is_solved());
+    student.person.ask(Command::exercise_list);
+    student.person.settle();
+    CHECK_FALSE(student.person.host().exercises().has_aside());
+    CHECK(student.person.session().lesson().title == title);
+    CHECK(student.person.session().index() == step);
+}
+
+TEST_CASE("Experiments in the window are listed and judged, and undone ones are not", "[exercises]") {
+    Student student;
+    student.begin("experiment");
+    REQUIRE(student.person.host().exercises().has_aside());
+    const auto check = [&] {
+        const Widget button = find(student.person, "exercises", {"Check"});
+        student.person.click(button.x, button.y);
+        student.wait();
+    };
+    check();
+    CHECK(student.practice().verdict()->judged.mistake == "nothing-done");
+    student.person.ask(Command::tab_experiments);
+    const Widget form = find(student.person, "try it", {"joint of try it", 0, "pair of n1 (n2)"});
+    student.person.click(form.x, form.y);
+    CHECK(
+        student.person.host().exercises().work().experiments == std::vector<std::string>{"form hinge pair"});
+    student.person.ask(Command::undo);
+    CHECK(student.person.host().exercises().work().experiments.empty());
+    student.person.ask(Command::redo);
+    student.person.ask(Command::tab_exercises);
+    check();
+    CAPTURE(student.practice().verdict()->judged.feedback);
+    CHECK(student.practice().is_solved());
+}
+
+TEST_CASE("Progress survives a new window", "[exercises]") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.write("mine/all-kinds.toml", lesson_with_exercises());
+    host::HostSetup setup;
+    setup.catalogue = catalogue_folder();
+    setup.progress = folder.path() / "progress.toml";
+    for (const int solved : {0, 1}) {
+        host::Host window(setup);
+        REQUIRE(window.open(file));
+        REQUIRE(window.begin_exercise("choose"));
+        const Practice& practice = window.exercises().practice();
+        CHECK(practice.record().solved == solved);
+        window.push(host::InputEvent::pressed(Key::enter));
+        window.push(host::InputEvent::pressed(Key::enter, false));
+        for (int k = 0; k < 4; ++k) { window.frame(0.02); }
+        const std::string right = kind_of(ExerciseKind::choose).right(*practice.task()).text;
+        for (const char c : right) { window.push(host::InputEvent::typed(static_cast<unsigned char>(c))); }
+        window.frame(0.02);
+        window.push(host::InputEvent::pressed(Key::enter));
+        window.push(host::InputEvent::pressed(Key::enter, false));
+        for (int k = 0; k < 4; ++k) { window.frame(0.02); }
+        CHECK(practice.is_solved());
+    }
+}
+
+TEST_CASE(
+    "Every letter of every kind of exercise can be read, at any size of text and of the window", "[text]") {
+    for (const auto& [width, height] : {std::pair{900, 600}, std::pair{1280, 720}}) {
+        for (const float text : {0.75F, 1.0F, 1.25F, 1.5F}) {
+            Student student(width, height, text);
+            student.person.ask(Command::tab_exercises);
+            student.person.rest();
+            CAPTURE(width, text);
+            CHECK(unreadable_letters().empty());
+            for (const std::string& name : kKindsOfExercises) {
+                CAPTURE(name);
+                student.begin(name);
+                student.person.ask(Command::exercise_hint);
+                student.person.rest();
+                std::vector<std::string> faults = unreadable_letters();
+                // long lines of a file, and formulas wider than the column, scroll sideways in their fields
+                if (text > 1.0F) {
+                    std::erase_if(faults, [](const std::string& fault) { return fault.ends_with("is cut"); });
+                }
+                CHECK((faults.empty() ? "" : faults.front()) == std::string());
+            }
+        }
+    }
+}
+
+}  // namespace jw::test
