@@ -31,17 +31,17 @@ std::vector<std::pair<std::string, const toml::table*>> Fields::languages() cons
     return found;
 }
 
-std::optional<Located<Text>> Fields::words(std::string_view key) {
+std::optional<Located<Text>> Fields::words(std::string_view key, Audience audience) {
     note(key, "words");
-    return words_in(key, Formulas::checked);
+    return words_in(key, Formulas::checked, audience);
 }
 
 std::optional<Located<Text>> Fields::plain_words(std::string_view key) {
     note(key, "plain words");
-    return words_in(key, Formulas::none);
+    return words_in(key, Formulas::none, Audience::students);
 }
 
-std::optional<Located<Text>> Fields::words_in(std::string_view key, Formulas formulas) {
+std::optional<Located<Text>> Fields::words_in(std::string_view key, Formulas formulas, Audience audience) {
     words_.emplace(key);
     const toml::node* node = find(key);
     const auto own = node != nullptr ? text_in(*node, std::string(key)) : std::nullopt;
@@ -55,7 +55,7 @@ std::optional<Located<Text>> Fields::words_in(std::string_view key, Formulas for
         if (formulas == Formulas::checked) { check_formulas(*translated); }
         text.translate(tag, translated->value);
     }
-    record(key, own->span, text);
+    record(key, own->span, text, audience);
     return Located<Text>{std::move(text), own->span};
 }
 
@@ -87,7 +87,9 @@ std::optional<Located<std::vector<Text>>> Fields::list_of_words(std::string_view
             list.value[k].translate(tag, translated->value[k].value);
         }
     }
-    for (std::size_t k = 0; k < list.value.size(); ++k) { record(key, own->value[k].span, list.value[k]); }
+    for (std::size_t k = 0; k < list.value.size(); ++k) {
+        record(key, own->value[k].span, list.value[k], Audience::students);
+    }
     return list;
 }
 
@@ -98,8 +100,8 @@ void Fields::check_formulas(const Located<std::string>& words) {
     }
 }
 
-void Fields::record(std::string_view key, const SourceSpan& span, const Text& text) {
-    problems_->texts().push_back({what_, std::string(key), span, text});
+void Fields::record(std::string_view key, const SourceSpan& span, const Text& text, Audience audience) {
+    problems_->texts().push_back({what_, std::string(key), span, text, audience});
 }
 
 void Fields::finish_language(const std::string& tag, const toml::table& table) {

@@ -54,7 +54,7 @@ public:
     ///
     /// A subtable named by a language tag, as [zh-Hant], has the same keys with the same words in that
     /// language.
-    std::optional<Located<Text>> words(std::string_view key);
+    std::optional<Located<Text>> words(std::string_view key, Audience audience = Audience::students);
     /// Words without formulas.
     std::optional<Located<Text>> plain_words(std::string_view key);
     /// A list of words; in each language it has the same number of entries.
@@ -115,7 +115,7 @@ private:
     const toml::node* find(std::string_view key);
     /// A text that can be shown, without carriage returns; reports others.
     std::optional<Located<std::string>> text_in(const toml::node& node, const std::string& what);
-    std::optional<Located<Text>> words_in(std::string_view key, Formulas formulas);
+    std::optional<Located<Text>> words_in(std::string_view key, Formulas formulas, Audience audience);
     /// The entries of a list of texts; reports others. @param expected said of the list, "a list of names"
     std::optional<Located<std::vector<Located<std::string>>>> texts_in(
         const toml::node& node, const std::string& what, std::string_view expected);
@@ -124,7 +124,7 @@ private:
     /// Reports formulas of words that cannot be read.
     void check_formulas(const Located<std::string>& words);
     /// Keeps the text for those who check all of them (ReadResult::texts).
-    void record(std::string_view key, const SourceSpan& span, const Text& text);
+    void record(std::string_view key, const SourceSpan& span, const Text& text, Audience audience);
     /// Reports keys of a language that are no words of this table, and words of a language alone.
     void finish_language(const std::string& tag, const toml::table& table);
     /// True for a subtable that was meant as a language; reports what is wrong with its name.

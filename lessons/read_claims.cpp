@@ -186,7 +186,7 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
 void read_claim(Fields& fields, Reading& reading) {
     fields.call("the claim");
     const auto when = read_moment(fields, reading);
-    const auto why = fields.words("why");
+    const auto why = fields.words("why", Audience::authors);
     Facts facts;
     read_counts(fields, facts);
     read_bounds_and_verdicts(fields, facts);

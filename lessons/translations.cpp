@@ -38,11 +38,14 @@ std::vector<Diagnostic> missing_translations(const std::string& file, const std:
     std::vector<Diagnostic> warnings;
     for (const std::string& tag : tags) {
         std::vector<const ReadText*> missing;
+        std::size_t all = 0;
         for (const ReadText& read : texts) {
-            if (!read.text.empty() && !read.text.translations().contains(tag)) { missing.push_back(&read); }
+            const bool wanted = read.audience == Audience::students && !read.text.empty();
+            all += wanted ? 1 : 0;
+            if (wanted && !read.text.translations().contains(tag)) { missing.push_back(&read); }
         }
         std::ranges::stable_sort(missing, {}, [](const ReadText* read) { return read->span.line; });
-        if (!missing.empty()) { warnings.push_back(warning_of(file, tag, missing, texts.size())); }
+        if (!missing.empty()) { warnings.push_back(warning_of(file, tag, missing, all)); }
     }
     return warnings;
 }

@@ -10,7 +10,7 @@
 namespace jw {
 
 /// A warning for each language that some texts of the file have and others have not, at the first of these:
-/// how many they are, and where.
+/// how many they are, and where. Texts that only authors see need no translation.
 std::vector<Diagnostic> missing_translations(const std::string& file, const std::vector<ReadText>& texts);
 
 }  // namespace jw

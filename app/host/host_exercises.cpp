@@ -5,6 +5,7 @@
 #include "app/host/host.hpp"
 #include "app/host/parts/notice.hpp"
 #include "app/panels/frame/caption.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -105,7 +106,7 @@ void Host::draw_figure(const Ui& ui) {
     view.source = desk_.practice().exercise()->source;
     view.step = 0;
     view.steps = 1;
-    view.sentence = "The scene of the exercise. It can be turned; what is asked cannot be read off it.";
+    view.sentence = tr("The scene of the exercise. It can be turned; what is asked cannot be read off it.");
     panels::draw_title(ui.canvas, layout_.title, view);
     panels::draw_caption(ui.canvas, layout_.caption, view);
 }

@@ -12,16 +12,16 @@
 namespace jw {
 
 inline constexpr std::array kExerciseKinds{
-    EnumWord<ExerciseKind>{ExerciseKind::number, "number", "a number"},
-    EnumWord<ExerciseKind>{ExerciseKind::vector, "vector", "a vector"},
-    EnumWord<ExerciseKind>{ExerciseKind::matrix, "matrix", "a matrix"},
-    EnumWord<ExerciseKind>{ExerciseKind::pose, "pose", "r and p of a body"},
-    EnumWord<ExerciseKind>{ExerciseKind::choose, "choose", "one of the choices"},
-    EnumWord<ExerciseKind>{ExerciseKind::order, "order", "the right order"},
-    EnumWord<ExerciseKind>{ExerciseKind::code, "code", "a program"},
-    EnumWord<ExerciseKind>{ExerciseKind::repair, "repair", "a mended lesson file"},
-    EnumWord<ExerciseKind>{ExerciseKind::build, "build", "a lesson file with joints added"},
-    EnumWord<ExerciseKind>{ExerciseKind::experiment, "experiment", "a list of experiments"}};
+    EnumWord<ExerciseKind>{ExerciseKind::number, "number", tr_later("a number")},
+    EnumWord<ExerciseKind>{ExerciseKind::vector, "vector", tr_later("a vector")},
+    EnumWord<ExerciseKind>{ExerciseKind::matrix, "matrix", tr_later("a matrix")},
+    EnumWord<ExerciseKind>{ExerciseKind::pose, "pose", tr_later("r and p of a body")},
+    EnumWord<ExerciseKind>{ExerciseKind::choose, "choose", tr_later("one of the choices")},
+    EnumWord<ExerciseKind>{ExerciseKind::order, "order", tr_later("the right order")},
+    EnumWord<ExerciseKind>{ExerciseKind::code, "code", tr_later("a program")},
+    EnumWord<ExerciseKind>{ExerciseKind::repair, "repair", tr_later("a mended lesson file")},
+    EnumWord<ExerciseKind>{ExerciseKind::build, "build", tr_later("a lesson file with joints added")},
+    EnumWord<ExerciseKind>{ExerciseKind::experiment, "experiment", tr_later("a list of experiments")}};
 
 /// Whether a file has tables [[exercise]].
 enum class ExerciseTables { none, in_lesson, alone };

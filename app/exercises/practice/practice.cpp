@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/exercises/random.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw {
 
@@ -12,7 +13,7 @@ namespace {
 AnswerVerdict could_not_judge(const std::string& why) {
     AnswerVerdict verdict;
     verdict.judged.understood = false;
-    verdict.judged.feedback.push_back("This could not be judged: " + why);
+    verdict.judged.feedback.push_back(tr("This could not be judged: {0}", why));
     return verdict;
 }
 
@@ -95,9 +96,9 @@ void Practice::wait() {
 }
 
 std::string Practice::doing() const {
-    if (reading_) { return "reading the exercises …"; }
-    if (drawing_) { return "drawing numbers …"; }
-    if (judging_) { return "checking …"; }
+    if (reading_) { return tr("reading the exercises …"); }
+    if (drawing_) { return tr("drawing numbers …"); }
+    if (judging_) { return tr("checking …"); }
     return {};
 }
 
@@ -109,7 +110,7 @@ void Practice::take_found() {
         problem_ = std::move(found.exercises.problem);
         if (found.with_slides) { slides_ = std::move(found.slides); }
     } catch (const std::exception& error) {
-        problem_ = std::string("The exercises could not be read: ") + error.what();
+        problem_ = tr("The exercises could not be read: {0}", error.what());
     }
 }
 
@@ -121,7 +122,7 @@ void Practice::take_drawn() {
         task_ = std::move(drawn.task);
     } catch (const std::exception& error) {
         task_.emplace();
-        task_->problem = std::string("The numbers could not be drawn: ") + error.what();
+        task_->problem = tr("The numbers could not be drawn: {0}", error.what());
     }
     ++tasks_made_;
 }
@@ -218,7 +219,7 @@ void Practice::check(const Handed& handed) {
 void Practice::check_program(const std::filesystem::path& file) {
     if (!task_ || !task_->problem.empty() || judging_) { return; }
     if (!setup_.judge_program) {
-        verdict_ = could_not_judge("programs of students run in a sandbox only, and there is none here.");
+        verdict_ = could_not_judge(tr("programs of students run in a sandbox only, and there is none here."));
         return;
     }
     judge_in_thread([task = *task_, held = held_, file, judge = setup_.judge_program] {

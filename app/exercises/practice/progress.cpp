@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/session/wording/messages.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/writer.hpp"
 
@@ -49,7 +50,7 @@ ExerciseRecord Progress::of(const std::string& key) const {
 void Progress::read() {
     std::error_code error;
     if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) { return; }
-    if (!fs::is_regular_file(file_, error)) { return set_aside("it is no file"); }
+    if (!fs::is_regular_file(file_, error)) { return set_aside(tr("it is no file")); }
     FileText text = read_file_text(file_, kLargestProgress);
     if (!text.problem.empty()) { return set_aside(text.problem); }
     ProgressRead read = read_progress(std::move(text.text));
@@ -63,12 +64,15 @@ void Progress::set_aside(const std::string& why) {
     if (!other.empty()) { fs::rename(file_, other, error); }
     if (other.empty() || error) {
         writable_ = false;
-        notice_ = "The progress in '" + file_.string() + "' cannot be read (" + why +
-                  ") and cannot be moved away; what is solved now is not kept.";
+        notice_ =
+            tr("The progress in '{0}' cannot be read ({1}) and cannot be moved away; what is solved now is "
+               "not kept.",
+               file_.string(), why);
         return;
     }
-    notice_ = "The progress in '" + file_.string() + "' could not be read (" + why + "); the file is now '" +
-              other.filename().string() + "', and progress begins anew.";
+    notice_ =
+        tr("The progress in '{0}' could not be read ({1}); the file is now '{2}', and progress begins anew.",
+           file_.string(), why, other.filename().string());
 }
 
 void Progress::keep(const std::string& key, const ExerciseRecord& record) {
@@ -84,7 +88,7 @@ void Progress::write() {
     fs::create_directories(file_.parent_path(), ignored);
     std::string error;
     if (write_lesson_file(file_, progress_text(records_), error)) { return; }
-    if (!std::exchange(complained_, true)) { notice_ = "What is solved now is not kept: " + error; }
+    if (!std::exchange(complained_, true)) { notice_ = tr("What is solved now is not kept: {0}", error); }
 }
 
 std::string Progress::take_notice() { return std::exchange(notice_, {}); }

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "app/exercises/kinds.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/writer.hpp"
 
 namespace jw {
@@ -74,13 +75,13 @@ std::string starter_text(const Task& task, const std::string& ending) {
 
 std::string write_starter(const Task& task, const fs::path& file) {
     const std::string text = starter_text(task, file.extension().string());
-    if (text.empty()) { return "Name a file that ends with .py, .cpp, .m or .js in the field."; }
+    if (text.empty()) { return tr("Name a file that ends with .py, .cpp, .m or .js in the field."); }
     fs::path input = file;
     input.replace_filename(file.stem().string() + "-input.json");
     std::string problem = write_new(file, text);
     if (problem.empty()) { problem = write_new(input, program_input(task)); }
-    if (!problem.empty()) { return "The starter could not be written: " + problem; }
-    return "The program is '" + file.string() + "', its input '" + input.filename().string() + "'.";
+    if (!problem.empty()) { return tr("The starter could not be written: {0}", problem); }
+    return tr("The program is '{0}', its input '{1}'.", file.string(), input.filename().string());
 }
 
 }  // namespace jw

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/exercises/given_value.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
@@ -97,7 +98,7 @@ std::string solution_words(const Task& task) {
         case ExerciseKind::repair: {
             std::string keys;
             for (const SceneEdit& edit : exercise.spoil) { keys += (keys.empty() ? "" : ", ") + edit.key; }
-            return "What was changed: " + keys + ".";
+            return tr("What was changed: {0}.", keys);
         }
         case ExerciseKind::build: return exercise.solution;
         case ExerciseKind::experiment: {

@@ -34,8 +34,10 @@ std::string exercises_text(const CatalogueEntry& e, const Progress& progress) {
     const auto solved = std::ranges::count_if(e.exercises, [&](const IndexedExercise& exercise) {
         return progress.of(record_key(exercise.file, exercise.name)).solved > 0;
     });
-    const std::string all = count == 1 ? "1 exercise" : std::to_string(count) + " exercises";
-    return solved == 0 ? all : std::to_string(solved) + " of " + all + " solved";
+    return solved == 0 ? tr_count(static_cast<int>(count), "{0} exercise", "{0} exercises")
+                       : tr_count(
+                             static_cast<int>(count), "{1} of {0} exercise solved",
+                             "{1} of {0} exercises solved", solved);
 }
 
 /// What a card says below the title: "slide 2 · 3 exercises".

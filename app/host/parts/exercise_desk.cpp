@@ -7,6 +7,7 @@
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/practice/starter.hpp"
 #include "app/host/lesson/unsaved.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/writer.hpp"
 
@@ -184,7 +185,7 @@ std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answe
     }
     std::string error;
     if (!work_.file.empty() && write_lesson_file(work_.file, answer, error)) { open.file.read(); }
-    return error.empty() ? "" : "The working copy could not be written: " + error;
+    return error.empty() ? "" : tr("The working copy could not be written: {0}", error);
 }
 
 void ExerciseDesk::follow_lesson(const Session& session, ExerciseTab& tab) {

@@ -9,6 +9,7 @@
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
@@ -23,20 +24,20 @@ namespace theme = panels::theme;
 constexpr float kMark = 18.0F;  // room for the mark before a row
 
 std::string points_text(double points) {
-    return points == 1.0 ? std::string("1 point") : number_text(points, 4) + " points";
+    return points == 1.0 ? std::string(tr("1 point")) : tr("{0} points", number_text(points, 4));
 }
 
 /// "new", "tried", "solved 3 times, the last 2 in a row"
 std::string state_text(const ExerciseRecord& record) {
-    if (record.solved == 0) { return record.tried == 0 ? "new" : "tried"; }
-    std::string text = record.solved == 1 ? "solved" : "solved " + std::to_string(record.solved) + " times";
-    if (record.streak > 1) { text += ", the last " + std::to_string(record.streak) + " in a row"; }
-    return text;
+    if (record.solved == 0) { return record.tried == 0 ? tr("new") : tr("tried"); }
+    if (record.solved == 1) { return tr("solved"); }
+    return record.streak > 1 ? tr("solved {0} times, the last {1} in a row", record.solved, record.streak)
+                             : tr("solved {0} times", record.solved);
 }
 
 std::string row_text(const Exercise& exercise, const ExerciseRecord& record) {
-    return std::string(label_of(kExerciseKinds, exercise.kind)) + "   ·   " + points_text(exercise.points) +
-           "   ·   " + state_text(record);
+    return std::string(tr(label_of(kExerciseKinds, exercise.kind))) + "   ·   " +
+           points_text(exercise.points) + "   ·   " + state_text(record);
 }
 
 /// Empty: new; half: tried; full: solved.
@@ -57,16 +58,16 @@ void ExerciseTab::draw(
 }
 
 void ExerciseTab::list(const LessonUi& ui, const Practice& practice) {
-    section(ui, "Exercises of this lesson");
+    section(ui, tr("Exercises of this lesson"));
     if (practice.is_busy()) { note(ui, practice.doing()); }
     if (!practice.problem().empty()) { note(ui, practice.problem()); }
     const auto count = static_cast<int>(practice.exercises().size());
     if (count == 0) {
-        if (!practice.is_busy()) { note(ui, "This lesson has no exercises."); }
+        if (!practice.is_busy()) { note(ui, tr("This lesson has no exercises.")); }
         return;
     }
     row_ = std::clamp(row_, 0, count - 1);
-    note(ui, "Up and Down choose, Enter begins. The numbers are new each time.");
+    note(ui, tr("Up and Down choose, Enter begins. The numbers are new each time."));
     for (int k = 0; k < count; ++k) { row(ui, practice, k); }
     wants_row_ = false;
 }

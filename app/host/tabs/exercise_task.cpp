@@ -9,6 +9,7 @@
 #include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw::host {
 
@@ -26,32 +27,34 @@ std::string how_to_answer(const Task& task) {
     const bool counts = task.asked.tolerance == 0.0;
     switch (task.exercise().kind) {
         case ExerciseKind::repair:
-            return "Mend the lesson: in this field, with 'Try it', or in an editor. Change as little as "
-                   "possible.";
+            return tr(
+                "Mend the lesson: in this field, with 'Try it', or in an editor. Change as little as "
+                "possible.");
         case ExerciseKind::build:
-            return "Add joints at the end of the lesson: in this field or in an editor. Leave the rest as it "
-                   "is.";
+            return tr(
+                "Add joints at the end of the lesson: in this field or in an editor. Leave the rest as it "
+                "is.");
         case ExerciseKind::experiment:
-            return "Do experiments with the lesson in 'Try it'. Those that you do are listed here and "
-                   "judged.";
+            return tr(
+                "Do experiments with the lesson in 'Try it'. Those that you do are listed here and judged.");
         case ExerciseKind::code:
-            return "Write a program: .py, .cpp, .m or .js. It reads JSON and writes JSON.";
-        case ExerciseKind::choose: return "Press the number of a choice, or type it.";
+            return tr("Write a program: .py, .cpp, .m or .js. It reads JSON and writes JSON.");
+        case ExerciseKind::choose: return tr("Press the number of a choice, or type it.");
         case ExerciseKind::number:
-            if (counts) { return "Write a whole number."; }
+            if (counts) { return tr("Write a whole number."); }
             break;
         default: break;
     }
-    return kind_of(task.exercise().kind).hand_in;
+    return tr(kind_of(task.exercise().kind).hand_in);
 }
 
 const char* hint_of_field(ExerciseKind kind) {
     switch (kind) {
         case ExerciseKind::number: return "0.5236, 1/3, sqrt(3)/2";
         case ExerciseKind::vector: return "[1, 2, 3]";
-        case ExerciseKind::choose: return "its number";
+        case ExerciseKind::choose: return tr("its number");
         case ExerciseKind::order: return "3, 1, 2";
-        case ExerciseKind::code: return "file of the program";
+        case ExerciseKind::code: return tr("file of the program");
         default: return "";
     }
 }
@@ -67,7 +70,7 @@ void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const Exerc
     const Task* const task = practice.task();
     if (task == nullptr) { return note(ui, practice.doing()); }
     if (!task->problem.empty()) {
-        return note(ui, "This exercise cannot be set with these numbers: " + task->problem);
+        return note(ui, tr("This exercise cannot be set with these numbers: {0}", task->problem));
     }
     question(ui, *task);
     answer_field(ui, *task, work);
@@ -78,17 +81,18 @@ void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const Exerc
 }
 
 void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
-    command_button(ui, Command::exercise_list, "List");
+    command_button(ui, Command::exercise_list, tr("List"));
     if (practice.has_variants()) {
-        next_button("New numbers");
-        command_button(ui, Command::exercise_anew, "New numbers");
+        next_button(tr("New numbers"));
+        command_button(ui, Command::exercise_anew, tr("New numbers"));
     }
     const Exercise& exercise = *practice.exercise();
     section(ui, exercise.title.c_str());
     const std::string where = exercise.source.empty() ? "" : exercise.source + "   ·   ";
     note(
-        ui, where + (exercise.allowed == Allowed::paper ? "on paper: what is asked cannot be read off here"
-                                                        : "the program may be used"));
+        ui,
+        where + (exercise.allowed == Allowed::paper ? tr("on paper: what is asked cannot be read off here")
+                                                    : tr("the program may be used")));
 }
 
 void ExerciseTab::question(const LessonUi& ui, const Task& task) {
@@ -99,7 +103,7 @@ void ExerciseTab::question(const LessonUi& ui, const Task& task) {
         for (const std::string& name : input_names(task.exercise())) {
             names += (names.empty() ? "" : ", ") + name;
         }
-        return note(ui, "Inputs of a case: " + names + ".");
+        return note(ui, tr("Inputs of a case: {0}.", names));
     }
     for (const GivenSymbol& symbol : task.asked.given) {
         ImGui::Dummy({0.0F, ui.px(2.0F)});
@@ -108,7 +112,7 @@ void ExerciseTab::question(const LessonUi& ui, const Task& task) {
     choices(ui, task);
     // what a figure cannot tell: how the joints are called, where their points are
     const bool has_scene = hands_out_file(task.exercise()) && !task.exercise().asked.empty();
-    if (has_scene && ImGui::CollapsingHeader("The scene as a lesson file")) {
+    if (has_scene && ImGui::CollapsingHeader(tr("The scene as a lesson file"))) {
         text_box(ui, "scene", handed_out(task), kLinesOfFile);
     }
 }
@@ -136,17 +140,19 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
 
 void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work) {
     const ExerciseKind kind = task.exercise().kind;
-    section(ui, "Your answer");
+    section(ui, tr("Your answer"));
     std::string how = how_to_answer(task);
-    if (!task.asked.unit.empty()) { how += " The answer is in " + task.asked.unit + "."; }
+    if (!task.asked.unit.empty()) { how += " " + tr("The answer is in {0}.", task.asked.unit); }
     note(ui, how);
     if (kind == ExerciseKind::experiment) {
         for (const std::string& action : work.experiments) { ImGui::BulletText("%s", action.c_str()); }
-        if (work.experiments.empty()) { note(ui, "none so far"); }
+        if (work.experiments.empty()) { note(ui, tr("none so far")); }
         wants_focus_ = false;
         return;
     }
-    if (is_file(kind) && !work.file.empty()) { note(ui, "The lesson is also here: " + work.file.string()); }
+    if (is_file(kind) && !work.file.empty()) {
+        note(ui, tr("The lesson is also here: {0}", work.file.string()));
+    }
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
     wants_focus_ = false;
     const bool large = kind == ExerciseKind::matrix || kind == ExerciseKind::pose;
@@ -155,9 +161,10 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
         ui.requests.answer = answer_;
     }
     if (kind == ExerciseKind::code) {
-        if (ImGui::Button("Write a starter")) { ui.requests.starter = answer_; }
+        if (ImGui::Button(tr("Write a starter"))) { ui.requests.starter = answer_; }
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("a program to begin with, and a file with its input, unless they are there");
+            ImGui::SetTooltip(
+                "%s", tr("a program to begin with, and a file with its input, unless they are there"));
         }
     }
 }
@@ -165,19 +172,20 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
 void ExerciseTab::buttons(const LessonUi& ui, const Practice& practice) {
     const Task& task = *practice.task();
     ImGui::BeginDisabled(practice.is_busy());
-    if (ImGui::Button("Check")) { ui.requests.answer = answer_; }
+    if (ImGui::Button(tr("Check"))) { ui.requests.answer = answer_; }
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(is_file(task.exercise().kind) ? "(Ctrl+Enter in the field)" : "(Enter)");
+        ImGui::SetTooltip(
+            "%s", is_file(task.exercise().kind) ? tr("(Ctrl+Enter in the field)") : tr("(Enter)"));
     }
     const auto hints = static_cast<int>(task.exercise().hints.size());
     if (hints > practice.hints_given()) {
-        next_button("Hint");
-        command_button(ui, Command::exercise_hint, "Hint");
+        next_button(tr("Hint"));
+        command_button(ui, Command::exercise_hint, tr("Hint"));
     }
     if (!practice.shows_solution()) {
-        next_button("Show solution");
-        command_button(ui, Command::exercise_solution, "Show solution");
+        next_button(tr("Show solution"));
+        command_button(ui, Command::exercise_solution, tr("Show solution"));
     }
     if (practice.is_busy()) { note(ui, practice.doing()); }
 }
@@ -188,7 +196,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
     const Judged& judged = verdict->judged;
     ImGui::Dummy({0.0F, ui.px(4.0F)});
     if (judged.right) {
-        bold_words(ui, "Right.", theme::kAccent);
+        bold_words(ui, tr("Right."), theme::kAccent);
         if (!practice.task()->exercise().why.empty() && !practice.shows_solution()) {
             rich_words(
                 ui, panels::typeset(panels::run_on(practice.task()->exercise().why)),
@@ -196,19 +204,19 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
         }
         return;
     }
-    std::string title = judged.understood ? "Not so." : "Not understood.";
-    if (!judged.title.empty()) { title = "Not so: " + judged.title + "."; }
+    std::string title = judged.understood ? tr("Not so.") : tr("Not understood.");
+    if (!judged.title.empty()) { title = tr("Not so: {0}.", judged.title); }
     bold_words(ui, title, theme::kRedundant);
     for (const std::string& sentence : judged.feedback) {
         rich_words(ui, sentence, ui.canvas.fonts().normal, theme::kInk);
     }
     if (!verdict->wrong.empty()) {
-        note(ui, "Your answer; the entries in frames differ:");
+        note(ui, tr("Your answer; the entries in frames differ:"));
         marked_matrix(ui, verdict->given, verdict->wrong);
     }
     if (judged.slide.empty()) { return; }
     if (const SlideLesson* const lesson = practice.lesson_about(judged.slide)) {
-        const std::string label = "Open the lesson of " + judged.slide;
+        const std::string label = tr("Open the lesson of {0}", judged.slide);
         if (ImGui::Button(label.c_str())) { ui.requests.open = lesson->file.string(); }
         if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", lesson->title.c_str()); }
     }
@@ -218,7 +226,7 @@ void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
     const int given = practice.hints_given();
     if (given == 0) { return; }
     const std::vector<std::string>& all = practice.exercise()->hints;
-    section(ui, ("Hint " + std::to_string(given) + " of " + std::to_string(all.size())).c_str());
+    section(ui, tr("Hint {0} of {1}", given, all.size()).c_str());
     for (int k = 0; k < given; ++k) {
         rich_words(
             ui, panels::typeset(panels::run_on(all[static_cast<std::size_t>(k)])), ui.canvas.fonts().normal,
@@ -228,8 +236,8 @@ void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
 
 void ExerciseTab::solution(const LessonUi& ui, const Practice& practice) {
     if (!practice.shows_solution()) { return; }
-    section(ui, "Solution");
-    note(ui, "This variant does not count as solved.");
+    section(ui, tr("Solution"));
+    note(ui, tr("This variant does not count as solved."));
     const Task& task = *practice.task();
     const render::Fonts& fonts = ui.canvas.fonts();
     if (task.exercise().kind == ExerciseKind::build) {
