@@ -49,7 +49,7 @@ CourseRead read_course_of(const std::filesystem::path& folder);
 struct CourseLessons {
     struct Entry {
         std::filesystem::path file;
-        std::string folder;         ///< of its chapter, empty where it is in none
+        std::string folder;  ///< of its chapter, empty where it is in none
         Text chapter_title;  ///< empty where no course names the chapter
     };
     std::vector<Entry> lessons;

@@ -12,7 +12,7 @@ namespace jw {
 
 /// Calls `visit` with every text for people of a lesson.
 template <class AnyLesson, class Visit>
-    requires std::same_as<std::remove_const_t<AnyLesson>, Lesson>
+requires std::same_as<std::remove_const_t<AnyLesson>, Lesson>
 void for_each_text(AnyLesson& lesson, Visit&& visit) {
     for (auto* text : {&lesson.title, &lesson.chapter, &lesson.text, &lesson.summary}) { visit(*text); }
     auto& steps = lesson.step_texts;

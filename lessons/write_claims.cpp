@@ -148,7 +148,8 @@ void write_claims(const Written& written, Lines& lines) {
         if (!has_meaning(claim, written)) { continue; }
         const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
         // valid as long as the reader takes them in this order
-        const bool same_block = before != nullptr && before->when == claim.when && same_in_all_languages(before->why, claim.why) &&
+        const bool same_block = before != nullptr && before->when == claim.when &&
+                                same_in_all_languages(before->why, claim.why) &&
                                 place_of(before->fact) < place_of(claim.fact);
         if (!same_block) { blocks.emplace_back(); }
         blocks.back().push_back(&claim);

@@ -54,9 +54,7 @@ void Lines::words(const std::string& name, const Text& text) {
 
 void Lines::translations(
     const std::string& name, const Text& text, std::string (*written)(const std::string&)) {
-    for (const auto& [tag, translated] : text.translations()) {
-        key(tag + '.' + name, written(translated));
-    }
+    for (const auto& [tag, translated] : text.translations()) { key(tag + '.' + name, written(translated)); }
 }
 
 void Lines::texts(const std::string& name, const std::vector<Text>& texts) {

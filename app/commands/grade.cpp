@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -11,6 +12,8 @@
 #include "app/commands/format_option.hpp"
 #include "app/exercises/grading/grade_reports.hpp"
 #include "app/exercises/grading/workers.hpp"
+#include "app/exercises/random.hpp"
+#include "app/exercises/run/safe_text.hpp"
 #include "render/atomic_file.hpp"
 
 namespace jw {
@@ -33,29 +36,62 @@ CommandError bad_grading(const std::string& message) {
     return CommandError(Exit::bad_input, "jointwise: error: " + message);
 }
 
-/// A folder with answers.toml is a submission, any other one a folder of submissions.
-std::vector<fs::path> submissions_of(const std::vector<std::string>& folders) {
-    std::vector<fs::path> found;
+/// Answers may be anything, even a link or a pipe: they are there.
+bool is_submission(const fs::path& folder) {
     std::error_code error;
-    for (const std::string& name : folders) {
-        const fs::path folder = fs::path(name).lexically_normal();
-        const fs::path clean = folder.filename().empty() ? folder.parent_path() : folder;
-        if (!fs::is_directory(clean, error) || fs::exists(fs::symlink_status(clean / kAnswersFile, error))) {
-            found.push_back(clean);
-            continue;
+    return !fs::is_directory(folder, error) || fs::exists(fs::symlink_status(folder / kAnswersFile, error));
+}
+
+/// A folder that the command names: without '/' at its end, and where a link leads to.
+fs::path named_folder(const std::string& name) {
+    std::error_code error;
+    const fs::path folder = fs::path(name).lexically_normal();
+    const fs::path clean = folder.filename().empty() ? folder.parent_path() : folder;
+    const bool real = clean.has_filename() && clean.filename() != "." && clean.filename() != "..";
+    return real && !fs::is_symlink(clean, error) ? clean : fs::weakly_canonical(clean, error);
+}
+
+void warn_of_archive(const fs::path& file, const Streams& streams) {
+    constexpr std::array<std::string_view, 6> kArchives{".zip", ".7z", ".rar", ".tar", ".gz", ".tgz"};
+    if (std::ranges::find(kArchives, file.extension().string()) == kArchives.end()) { return; }
+    streams.err << "jointwise: warning: '" << exercises::printable(file.filename().string())
+                << "' is an archive and not graded; unpack it into a folder of its own\n";
+}
+
+/// The folders in a folder of submissions; the folder itself if there are none.
+std::vector<fs::path> folders_in(const fs::path& folder, const Streams& streams) {
+    std::vector<fs::path> inside;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code unknown;
+        if (entry->path().filename().string().starts_with('.')) { continue; }
+        if (entry->is_directory(unknown) || entry->is_symlink(unknown)) {
+            inside.push_back(entry->path());
+        } else {
+            warn_of_archive(entry->path(), streams);
         }
-        std::vector<fs::path> inside;
-        for (fs::directory_iterator entry(clean, error), end; !error && entry != end;
-             entry.increment(error)) {
-            if (entry->is_directory(error)) { inside.push_back(entry->path()); }
-        }
-        std::ranges::sort(inside);
-        if (inside.empty()) { inside.push_back(clean); }
-        std::ranges::move(inside, std::back_inserter(found));
     }
-    std::set<fs::path> names;
+    if (error) { throw bad_grading("cannot read the folder '" + folder.string() + "': " + error.message()); }
+    std::ranges::sort(inside);
+    if (inside.empty()) { inside.push_back(folder); }
+    return inside;
+}
+
+/// A folder with answers.toml is a submission, and so are those named beside it; any other one is a folder
+/// of submissions. So nobody becomes several students by handing in folders without answers.
+std::vector<fs::path> submissions_of(const std::vector<std::string>& names, const Streams& streams) {
+    std::vector<fs::path> found;
+    std::ranges::transform(names, std::back_inserter(found), named_folder);
+    if (std::ranges::none_of(found, is_submission)) {
+        std::vector<fs::path> inside;
+        for (const fs::path& folder : found) {
+            std::ranges::move(folders_in(folder, streams), std::back_inserter(inside));
+        }
+        found = std::move(inside);
+    }
+    std::set<fs::path> known;
     for (const fs::path& folder : found) {
-        if (!names.insert(folder.filename()).second) {
+        if (!known.insert(folder.filename()).second) {
             throw bad_grading(
                 "two submissions are called '" + folder.filename().string() +
                 "'; expected different folders");
@@ -94,8 +130,13 @@ public:
     }
 
 private:
+    /// Names of files end after 255 bytes, with the ending and what is added while the file is written.
     fs::path path_of(const fs::path& submission) const {
-        return folder_ / (submission.filename().string() + ".json");
+        constexpr std::size_t kLongest = 180;
+        const std::string name = submission.filename().string();
+        return folder_ / (name.size() <= kLongest ? name + ".json"
+                                                  : name.substr(0, kLongest) + "-" +
+                                                        std::to_string(seed_of(name, "", "")) + ".json");
     }
 
     fs::path folder_;
@@ -155,7 +196,8 @@ void warn_of_twins(const std::vector<Grade>& grades, const Streams& streams) {
     for (const Grade& grade : grades) {
         if (grade.student.empty() || known.insert(grade.student).second) { continue; }
         streams.err << "jointwise: warning: student '" << grade.student
-                    << "' hands in more than once, also as '" << grade.submission << "'\n";
+                    << "' hands in more than once, also as '" << exercises::printable(grade.submission)
+                    << "'\n";
     }
 }
 
@@ -183,7 +225,7 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
         throw bad_grading("which exercises? Expected --exercises FILE, or exercises = [...] in the key");
     }
     const ExerciseSet set = exercises_of(files);
-    const std::vector<fs::path> submissions = submissions_of(options.folders);
+    const std::vector<fs::path> submissions = submissions_of(options.folders, streams);
     if (options.format == "gradescope" && submissions.size() != 1) {
         throw bad_grading(
             "--format gradescope is for one submission; there are " + std::to_string(submissions.size()));

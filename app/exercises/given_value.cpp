@@ -1,5 +1,6 @@
 #include "app/exercises/given_value.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -24,36 +25,61 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+constexpr std::string_view kFullWidth = "\uFF01";
+
 /// Signs of Unicode that stand for those of a keyboard.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kSigns{
+    {{"−", "-"},
+     {"–", "-"},
+     {"—", "-"},
+     {"‐", "-"},
+     {"×", "*"},
+     {"·", "*"},
+     {"⋅", "*"},
+     {"÷", "/"},
+     {"π", "pi"},
+     {"√", "sqrt"},
+     {"º", "°"},
+     {"˚", "°"},
+     {"、", ","},
+     {"\u00A0", " "},
+     {"\u2009", " "},
+     {"\u202F", " "},
+     {"\u3000", " "},
+     {"\t", " "}}};
+
+/// "０" is 0: what East Asian keyboards write for a sign of ASCII; 0 for anything else.
+char of_full_width(std::string_view text) {
+    if (text.size() < kFullWidth.size() || text[0] != kFullWidth[0]) { return '\0'; }
+    const auto page = static_cast<unsigned char>(text[1]);
+    const auto last = static_cast<unsigned char>(text[2]);
+    const int code = page == 0xBCU ? last - 0x60 : page == 0xBDU ? last - 0x20 : 0;
+    return code > ' ' && code <= '~' ? static_cast<char>(code) : '\0';
+}
+
 std::string plain(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSigns{
-        {{"−", "-"},
-         {"–", "-"},
-         {"×", "*"},
-         {"·", "*"},
-         {"÷", "/"},
-         {"π", "pi"},
-         {"√", "sqrt"},
-         {"\u00A0", " "},
-         {"\t", " "}}};
     std::string found;
-    for (std::size_t k = 0; k < text.size();) {
-        bool replaced = false;
-        for (const auto& [sign, by] : kSigns) {
-            if (!text.substr(k).starts_with(sign)) { continue; }
-            found += by;
-            k += sign.size();
-            replaced = true;
-            break;
+    while (!text.empty()) {
+        const auto* const sign =
+            std::ranges::find_if(kSigns, [&](const auto& s) { return text.starts_with(s.first); });
+        if (sign != kSigns.end()) {
+            found += sign->second;
+            text.remove_prefix(sign->first.size());
+        } else if (const char c = of_full_width(text); c != '\0') {
+            found += c;
+            text.remove_prefix(kFullWidth.size());
+        } else {
+            found += text.front();
+            text.remove_prefix(1);
         }
-        if (!replaced) { found += text[k++]; }
     }
     return found;
 }
 
 class GivenReader {
 public:
-    explicit GivenReader(std::string text) : text_(std::move(text)) {}
+    /// @param single  one number is expected: "2 pi" is a product
+    GivenReader(std::string text, bool single) : text_(std::move(text)), single_(single) {}
 
     /// Rows of numbers; what stands behind them is left.
     std::vector<std::vector<double>> rows() {
@@ -126,6 +152,10 @@ private:
         while (skip(), peek() != close && peek() != '\0') {
             rows.back().push_back(sum());
             if (++entries_ > kMostEntries) { fail("at most 4096 numbers"); }
+            skip();
+            if (is_letter(peek()) && !starts_word()) {
+                fail("a comma or the closing bracket; a unit stands once, behind the list");
+            }
             if (take(',')) { continue; }
             if (take(';')) { rows.emplace_back(); }
         }
@@ -143,7 +173,8 @@ private:
             const bool semicolon = !comma && take(';');
             skip();
             const char c = peek();
-            const bool number = (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '+';
+            const bool number =
+                (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '+' || c == '(' || starts_word();
             if (!number && (comma || semicolon)) { fail("a number"); }
             if (!number) { return rows; }
             if (semicolon) { rows.emplace_back(); }
@@ -176,10 +207,15 @@ private:
 
     double term() {
         double value = factor();
+        bool divided = false;
         for (;;) {
+            const std::size_t behind = at_;
             skip();
             if (peek() == '*') {
                 ++at_;
+                value *= factor();
+            } else if (starts_word() && (single_ || at_ == behind)) {
+                if (divided) { fail("a sign or parentheses: 1/2*pi or 1/(2*pi)"); }
                 value *= factor();
             } else if (peek() == '/') {
                 // "3 /s" is a unit
@@ -191,10 +227,15 @@ private:
                     return value;
                 }
                 value /= factor();
+                divided = true;
             } else {
                 return value;
             }
         }
+    }
+
+    static bool is_letter(char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80U;
     }
 
     bool starts_word() const {
@@ -273,6 +314,7 @@ private:
     }
 
     std::string text_;
+    bool single_;
     std::size_t at_ = 0;
     std::size_t entries_ = 0;
     int depth_ = 0;
@@ -297,13 +339,22 @@ MatrixX matrix_of(const std::vector<std::vector<double>>& rows) {
     return m;
 }
 
-/// "0,5236" is 0.5236: the only comma, between digits, where a number is expected.
-bool is_decimal_comma(const std::string& text) {
-    const std::size_t comma = text.find(',');
-    const bool once = comma != std::string::npos && text.find(',', comma + 1) == std::string::npos;
+/// "0,5236" is 0.5236 and "0,5; 1,25" is 0.5 and 1.25: commas between digits, at most one in each of the
+/// numbers that are expected.
+std::string with_decimal_points(std::string text, std::ptrdiff_t entries) {
+    if (std::ranges::count(text, ';') + 1 != entries || text.find_first_of(".(") != std::string::npos) {
+        return text;
+    }
     const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
-    return once && comma > 0 && is_digit(comma - 1) && is_digit(comma + 1) &&
-           text.find_first_of("[](;.") == std::string::npos;
+    bool before = false;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == ';') { before = false; }
+        if (text[k] != ',') { continue; }
+        if (before || k == 0 || !is_digit(k - 1) || !is_digit(k + 1)) { return text; }
+        before = true;
+    }
+    std::ranges::replace(text, ',', '.');
+    return text;
 }
 
 double factor_between(std::string_view given, std::string_view asked) {
@@ -325,14 +376,13 @@ double factor_between(std::string_view given, std::string_view asked) {
 
 }  // namespace
 
-GivenValue read_given_value(std::string_view text, std::string_view unit) {
+GivenValue read_given_value(std::string_view text, std::string_view unit, std::ptrdiff_t entries) {
     GivenValue given;
     try {
         if (text.size() > kLongest) { throw NotRead("it is longer than 20000 bytes"); }
         std::string spelt = plain(text);
         if (spelt.find_first_not_of(" \n\r") == std::string::npos) { throw NotRead("there is no answer"); }
-        if (is_decimal_comma(spelt)) { spelt[spelt.find(',')] = '.'; }
-        GivenReader reader(std::move(spelt));
+        GivenReader reader(with_decimal_points(std::move(spelt), entries), entries == 1);
         given.value = matrix_of(reader.rows());
         std::string_view rest = reader.rest();
         while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\n' || rest.back() == '\r')) {

@@ -172,7 +172,8 @@ std::vector<HandedMistake> mistaken_values(const Task& task) {
 
 Judged judge_value(const Task& task, const Handed& handed) {
     const Asked& asked = task.asked;
-    const GivenValue read = read_given_value(number_of_letter(task, handed.text), asked.unit);
+    const GivenValue read =
+        read_given_value(number_of_letter(task, handed.text), asked.unit, asked.right.size());
     if (!read.problem.empty()) { return not_understood(read.problem); }
     const MatrixX given = in_shape_of(asked.right, read.value);
     if (given.rows() != asked.right.rows() || given.cols() != asked.right.cols()) {

@@ -1,7 +1,9 @@
 #include "app/exercises/grading/grade.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
 
 #include "app/exercises/grading/plain_file.hpp"
 #include "app/exercises/random.hpp"
@@ -70,6 +72,47 @@ void grade_exercise(const Task& task, const fs::path& folder, const HandedIn& ha
     grade.judged = kind.judge(task, of_lists ? Handed{{}, list} : Handed{given.text, {}});
 }
 
+/// Everything that a grade depends on, each part with its length, so that no two exercises have the same.
+std::string text_of(const Exercise& e) {
+    std::ostringstream text;
+    const auto add = [&](const auto& part) {
+        std::ostringstream one;
+        one.precision(17);
+        one << part;
+        text << one.str().size() << ':' << one.str();
+    };
+    const auto add_all = [&](const auto& parts) {
+        add(parts.size());
+        for (const std::string& part : parts) { add(part); }
+    };
+    add(static_cast<int>(e.kind));
+    add(e.title);
+    add_all(std::array{e.name, e.scene, e.asked, e.formula, e.unit, e.expect, e.solution});
+    for (const auto& parts : {e.where, e.given, e.only, e.branch, e.does}) { add_all(parts); }
+    add_all(e.items);
+    for (const double number : {e.points, e.condition_below, e.tolerance}) { add(number); }
+    for (const int number : {e.absolute ? 1 : 0, e.cases, e.right_choice, e.most}) { add(number); }
+    for (const Draw& draw : e.vary) {
+        add(static_cast<int>(draw.kind));
+        add_all(draw.keys);
+        add_all(draw.values);
+        for (const double number : {draw.from, draw.to, draw.step}) { add(number); }
+        add(draw.count);
+    }
+    for (const ExerciseChoice& choice : e.choices) { add_all(std::array{choice.text, choice.why}); }
+    for (const SceneEdit& edit : e.spoil) { add_all(std::array{edit.key, edit.value}); }
+    return text.str();
+}
+
+/// What programs can be run here: a grade without a sandbox does not hold where there is one.
+std::string means_of_running() {
+    std::string text = exercises::sandbox_availability().available ? "sandbox" : "no sandbox";
+    for (const exercises::Language& language : exercises::kLanguages) {
+        text += exercises::missing_tool(language);
+    }
+    return text;
+}
+
 }  // namespace
 
 Judged judge_program_file(const Task& task, const fs::path& file) {
@@ -85,14 +128,12 @@ Judged judge_program_file(const Task& task, const fs::path& file) {
 ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises) {
     ReadyCourse course;
     course.secret = std::move(secret);
-    std::uint64_t digest = seed_of("course", JW_VERSION, course.secret);
+    std::uint64_t digest = seed_of(means_of_running(), JW_VERSION, course.secret);
     for (const Exercise& exercise : exercises) {
         course.exercises.push_back({&exercise, TaskMaker(exercise)});
         const std::string& problem = course.exercises.back().maker.problem();
         if (!problem.empty()) { course.problem += "exercise " + exercise.name + ": " + problem + "\n"; }
-        const std::string all =
-            exercise.scene + exercise.asked + exercise.formula + exercise.expect + exercise.solution;
-        digest = seed_of(std::to_string(digest), exercise.name + std::to_string(exercise.points), all);
+        digest = seed_of(std::to_string(digest), exercise.name, text_of(exercise));
     }
     course.digest = std::to_string(digest);
     return course;
@@ -117,8 +158,10 @@ double Grade::earned() const {
 Grade grade_submission(const ReadyCourse& course, const fs::path& folder) {
     Grade grade;
     grade.submission = folder.filename().string();
-    const PlainFile answers = read_plain_file(folder / kAnswersFile, kLargestHandedIn);
-    grade.problem = answers.problem;
+    std::error_code error;
+    const bool link = fs::is_symlink(folder, error);
+    const PlainFile answers = link ? PlainFile{} : read_plain_file(folder / kAnswersFile, kLargestHandedIn);
+    grade.problem = link ? "The submission is a symbolic link; expected a folder." : answers.problem;
     HandedIn handed;
     if (grade.problem.empty()) {
         handed = read_answers_text(answers.text);

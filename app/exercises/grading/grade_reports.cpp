@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exercises/grading/markup.hpp"
+#include "app/exercises/run/safe_text.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/text_parts.hpp"
 
@@ -16,13 +17,10 @@ using Json = nlohmann::ordered_json;
 
 std::string points_text(double points) { return number_text(points, 6); }
 
-/// Control characters of what a student wrote do nothing to a terminal.
-std::string safe(const std::string& text) {
-    std::string shown;
-    for (const char c : text) {
-        const bool control = static_cast<unsigned char>(c) < 0x20U || c == '\x7f';
-        shown += control && c != '\n' ? '?' : c;
-    }
+/// What a student wrote, without power over a terminal and in one line.
+std::string in_a_line(const std::string& text) {
+    std::string shown = exercises::printable(text);
+    std::ranges::replace(shown, '\n', ' ');
     return shown;
 }
 
@@ -46,7 +44,7 @@ std::string verdict_of(const ExerciseGrade& e) {
 std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
     std::string text;
     for (const std::string& sentence : e.judged.feedback) {
-        text += before + safe(math::plain_words(sentence)) + "\n";
+        text += before + exercises::printable(math::plain_words(sentence)) + "\n";
     }
     return text;
 }
@@ -55,9 +53,11 @@ std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
 
 std::string grade_text(const Grade& grade) {
     const std::string who = grade.student.empty() ? grade.submission : grade.student;
-    std::string text =
-        safe(who) + ": " + points_text(grade.earned()) + " of " + points_text(grade.points()) + " points\n";
-    if (!grade.problem.empty()) { return text + "  nothing could be graded: " + safe(grade.problem) + "\n"; }
+    std::string text = in_a_line(who) + ": " + points_text(grade.earned()) + " of " +
+                       points_text(grade.points()) + " points\n";
+    if (!grade.problem.empty()) {
+        return text + "  nothing could be graded: " + exercises::printable(grade.problem) + "\n";
+    }
     for (const ExerciseGrade& e : grade.exercises) {
         text += "  " + points_text(e.earned) + "/" + points_text(e.points) + "  " + e.name + ": " +
                 verdict_of(e) + "\n";
@@ -75,12 +75,12 @@ std::string grades_csv(const std::vector<Grade>& grades) {
     }
     text += ",problem\n";
     for (const Grade& grade : grades) {
-        text += csv_field(grade.student) + "," + csv_field(grade.submission) + "," +
+        text += csv_field(grade.student) + "," + csv_field(in_a_line(grade.submission)) + "," +
                 points_text(grade.earned()) + "," + points_text(grade.points());
         for (const ExerciseGrade& e : grade.exercises) {
             text += "," + points_text(e.earned) + "," + csv_field(e.judged.mistake);
         }
-        text += "," + csv_field(safe(grade.problem)) + "\n";
+        text += "," + csv_field(in_a_line(grade.problem)) + "\n";
     }
     return text;
 }
@@ -117,8 +117,8 @@ std::string gradescope_json(const Grade& grade) {
             {{"name", e.title + " (" + e.name + ")"},
              {"score", e.earned},
              {"max_score", e.points},
-             {"output",
-              grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "") : safe(grade.problem)},
+             {"output", grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "")
+                                              : exercises::printable(grade.problem)},
              {"visibility", "visible"}});
     }
     const Json json{{"score", grade.earned()}, {"tests", std::move(tests)}};

@@ -49,7 +49,6 @@ private:
     std::string answer_;
     std::string answers_;                        ///< key and variant that the answer belongs to
     std::map<std::string, std::string> drafts_;  ///< answers that were begun, by key and variant
-
 };
 
 }  // namespace jw::host

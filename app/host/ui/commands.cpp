@@ -45,7 +45,8 @@ constexpr std::array kCommands{
     CommandInfo{Command::panel_up, Group::panels, tr_later("Scroll the panel up"), "[", Key::none, '['},
     CommandInfo{Command::text_down, Group::panels, tr_later("Scroll the text down"), "}", Key::none, '}'},
     CommandInfo{Command::text_up, Group::panels, tr_later("Scroll the text up"), "{", Key::none, '{'},
-    CommandInfo{Command::next_symbol, Group::panels, tr_later("Next symbol of the text"), "t", Key::none, 't'},
+    CommandInfo{
+        Command::next_symbol, Group::panels, tr_later("Next symbol of the text"), "t", Key::none, 't'},
     CommandInfo{
         Command::symbol_before, Group::panels, tr_later("Symbol of the text before"), "T", Key::none, 'T'},
 

@@ -1,8 +1,8 @@
 #include "app/session/view/derivation.hpp"
 
 #include "app/session/view/quantities.hpp"
-#include "app/session/wording/messages.hpp"
 #include "app/session/wording/markup.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/block_formulas.hpp"
 #include "lessons/formula/symbol_values.hpp"

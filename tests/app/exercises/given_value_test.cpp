@@ -68,6 +68,46 @@ TEST_CASE("Vectors and matrices are read with any of the usual brackets", "[exer
     }
 }
 
+TEST_CASE("Signs of other keyboards, and factors before a function, are read", "[exercises]") {
+    for (const auto& [text, value] :
+         {std::pair<const char*, double>{"０．５", 0.5},
+          {"－１／４", -0.25},
+          {"2π", 2.0 * std::numbers::pi},
+          {"2 pi", 2.0 * std::numbers::pi},
+          {"π/2", 0.5 * std::numbers::pi},
+          {"2√(3)", 2.0 * std::numbers::sqrt3},
+          {"—3", -3.0},
+          {"-2,5", -2.5}}) {
+        CAPTURE(text);
+        const GivenValue given = read_given_value(text, "");
+        REQUIRE(given.problem.empty());
+        REQUIRE(given.value.size() == 1);
+        CHECK(std::abs(given.value(0, 0) - value) < 1e-12);
+    }
+    CHECK(std::abs(read_given_value("30º", "rad").value(0, 0) - std::numbers::pi / 6.0) < 1e-12);
+    CHECK(read_given_value("1/2pi", "").problem.find("1/(2*pi)") != std::string::npos);
+}
+
+TEST_CASE("A comma is decimal where so many numbers are expected", "[exercises]") {
+    for (const auto& [text, entries, first, last] :
+         {std::tuple<const char*, int, double, double>{"1,2", 2, 1.0, 2.0},
+          {"0,5; 1,25", 2, 0.5, 1.25},
+          {"[0,5; 1; -1,25]", 3, 0.5, -1.25},
+          {"[1, 2; 3, 4]", 4, 1.0, 4.0},
+          {"1/2, sqrt(3)/2", 2, 0.5, std::numbers::sqrt3 / 2.0},
+          {"1/2, (1+2)/4", 2, 0.5, 0.75},
+          {"[1 2pi]", 2, 1.0, 2.0 * std::numbers::pi}}) {
+        CAPTURE(text);
+        const GivenValue given = read_given_value(text, "", entries);
+        REQUIRE(given.problem.empty());
+        REQUIRE(given.value.size() == entries);
+        CHECK(given.value(0, 0) == first);
+        CHECK(std::abs(given.value(given.value.rows() - 1, given.value.cols() - 1) - last) < 1e-12);
+    }
+    CHECK(
+        read_given_value("[30 deg, 40 deg]", "deg", 2).problem.find("behind the list") != std::string::npos);
+}
+
 TEST_CASE("What cannot be read is refused with the reason, and nothing crashes", "[exercises]") {
     const std::string deep(5000, '(');
     const std::string minus(5000, '-');

@@ -176,6 +176,60 @@ TEST_CASE("Results are kept and used again until something changes", "[exercises
     CHECK_THAT(bytes_of(out + "/grades.csv"), Catch::Contains("ann,ann,0,3"));
 }
 
+TEST_CASE("A kept result ends with any part of the exercise that it depends on", "[exercises][grade]") {
+    const ExercisesRead read = read_exercises(exercises_text(), "small.toml");
+    const std::string before = ready_course("quite a secret", read.exercises).digest;
+    CHECK(ready_course("quite a secret", read.exercises).digest == before);
+    CHECK(ready_course("another secret", read.exercises).digest != before);
+    using Change = void (*)(Exercise&);
+    const Change changes[] = {
+        [](Exercise& e) { e.tolerance *= 1.01; },
+        [](Exercise& e) { e.absolute = true; },
+        [](Exercise& e) { e.points = 5.0; },
+        [](Exercise& e) { e.unit = "m"; },
+        [](Exercise& e) { e.only = {"sign"}; },
+        [](Exercise& e) { e.vary.pop_back(); },
+        [](Exercise& e) { e.condition_below = 9; },
+        [](Exercise& e) { e.given.emplace_back("r_i"); },
+        [](Exercise& e) { e.most = 2; }};
+    for (const Change& change : changes) {
+        std::vector<Exercise> changed = read.exercises;
+        change(changed.front());
+        CHECK(ready_course("quite a secret", changed).digest != before);
+    }
+    std::vector<Exercise> sorted = read.exercises;
+    sorted.back().items[0] = "zero";
+    CHECK(ready_course("quite a secret", sorted).digest != before);
+}
+
+TEST_CASE("Nobody becomes several students, takes a place or hands in a link", "[exercises][grade]") {
+    const Class c;
+    c.hand_in("s1", c.right("s1"));
+    c.hand_in("s2", c.right("s2"));
+    const std::string in = c.folder().path("in");
+    // no answers, but folders with the names of others
+    fs::create_directories(in + "/s3/s1");
+    fs::create_directories(in + "/.git");
+    fs::create_directory_symlink(in + "/s1", in + "/s4");
+    const std::string name = std::string(250, 'n') + "\xC2\x9B";
+    c.hand_in(name, "");
+    c.folder().file("in/s5.zip", "PK");
+    const Ran all = c.grade({"--out", c.folder().path("out"), "--format", "csv"});
+    CHECK(all.status == 0);
+    CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 6);
+    CHECK_THAT(all.out, Catch::Contains("s1,s1,3,3"));
+    CHECK_THAT(all.out, Catch::Contains(",s4,0,3,0,,0,,The submission is a symbolic link"));
+    CHECK(all.out.find("\xC2\x9B") == std::string::npos);
+    CHECK_THAT(all.err, Catch::Contains("'s5.zip' is an archive"));
+    CHECK(c.grade({"--out", c.folder().path("out"), "--format", "csv"}).out == all.out);
+    const Ran named = run(
+        {"grade", in + "/s1", in + "/s2", in + "/s3", "--key", c.folder().path("key.toml"), "--format",
+         "csv"});
+    INFO(named.err);
+    CHECK(named.status == 0);
+    CHECK(std::count(named.out.begin(), named.out.end(), '\n') == 4);
+}
+
 TEST_CASE("Grades are the same twice, in every format", "[exercises][grade]") {
     const Class c;
     for (const char* student : {"s1", "s2", "s3", "s4"}) { c.hand_in(student, c.right(student)); }
