@@ -13,7 +13,7 @@ constexpr int kMostSteps = 100000;
 void read_head(Fields& root, Lesson& lesson) {
     if (const auto title = root.plain_words("title")) { lesson.title = title->value; }
     root.require("title", "the title of the lesson");
-    if (const auto chapter = root.plain_words("chapter")) { lesson.chapter = chapter->value; }
+    if (const auto chapter = root.text("chapter")) { lesson.chapter = chapter->value; }
     if (const auto source = root.text("source")) { lesson.source = source->value; }
     while (lesson.source.ends_with('\n')) { lesson.source.pop_back(); }
     if (const auto words = root.words("text")) { lesson.text = words->value; }

@@ -12,7 +12,7 @@ KeyTable lesson_keys() {
         "lesson",
         {required(counted_key("format", KeyKind::whole_number, "version of the format; the first key", 1, 1)),
          required({"title", KeyKind::plain_words, "title of the lesson"}),
-         {"chapter", KeyKind::plain_words, "chapter that it belongs to"},
+         {"chapter", KeyKind::text, "chapter that it belongs to: a folder's name"},
          {"source", KeyKind::text, "slides or pages of the book"},
          {"text", KeyKind::words, "introduction, shown at the start"},
          {"summary", KeyKind::words, "what to remember, shown at the end"},

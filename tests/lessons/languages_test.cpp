@@ -27,7 +27,6 @@ summary = "It turns."
 motion = { to_s = 1 }
 [zh-Hant]
 title = "曲柄"
-chapter = "迴路"
 text = """
 曲柄慢慢地
 轉動。
@@ -84,7 +83,7 @@ std::vector<Diagnostic> diagnostics_of(const std::string& rest) {
     return read_lesson(test::with_two_bodies(rest), "test.toml").diagnostics;
 }
 
-const std::string kHinge = R"([[joint]]
+const std::string kHingeInOneLanguage = R"([[joint]]
 name = "hinge"
 type = "revolute"
 bodies = ["base", "arm"]
@@ -179,18 +178,18 @@ TEST_CASE("Language tags are those of the standard, in its case", "[languages]")
 
 TEST_CASE("What is wrong with a language is said", "[languages]") {
     check_says(
-        kHinge + "zh-Hant.txt = \"a\"", Code::unknown_key, "unknown key 'txt' in zh-Hant of revolute joint");
-    check_says(kHinge + "zh-Hant.axis = [0, 0, 1]", Code::unknown_key, "unknown key 'axis' in zh-Hant");
-    check_says(kHinge + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is no language tag");
-    check_says(kHinge + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is no language tag");
-    check_says(kHinge + "zh-Hant.text = \"$\\\\fraction$\"", Code::unreadable_formula, "");
-    check_says(kHinge + "zh-Hant.text = 3", Code::wrong_type, "'zh-Hant.text' is a number");
-    check_says(kHinge + "de = \"a\"", Code::unknown_key, "unknown key 'de'");
+        kHingeInOneLanguage + "zh-Hant.txt = \"a\"", Code::unknown_key, "unknown key 'txt' in zh-Hant of revolute joint");
+    check_says(kHingeInOneLanguage + "zh-Hant.axis = [0, 0, 1]", Code::unknown_key, "unknown key 'axis' in zh-Hant");
+    check_says(kHingeInOneLanguage + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is no language tag");
+    check_says(kHingeInOneLanguage + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is no language tag");
+    check_says(kHingeInOneLanguage + "zh-Hant.text = \"$\\\\fraction$\"", Code::unreadable_formula, "");
+    check_says(kHingeInOneLanguage + "zh-Hant.text = 3", Code::wrong_type, "'zh-Hant.text' is a number");
+    check_says(kHingeInOneLanguage + "de = \"a\"", Code::unknown_key, "unknown key 'de'");
     check_says(
-        kHinge + "[[step]]\nat = \"hinge\"\ntext = \"a\"\n[zh-Hant]\nsummary = \"a\"", Code::lonely_key,
+        kHingeInOneLanguage + "[[step]]\nat = \"hinge\"\ntext = \"a\"\n[zh-Hant]\nsummary = \"a\"", Code::lonely_key,
         "'zh-Hant.summary' without 'summary'");
     check_says(
-        kHinge +
+        kHingeInOneLanguage +
             "[[question]]\nat = \"hinge\"\nask = \"a\"\nchoices = [\"a\", \"b\"]\nanswer = 1\n"
             "zh-Hant.choices = [\"甲\"]",
         Code::wrong_count, "'zh-Hant.choices' has 1 entries; expected 2");
@@ -206,7 +205,7 @@ TEST_CASE("Texts that a language lacks are counted, with their lines", "[languag
         warnings[0].message, Catch::StartsWith("13 of 14 texts are not in de: those of the lines 3, 4, "));
     CHECK(warnings[0].severity == Severity::warning);
     CHECK(warnings[0].span.line == 3);
-    CHECK(warnings_of(test::with_two_bodies(kHinge)).empty());
+    CHECK(warnings_of(test::with_two_bodies(kHingeInOneLanguage)).empty());
 }
 
 TEST_CASE("A lesson is found by its words in every language", "[languages]") {

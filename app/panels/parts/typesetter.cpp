@@ -176,10 +176,22 @@ private:
         const float start = laid.width;
         const float tall = std::max(0.0F, laid.ascent - 1.1F * em());
         const float deep = std::max(0.0F, laid.descent - 0.45F * em());
-        const float below = put_script(laid, node.below, start, std::round(kLower * em() + deep), ink);
-        const float above = put_superscript(laid, node.above, start, -std::round(kRaise * em() + tall), ink);
+        const float raise = std::round(kRaise * em() + tall);
+        const float lower =
+            std::round(kLower * em() + deep) + room_between(node, raise, kLower * em() + deep);
+        const float below = put_script(laid, node.below, start, lower, ink);
+        const float above = put_superscript(laid, node.above, start, -raise, ink);
         laid.width = std::max(below, above) + kAfterScript * em();
         return laid;
+    }
+
+    /// How much lower a subscript has to be so that the superscript above it is not printed over: scripts of
+    /// small formulas are hardly smaller than their letters.
+    float room_between(const math::Node& node, float raise, float lower) const {
+        if (node.below.empty() || node.above.empty()) { return 0.0F; }
+        const float foot = smaller().row(node.above).descent - raise;
+        const float top = lower - smaller().row(node.below).ascent;
+        return std::max(0.0F, std::ceil(foot - top));
     }
 
     float put_superscript(Formula& laid, const math::Row& above, float x, float down, Ink ink) const {
