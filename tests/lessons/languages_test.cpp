@@ -178,16 +178,20 @@ TEST_CASE("Language tags are those of the standard, in its case", "[languages]")
 
 TEST_CASE("What is wrong with a language is said", "[languages]") {
     check_says(
-        kHingeInOneLanguage + "zh-Hant.txt = \"a\"", Code::unknown_key, "unknown key 'txt' in zh-Hant of revolute joint");
-    check_says(kHingeInOneLanguage + "zh-Hant.axis = [0, 0, 1]", Code::unknown_key, "unknown key 'axis' in zh-Hant");
-    check_says(kHingeInOneLanguage + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is no language tag");
-    check_says(kHingeInOneLanguage + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is no language tag");
+        kHingeInOneLanguage + "zh-Hant.txt = \"a\"", Code::unknown_key,
+        "unknown key 'txt' in zh-Hant of revolute joint");
+    check_says(
+        kHingeInOneLanguage + "zh-Hant.axis = [0, 0, 1]", Code::unknown_key, "unknown key 'axis' in zh-Hant");
+    check_says(
+        kHingeInOneLanguage + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is no language tag");
+    check_says(
+        kHingeInOneLanguage + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is no language tag");
     check_says(kHingeInOneLanguage + "zh-Hant.text = \"$\\\\fraction$\"", Code::unreadable_formula, "");
     check_says(kHingeInOneLanguage + "zh-Hant.text = 3", Code::wrong_type, "'zh-Hant.text' is a number");
     check_says(kHingeInOneLanguage + "de = \"a\"", Code::unknown_key, "unknown key 'de'");
     check_says(
-        kHingeInOneLanguage + "[[step]]\nat = \"hinge\"\ntext = \"a\"\n[zh-Hant]\nsummary = \"a\"", Code::lonely_key,
-        "'zh-Hant.summary' without 'summary'");
+        kHingeInOneLanguage + "[[step]]\nat = \"hinge\"\ntext = \"a\"\n[zh-Hant]\nsummary = \"a\"",
+        Code::lonely_key, "'zh-Hant.summary' without 'summary'");
     check_says(
         kHingeInOneLanguage +
             "[[question]]\nat = \"hinge\"\nask = \"a\"\nchoices = [\"a\", \"b\"]\nanswer = 1\n"

@@ -17,6 +17,8 @@ namespace {
 
 /// More bodies or joints than this are not listed.
 constexpr std::size_t kMostMeanings = 4;
+/// Letter of a vector fixed in a body; also the name of a joint type, which it is not here.
+constexpr std::string_view kArm = "s";
 
 std::size_t at_of(int index) { return static_cast<std::size_t>(index); }
 
@@ -200,10 +202,10 @@ private:
     /// The vectors and numbers of a joint that its type has no use for stand for nothing.
     bool is_used(const JointType& type) const {
         const formula::Symbol& name = symbol_->name;
-        if (name.letter == "s" && name.marks.empty()) {
+        if (name.letter == kArm && name.marks.empty()) {
             return type.uses(Vectors(kAxisI)) || type.uses(Vectors(kAxisJ));
         }
-        if (name.letter == "s" || name.letter == "d") { return type.uses(kPoints) || type.uses(kD); }
+        if (name.letter == kArm || name.letter == "d") { return type.uses(kPoints) || type.uses(kD); }
         if (name.letter == "h") { return type.uses(kSidesH); }
         if (name.letter == "u") { return type.has_angle() || type.uses(kSidesU); }
         if (name.letter == "L") { return type.has_distance(); }
