@@ -71,12 +71,16 @@ std::string numerical(const SheetEntry& entry) {
     return xml;
 }
 
-/// Text within a gap of a cloze question.
+/// Text within a gap of a cloze question. Moodle decodes entities in feedback, and takes a backslash away
+/// before } and # only: before any other sign the student would see it.
 std::string in_gap(const std::string& text) {
     std::string escaped;
-    for (const char c : text) {
-        if (std::string_view("}#~/\"\\=%").find(c) != std::string_view::npos) { escaped += '\\'; }
-        escaped += c == '\n' ? ' ' : c;
+    for (const char c : markup_text(text)) {
+        if (std::string_view("{}~\\").find(c) != std::string_view::npos) {
+            escaped += "&#" + std::to_string(static_cast<int>(c)) + ";";
+        } else {
+            escaped += c == '\n' ? ' ' : c;
+        }
     }
     return escaped;
 }

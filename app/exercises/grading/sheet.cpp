@@ -92,6 +92,19 @@ std::string shown_markdown(const SheetEntry& entry) {
     return text.empty() ? text : text + "\n";
 }
 
+/// Behind the sheet, so that nobody reads them by accident.
+std::string hints_markdown(const Sheet& sheet) {
+    std::string text;
+    for (const SheetEntry& entry : sheet.entries) {
+        const Exercise& exercise = entry.task.exercise();
+        for (std::size_t k = 0; k < exercise.hints.size(); ++k) {
+            text += "- Exercise " + entry.number + ", hint " + std::to_string(k + 1) + ": " +
+                    markdown_words(exercise.hints[k]) + "\n";
+        }
+    }
+    return text.empty() ? text : "## Hints\n\n" + text;
+}
+
 std::string solution_markdown(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     std::string text = "**Solution.** " + solution_text(entry) + "\n\n";
@@ -134,6 +147,11 @@ std::string head_text(const SheetEntry& entry) {
 
 std::string hand_in_text(const SheetEntry& entry) {
     const bool counts = entry.task.asked.tolerance == 0.0;
+    const std::string& name = entry.task.exercise().name;
+    if (entry.task.exercise().kind == ExerciseKind::code) {
+        return "Hand in a program beside answers.toml: " + name + ".py, " + name + ".cpp, " + name +
+               ".m or " + name + ".js. It reads JSON and writes JSON.";
+    }
     return entry.task.exercise().kind == ExerciseKind::number && counts
                ? "Write a whole number."
                : kind_of(entry.task.exercise().kind).hand_in;
@@ -177,7 +195,7 @@ std::string sheet_markdown(const Sheet& sheet, bool solution) {
         }
         if (solution) { text += solution_markdown(entry); }
     }
-    return text;
+    return text + hints_markdown(sheet);
 }
 
 std::string answers_template(const Sheet& sheet, bool solution) {

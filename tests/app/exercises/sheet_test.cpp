@@ -45,6 +45,9 @@ TEST_CASE(
         CHECK(one == bytes_of(folder.path(std::string("two/ann/") + name)));
     }
     CHECK(bytes_of(folder.path("two/ann/sheet.md")) != bytes_of(folder.path("two/bob/sheet.md")));
+    CHECK_THAT(
+        bytes_of(folder.path("two/bob/sheet.md")),
+        Catch::Contains("## Hints") && Catch::Contains("Exercise 1, hint 2"));
     fs::copy_file(
         folder.path("one/ann/solution/answers.toml"), folder.path("one/ann/answers.toml"),
         fs::copy_options::overwrite_existing);
@@ -77,7 +80,7 @@ TEST_CASE("A quiz is XML that another program reads, with every mistake as an an
     INFO(ran.err);
     REQUIRE(ran.status == 0);
     const std::string script = folder.file("read.py", R"(
-import sys, xml.etree.ElementTree as et
+import html, re, sys, xml.etree.ElementTree as et
 quiz = et.parse(sys.argv[1]).getroot()
 kinds = [q.get('type') for q in quiz]
 assert kinds.count('category') >= 5, kinds
@@ -90,7 +93,17 @@ for q in quiz:
         assert all(abs(v - values[0]) > 2 * tolerance for v in values[1:]), values
         assert all(a.find('feedback/text').text for a in answers)
     if q.get('type') == 'cloze':
-        assert ':NUMERICAL:=' in q.find('questiontext/text').text
+        gaps = re.findall(r'\{1:NUMERICAL:(.*?)(?<!\\)\}', q.find('questiontext/text').text)
+        assert gaps
+        for gap in gaps:
+            alternatives = re.split(r'(?<!\\)~', gap)
+            assert alternatives[0].startswith('=') and len(alternatives) > 1, gap
+            for alternative in alternatives:
+                answer, feedback = re.fullmatch(r'(?:=|%0%)([^#]*)#(.+)', alternative).groups()
+                value, width = map(float, answer.split(':'))
+                assert width > 0
+                shown = html.unescape(feedback).replace('\\}', '}').replace('\\#', '#')
+                assert '\\' not in shown and '&' not in shown, shown
     if q.get('type') == 'multichoice':
         assert [a.get('fraction') for a in q.findall('answer')].count('100') == 1
 )");
