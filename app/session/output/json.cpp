@@ -79,12 +79,15 @@ Json json_of(const SymbolMeaning& meaning) {
         {"frame", text_or_null(meaning.frame)}};
 }
 
+/// The primitive of the equation; the index of the joint before it is no name, and the meanings have one.
+std::string primitive_in(const std::string& scope) { return scope.substr(scope.find(' ') + 1); }
+
 Json json_of(const SymbolView& symbol) {
     Json meanings = Json::array();
     for (const SymbolMeaning& meaning : symbol.meanings) { meanings.push_back(json_of(meaning)); }
     return {
         {"symbol", symbol.source},
-        {"of_formula", text_or_null(symbol.scope)},
+        {"of_formula", text_or_null(primitive_in(symbol.scope))},
         {"what", text_or_null(symbol.what)},
         {"unit", text_or_null(symbol.unit)},
         {"defined", text_or_null(symbol.defined)},

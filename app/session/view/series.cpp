@@ -135,7 +135,8 @@ std::vector<Solve> solves_of(const Story& story) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
         const Step& step = story.steps()[k];
         const auto subject = subject_of(story.lesson(), step);
-        if (!subject) { continue; }
+        // a question and its answer show the pose of another step, without the events that led there
+        if (!subject || is_asked(step.kind)) { continue; }
         const Mechanism& mechanism = story.lesson().mechanism;
         const auto index = static_cast<std::size_t>(subject->index);
         if (step.kind == Step::Kind::equations) {
