@@ -14,7 +14,7 @@ namespace jw {
 template <class AnyLesson, class Visit>
 requires std::same_as<std::remove_const_t<AnyLesson>, Lesson>
 void for_each_text(AnyLesson& lesson, Visit&& visit) {
-    for (auto* text : {&lesson.title, &lesson.chapter, &lesson.text, &lesson.summary}) { visit(*text); }
+    for (auto* text : {&lesson.title, &lesson.text, &lesson.summary}) { visit(*text); }
     auto& steps = lesson.step_texts;
     visit(steps.bodies);
     for (auto& text : steps.joints) { visit(text); }
