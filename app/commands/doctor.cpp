@@ -190,7 +190,7 @@ Exit exit_of(const Diagnosis& diagnosis) {
 
 namespace {
 
-/// What is missing and not needed by everybody.
+/// Optional parts that are missing.
 std::string wishes_of(const Diagnosis& diagnosis) {
     std::string text;
     for (const render::FontSource& font : diagnosis.fonts) {

@@ -84,7 +84,7 @@ Json property(const Key& key) {
     return described;
 }
 
-/// The same texts in another language, under its tag; a key of the table itself is no language.
+/// Texts of a table in another language, under its tag; a key of the table itself is no language.
 void add_languages(const KeyTable& table, Json& out) {
     Json texts = Json::object();
     std::string keys;

@@ -7,7 +7,7 @@
 /// The figure of an exercise.
 namespace jw {
 
-/// What there is to draw; it gives no answer away.
+/// Scene to draw for an exercise; it gives no answer away.
 struct FigureScene {
     Lesson lesson;
     bool as_given = false;  ///< the poses of the file; else everything put together

@@ -17,7 +17,7 @@ void plan_in_formula(const FormulaMistake& mistake, FormulaPlan& plan) {
     }
 }
 
-/// The same mistakes in a definition: the formula stays as it is.
+/// Mistakes made in a definition: the formula stays as it is.
 void plan_in_definition(const FormulaMistake& mistake, std::size_t k, FormulaPlan& plan) {
     const std::vector<Row> sides = formula::sides_of(plan.where[k]);
     const Row equals = math::own_math("=");

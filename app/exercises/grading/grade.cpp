@@ -104,7 +104,7 @@ std::string text_of(const Exercise& e) {
     return text.str();
 }
 
-/// What programs can be run here: a grade without a sandbox does not hold where there is one.
+/// Languages of programs that run here: a grade without a sandbox does not hold where there is one.
 std::string means_of_running() {
     std::string text = exercises::sandbox_availability().available ? "sandbox" : "no sandbox";
     for (const exercises::Language& language : exercises::kLanguages) {

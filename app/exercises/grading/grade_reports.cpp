@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 std::string points_text(double points) { return number_text(points, 6); }
 
-/// What a student wrote, without power over a terminal and in one line.
+/// Text of a student, without power over a terminal and in one line.
 std::string in_a_line(const std::string& text) {
     std::string shown = exercises::printable(text);
     std::ranges::replace(shown, '\n', ' ');

@@ -44,7 +44,7 @@ public:
         if (worker_.joinable()) { worker_.join(); }
     }
 
-    /// What was found, once it is done.
+    /// Result, once it is done.
     /// @throws what the work threw
     Result take() {
         wait();
