@@ -12,6 +12,7 @@
 #include "core/model/joint_types.hpp"
 #include "core/motion/loads.hpp"
 #include "lessons/claims.hpp"
+#include "lessons/questions.hpp"
 #include "lessons/translatable.hpp"
 
 /// Words of enumerators: one table for each enum, looked up both ways.
@@ -90,6 +91,12 @@ inline constexpr std::array kCounts{
     EnumWord<Count>{Count::dof, "dof"},
     EnumWord<Count>{Count::redundant, "redundant"},
     EnumWord<Count>{Count::mobility_by_counting, "mobility_by_counting"}};
+inline constexpr std::array kThings{
+    EnumWord<Thing::Kind>{Thing::Kind::body, "body"}, EnumWord<Thing::Kind>{Thing::Kind::joint, "joint"},
+    EnumWord<Thing::Kind>{Thing::Kind::vector, "vector"}, EnumWord<Thing::Kind>{Thing::Kind::row, "row"}};
+inline constexpr std::array kRowsFound{
+    EnumWord<RowsFound>{RowsFound::dropped, "dropped"},
+    EnumWord<RowsFound>{RowsFound::redundant, "redundant"}};
 inline constexpr std::array kBounds{
     EnumWord<Bound>{Bound::residual_below, "residual_below"},
     EnumWord<Bound>{Bound::condition_below, "condition_below"},

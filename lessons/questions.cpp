@@ -9,24 +9,38 @@ namespace jw {
 
 namespace {
 
-/// The joint or driver that an answer is about, index -1 for none.
-Addition subject_of_answer(const Answer& answer) {
-    const Addition none{Addition::Kind::joint, -1};
+bool is_there(const Quantity& quantity, const Lesson& lesson) {
+    const int joint = joint_of(quantity);
+    const int driver = driver_of(quantity);
+    if (joint >= 0) { return is_added({Addition::Kind::joint, joint}, lesson); }
+    return driver < 0 || is_added({Addition::Kind::driver, driver}, lesson);
+}
+
+/// False where what the answer is about was taken out.
+bool is_there(const Answer& answer, const Lesson& lesson) {
     return std::visit(
         Overloaded{
-            [&](const CountAnswer&) { return none; },
-            [](const DroppedAnswer& a) {
-                return Addition{Addition::Kind::joint, a.joint};
+            [](const CountAnswer&) { return true; },
+            [&](const DroppedAnswer& a) {
+                return is_added({Addition::Kind::joint, a.joint}, lesson);
             },
-            [](const QuantityAnswer& a) {
-                const int joint = joint_of(a.quantity);
-                return joint >= 0 ? Addition{Addition::Kind::joint, joint}
-                                  : Addition{Addition::Kind::driver, driver_of(a.quantity)};
+            [&](const QuantityAnswer& a) { return is_there(a.quantity, lesson); },
+            [](const ChoiceAnswer&) { return true; },
+            [&](const PointedAnswer& a) {
+                return std::ranges::all_of(a.right, [&](const Thing& t) { return is_present(t, lesson); });
             },
-            [&](const ChoiceAnswer&) { return none; },
+            [](const PoseAnswer&) { return true; },
         },
         answer);
 }
+
+bool is_of_motion(const Question& question) {
+    if (question.place == Question::Place::motion) { return true; }
+    const auto* const pose = std::get_if<PoseAnswer>(&question.answer);
+    return std::holds_alternative<QuantityAnswer>(question.answer) || (pose != nullptr && pose->when);
+}
+
+}  // namespace
 
 bool is_added(const Addition& addition, const Lesson& lesson) {
     const auto is_in_order = [&](const Addition& a) {
@@ -39,16 +53,10 @@ bool is_added(const Addition& addition, const Lesson& lesson) {
     return joint < 0 || is_in_order({Addition::Kind::joint, joint});
 }
 
-}  // namespace
-
 bool applies(const Question& question, const Lesson& lesson) {
     if (question.place == Question::Place::addition && !is_added(question.addition, lesson)) { return false; }
     const bool moves = lesson.motion || lesson.dynamics;
-    const bool of_motion =
-        question.place == Question::Place::motion || std::holds_alternative<QuantityAnswer>(question.answer);
-    if (of_motion && !moves) { return false; }
-    const Addition subject = subject_of_answer(question.answer);
-    return subject.index < 0 || is_added(subject, lesson);
+    return (moves || !is_of_motion(question)) && is_there(question.answer, lesson);
 }
 
 }  // namespace jw

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "lessons/addition.hpp"
 #include "lessons/claims.hpp"
+#include "lessons/things.hpp"
 
 /// What a lesson asks before it shows, and what it proposes to try.
 namespace jw {
@@ -33,8 +35,27 @@ struct ChoiceAnswer {
     std::vector<Text> choices;
     int right = 0;  ///< index of the right one
 };
-/// Only a choice has its answer in the file: all others are computed.
-using Answer = std::variant<CountAnswer, DroppedAnswer, QuantityAnswer, ChoiceAnswer>;
+/// Rows that are found in the scene once the step is done.
+enum class RowsFound {
+    dropped,    ///< left out of their p1 or p2
+    redundant,  ///< repeat others, or are repeated by them
+};
+/// A thing that is clicked, or named; any of the right ones will do.
+struct PointedAnswer {
+    Thing::Kind kind = Thing::Kind::row;
+    std::vector<Thing> right;        ///< as the author wrote them; empty where `found` says it
+    std::optional<RowsFound> found;  ///< rows only
+};
+/// The pose of a body, led there by hand.
+struct PoseAnswer {
+    int body = 0;
+    std::optional<AtTime> when;  ///< nothing: once the step is done
+    double tolerance_m = 0.0;    ///< of its point r; > 0
+    double tolerance_rad = 0.0;  ///< of its turn from the right orientation; > 0
+};
+/// Only choices and things that the author lists have their answer in the file: all others are computed.
+using Answer =
+    std::variant<CountAnswer, DroppedAnswer, QuantityAnswer, ChoiceAnswer, PointedAnswer, PoseAnswer>;
 
 /// Asked before a step is shown.
 struct Question {
@@ -48,6 +69,8 @@ struct Question {
 };
 
 struct Lesson;
+/// False for what was taken out of the lesson, also for a driver whose joint was.
+bool is_added(const Addition& addition, const Lesson& lesson);
 /// False where what it is about is not there (any more): its joint or driver, or the motion.
 bool applies(const Question& question, const Lesson& lesson);
 

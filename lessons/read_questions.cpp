@@ -101,6 +101,88 @@ std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
     return ChoiceAnswer{choices->value, right->value - 1};
 }
 
+/// The names of the key `right`.
+std::vector<Thing> read_right_things(Fields& fields, const Reading& reading, Thing::Kind kind) {
+    std::vector<Thing> things;
+    const auto names = fields.texts("right");
+    if (!names) { return things; }
+    const Mechanism& mechanism = reading.lesson.mechanism;
+    std::vector<std::string> possible;
+    for (const Thing& thing : things_of(mechanism, kind)) { possible.push_back(name_of(thing, mechanism)); }
+    for (const Located<std::string>& name : names->value) {
+        if (const auto thing = thing_named(mechanism, kind, name.value)) {
+            things.push_back(*thing);
+            continue;
+        }
+        const std::string word = word_of(kThings, kind);
+        reading.problems->add(
+            kind == Thing::Kind::row ? Code::unknown_equation : Code::unknown_name, name.span,
+            "unknown " + word + " " + in_quotes(name.value) +
+                (possible.empty() ? "; there is none in this lesson"
+                                  : "; expected one of " + comma_list(possible)),
+            did_you_mean(name.value, possible));
+    }
+    if (names->value.empty()) {
+        reading.problems->add(Code::wrong_count, names->span, "no name; expected at least one that is right");
+    }
+    return things;
+}
+
+/// click = "row", and rows = "dropped" or right = ["hinge p1 y"]
+std::optional<Answer> read_pointed(Fields& fields, const Reading& reading) {
+    const auto kind = fields.word("click", kThings);
+    if (!kind) {
+        // with a wrong kind, its other keys are not wrong as well
+        if (fields.has("click")) { fields.texts("right"); }
+        if (fields.has("click")) { fields.word("rows", kRowsFound); }
+        return std::nullopt;
+    }
+    PointedAnswer answer{*kind, {}, {}};
+    if (*kind == Thing::Kind::row) {
+        const std::vector<std::string> keys{"right", "rows"};
+        fields.at_most_one(keys);
+        if (const auto found = fields.word("rows", kRowsFound)) { answer.found = *found; }
+        if (fields.has("rows")) { return answer.found ? std::optional<Answer>(answer) : std::nullopt; }
+    }
+    fields.require("right", "names of those that are right, as [\"hinge s_i\"]");
+    answer.right = read_right_things(fields, reading, *kind);
+    return answer.right.empty() ? std::nullopt : std::optional<Answer>(answer);
+}
+
+/// pose = "crank"
+std::optional<Answer> read_pose(Fields& fields, const Reading& reading) {
+    const auto name = fields.text("pose");
+    if (!name) { return std::nullopt; }
+    PoseAnswer answer;
+    const bool in_rad = fields.has("tolerance_rad");
+    const std::string turn_key = in_rad ? "tolerance_rad" : "tolerance_deg";
+    fields.require("tolerance", "how far off the point r of the body may be, in m");
+    fields.require(turn_key, "how far off its orientation may be");
+    const auto tolerance = fields.positive("tolerance");
+    const auto turn = fields.positive(turn_key);
+    if (fields.has("at_s")) {
+        const auto t = fields.number("at_s");
+        if (!t) { return std::nullopt; }
+        if (!reading.lesson.motion && !reading.lesson.dynamics) {
+            reading.problems->add(
+                Code::no_motion, t->span,
+                "the lesson has no motion; expected a table [motion] or [dynamics]");
+        }
+        answer.when = AtTime{t->value, !reading.lesson.motion && reading.lesson.dynamics.has_value()};
+    }
+    const Named* const body = reading.body(*name);
+    if (body == nullptr || !tolerance || !turn) { return std::nullopt; }
+    answer.body = body->index;
+    if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(body->index)].fixed) {
+        reading.problems->add(
+            Code::fixed_body, name->span,
+            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
+    }
+    answer.tolerance_m = tolerance->value;
+    answer.tolerance_rad = in_rad ? turn->value : radians(turn->value);
+    return answer;
+}
+
 void read_question(Fields& fields, Reading& reading) {
     fields.call("the question");
     Question question;
@@ -111,7 +193,7 @@ void read_question(Fields& fields, Reading& reading) {
     if (const auto why = fields.words("why")) { question.why = why->value; }
     question.ask.drop_line_feeds();
     question.why.drop_line_feeds();
-    const std::vector<std::string> kinds{"count", "dropped", "quantity", "choices"};
+    const std::vector<std::string> kinds{"count", "dropped", "quantity", "choices", "click", "pose"};
     fields.at_most_one(kinds);
     if (std::ranges::none_of(kinds, [&](const std::string& key) { return fields.has(key); })) {
         reading.problems->add(
@@ -122,6 +204,8 @@ void read_question(Fields& fields, Reading& reading) {
     if (!answer) { answer = read_dropped(fields, reading); }
     if (!answer) { answer = read_quantity_answer(fields, reading); }
     if (!answer) { answer = read_choice(fields, reading); }
+    if (!answer) { answer = read_pointed(fields, reading); }
+    if (!answer) { answer = read_pose(fields, reading); }
     fields.finish();
     if (!placed || !answer) { return; }
     question.answer = std::move(*answer);

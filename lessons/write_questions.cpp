@@ -37,6 +37,20 @@ struct AnswerWriter {
         lines.texts("choices", a.choices);
         lines.key("answer", std::to_string(a.right + 1));
     }
+    void operator()(const PointedAnswer& a) const {
+        lines.key("click", string_text(word_of(kThings, a.kind)));
+        if (a.found) { return lines.key("rows", string_text(word_of(kRowsFound, *a.found))); }
+        std::vector<std::string> names;
+        for (const Thing& thing : a.right) { names.push_back(name_of(thing, written.lesson->mechanism)); }
+        lines.key("right", list_of_texts(names));
+    }
+    void operator()(const PoseAnswer& a) const {
+        lines.key("pose", string_text(written.body(a.body)));
+        if (a.when) { lines.key("at_s", a.when->t); }
+        lines.key("tolerance", a.tolerance_m);
+        const AngleTexts turn = typed_angles({&a.tolerance_rad, 1});
+        lines.key("tolerance_" + turn.unit, turn.values[0]);
+    }
 };
 
 std::string place_text(const Question& question, const Written& written) {

@@ -64,6 +64,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     if (!hand_.is_dragging()) { state_.pointed_at = pointed.first(); }
     hand_.handle(ui, layout_.scene, reachable);
     if (state_.pointed_at != before) { rouse(); }
+    predictions_.follow_mouse(ui, pointed, reachable);
 
     const Pointable link = hand_.is_dragging() ? Pointable() : state_.pointed_at;
     if (reachable) { draw_tip(tip_of(*session_, pointed, link), {mouse.x + 6.0F, mouse.y, 0.0F, 8.0F}); }

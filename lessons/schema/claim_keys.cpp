@@ -83,10 +83,14 @@ KeyTable question_keys() {
          word_key("count", "answer: how many there are once the step is done", words_of(kCounts)),
          {"dropped", KeyKind::text, "answer: which of x, y, z is left out of \"hinge p1\""},
          {"quantity", KeyKind::text, "answer: a quantity at a time of the motion"},
-         {"at_s", KeyKind::number, "time of the quantity [s]"},
+         {"at_s", KeyKind::number, "time of the quantity or pose [s]"},
          {"point", KeyKind::vector, "the point of \"crank.point.x\", local [m]"},
          counted_key("choices", KeyKind::list_of_words, "answer: one of these sentences", 2, 8),
-         counted_key("answer", KeyKind::whole_number, "number of the right choice, from 1", 1, 8)}};
+         counted_key("answer", KeyKind::whole_number, "number of the right choice, from 1", 1, 8),
+         word_key("click", "answer: a thing of this kind, clicked or named", words_of(kThings)),
+         {"right", KeyKind::texts, "names of the things that are right, as [\"hinge s_i\"]"},
+         word_key("rows", "instead: rows that are found once the step is done", words_of(kRowsFound)),
+         {"pose", KeyKind::text, "answer: the pose of this body, led there by hand"}}};
     add_in_all_units(question.keys, "tolerance", KeyKind::positive, "largest deviation that counts as right");
     return question;
 }

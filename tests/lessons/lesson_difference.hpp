@@ -187,6 +187,18 @@ public:
     void compare(const std::string& name, const ChoiceAnswer& a, const ChoiceAnswer& b) {
         all(name, a, b, &ChoiceAnswer::choices, "choices", &ChoiceAnswer::right, "right");
     }
+    void compare(const std::string& name, const PointedAnswer& a, const PointedAnswer& b) {
+        all(name, a, b, &PointedAnswer::kind, "kind", &PointedAnswer::right, "right", &PointedAnswer::found,
+            "found");
+    }
+    void compare(const std::string& name, const PoseAnswer& a, const PoseAnswer& b) {
+        all(name, a, b, &PoseAnswer::body, "body", &PoseAnswer::when, "when", &PoseAnswer::tolerance_m,
+            "tolerance_m", &PoseAnswer::tolerance_rad, "tolerance_rad");
+    }
+    void compare(const std::string& name, const Thing& a, const Thing& b) {
+        all(name, a, b, &Thing::kind, "kind", &Thing::index, "index", &Thing::part, "part", &Thing::driven,
+            "driven", &Thing::equation, "equation");
+    }
     void compare(const std::string& name, const Trial& a, const Trial& b) {
         all(name, a, b, &Trial::text, "text", &Trial::actions, "actions", &Trial::breaks, "breaks");
     }

@@ -68,6 +68,7 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
         }
         case Pointable::Kind::none:
         case Pointable::Kind::symbol:
+        case Pointable::Kind::equation:
         case Pointable::Kind::row:
         case Pointable::Kind::column: break;
     }

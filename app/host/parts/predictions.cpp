@@ -7,6 +7,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/picture/pointed_thing.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/math/text_parts.hpp"
 
@@ -19,6 +20,7 @@ using panels::Box;
 using panels::Canvas;
 
 constexpr float kSheetMargin = 10.0F;
+constexpr float kClick = 3.0F;  // pixels: more is a drag, as for the hand
 
 /// A sheet at the foot of the picture, for so many lines.
 Box sheet_of(const Ui& ui, const Box& scene, float height) {
@@ -31,16 +33,23 @@ std::string verdict_text(const GivenAnswer& answer) {
                         : tr("{0}   Not so.", math::plain_words(answer.note));
 }
 
-/// The right answer to a question, which the story may reach or not.
-RightAnswer right_answer_to(const Session& session, int index) {
-    const Story& story = session.story();
-    const Question& question = story.lesson().questions[static_cast<std::size_t>(index)];
-    for (const Step& step : story.steps()) {
-        if (step.kind == Step::Kind::answer && step.question == index) {
-            return right_answer(story, question, step);
-        }
+/// What an answer to this kind of question looks like.
+const char* hint_of(QuestionView::Kind kind) {
+    switch (kind) {
+        case QuestionView::Kind::number: return tr("your answer  (a)");
+        case QuestionView::Kind::choice: return tr("or its number  (a)");
+        case QuestionView::Kind::thing: return tr("or its name  (a)");
+        case QuestionView::Kind::pose: break;
     }
-    return {};
+    return tr("or seven numbers  (a)");
+}
+
+/// Where the hand has led the body that is asked for, as it would be typed.
+std::string pose_in_hand(const Session& session) {
+    const Step& step = session.step();
+    const auto& question = session.lesson().questions[static_cast<std::size_t>(step.question)];
+    const auto b = static_cast<std::size_t>(std::get<PoseAnswer>(question.answer).body);
+    return pose_text({step.state.r[b], step.state.p[b]});
 }
 
 }  // namespace
@@ -52,10 +61,14 @@ const GivenAnswer* Predictions::given(int question) const {
 
 float Predictions::height(const LessonUi& ui, const Box& scene) const {
     const Step& step = ui.session.step();
-    if (!is_asked(step.kind) || ui.session.in_hand()) { return 0.0F; }
+    if (!is_asked(step.kind) || !is_shown(ui.session)) { return 0.0F; }
     const float margin = 2.0F * ui.px(kSheetMargin);
     if (step.kind == Step::Kind::question) {
-        return ImGui::GetFrameHeightWithSpacing() * (objection_.empty() ? 1.0F : 2.0F) + ui.px(16.0F) +
+        const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
+        const std::string& how = ui.session.view().question->how;
+        const float said =
+            how.empty() ? 0.0F : panels::paragraph_height(ui.canvas, ui.canvas.fonts().small, how, inner);
+        return ImGui::GetFrameHeightWithSpacing() * (objection_.empty() ? 1.0F : 2.0F) + said + ui.px(16.0F) +
                margin;
     }
     const GivenAnswer* const answer = given(step.question);
@@ -74,9 +87,9 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
         field_[0] = '\0';
     }
     const Step& step = ui.session.step();
-    if (step.kind == Step::Kind::question && !ui.session.in_hand()) {
+    if (step.kind == Step::Kind::question && is_shown(ui.session)) {
         ask(ui, scene, step);
-    } else if (step.kind == Step::Kind::answer && !ui.session.in_hand()) {
+    } else if (step.kind == Step::Kind::answer && is_shown(ui.session)) {
         compare(ui, scene, step);
     }
     if (step.kind != Step::Kind::question) { wants_focus_ = false; }
@@ -87,6 +100,7 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
     panels::sheet(ui.canvas, sheet, theme::kPaper, theme::kAccent);
     const Area area(ui, "prediction", sheet);
+    note(ui, question.how);
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
         const std::string number = std::to_string(k + 1);
         if (ImGui::Button((" " + number + " ").c_str())) { take(ui, step, number); }
@@ -95,12 +109,18 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
         }
         ImGui::SameLine();
     }
+    field(ui, question, step);
+    if (!objection_.empty()) { note(ui, objection_); }
+}
+
+/// What is typed, and the buttons beside it.
+void Predictions::field(const LessonUi& ui, const QuestionView& question, const Step& step) {
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
     wants_focus_ = false;
     ImGui::SetNextItemWidth(ui.px(150.0F));
-    const char* const hint = question.choices.empty() ? tr("your answer  (a)") : tr("or its number  (a)");
     const bool entered = ImGui::InputTextWithHint(
-        "##answer", hint, field_.data(), field_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+        "##answer", hint_of(question.kind), field_.data(), field_.size(),
+        ImGuiInputTextFlags_EnterReturnsTrue);
     if (!question.unit.empty()) {
         ImGui::SameLine();
         ImGui::TextUnformatted(question.unit.c_str());
@@ -109,16 +129,50 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     const bool pressed = ImGui::Button(tr("Answer"));
     ImGui::SameLine();
     command_button(ui, Command::next, tr("Skip"));
-    if (entered || pressed) { take(ui, step, field_.data()); }
-    if (!objection_.empty()) { note(ui, objection_); }
+    if (!entered && !pressed) { return; }
+    // copied: the answer empties the field
+    const std::string typed = field_.data();
+    const bool led = question.kind == QuestionView::Kind::pose && typed.empty() && ui.session.in_hand();
+    take(ui, step, led ? pose_in_hand(ui.session) : typed);
 }
+
+void Predictions::follow_mouse(const LessonUi& ui, const Pointed& pointed, bool reachable) {
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        pressed_ = {};
+        // of a cell of the matrix, the row or the body of its column
+        if (reachable) { pressed_ = {pointed.symbol, pointed.row, pointed.column, ui.state.pointed_at}; }
+    }
+    const float way = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way <= kClick * kClick) { click(ui, pressed_); }
+}
+
+void Predictions::click(const LessonUi& ui, const std::array<Pointable, 4>& places) {
+    const Session& session = ui.session;
+    const Step& step = session.step();
+    if (step.kind != Step::Kind::question || !is_shown(session)) { return; }
+    const View& view = session.view();
+    const QuestionView& question = *view.question;
+    if (question.kind != QuestionView::Kind::thing) { return; }
+    bool any = false;
+    for (const Pointable& place : places) {
+        any = any || place;
+        if (const auto thing = thing_at(step, view, place, question.thing)) {
+            return take(ui, step, name_of(*thing, session.lesson().mechanism));
+        }
+    }
+    if (any) { objection_ = tr("That is something else. {0}", question.how); }
+}
+
+/// While something is led by hand, only a question about where it goes stays.
+bool Predictions::is_shown(const Session& session) { return !session.in_hand() || session.asks_for_pose(); }
 
 /// Keeps an answer that is understood, and goes on.
 void Predictions::take(const LessonUi& ui, const Step& step, const std::string& text) {
     // an empty field skips the question
     if (text.empty()) { return ui.requests.add(Command::next); }
     const QuestionView& question = *ui.session.view().question;
-    GivenAnswer judged = judge_answer(question, right_answer_to(ui.session, step.question), text);
+    GivenAnswer judged = judge_answer(
+        question, right_answer(ui.session.story(), step.question), ui.session.lesson().mechanism, text);
     if (!judged.understood) {
         objection_ = tr("'{0}' is no answer: {1}.", text, judged.note);
         return;

@@ -4,7 +4,9 @@
 #include <map>
 #include <string>
 
+#include "app/host/parts/pointed.hpp"
 #include "app/host/ui/ui.hpp"
+#include "app/session/answers/judged_answer.hpp"
 
 /// Answers to the questions of a lesson: given before the step, compared after it.
 namespace jw::host {
@@ -18,19 +20,27 @@ public:
     /// At the foot of `scene`: choices or a field at a question, what was said at its answer.
     void draw(const LessonUi& ui, const panels::Box& scene);
 
+    /// Where a thing is asked for, a click on one is the answer; a drag is none.
+    /// @param reachable  nothing lies over what is pointed at
+    void follow_mouse(const LessonUi& ui, const Pointed& pointed, bool reachable);
+
     /// What was answered to a question of the open lesson; nullptr if nothing was.
     const GivenAnswer* given(int question) const;
 
 private:
+    static bool is_shown(const Session& session);
+    void field(const LessonUi& ui, const QuestionView& question, const Step& step);
     void ask(const LessonUi& ui, const panels::Box& scene, const Step& step);
+    void click(const LessonUi& ui, const std::array<Pointable, 4>& places);
     void take(const LessonUi& ui, const Step& step, const std::string& text);
     void compare(const LessonUi& ui, const panels::Box& scene, const Step& step) const;
 
     std::string lesson_;  ///< title of the lesson that they belong to
     std::map<int, GivenAnswer> given_;
-    std::array<char, 64> field_{};
-    std::string objection_;  ///< why what was typed is no answer
+    std::array<char, 256> field_{};  ///< seven numbers with all digits fit
+    std::string objection_;          ///< why what was typed is no answer
     bool wants_focus_ = false;
+    std::array<Pointable, 4> pressed_{};  ///< what the mouse went down on
 };
 
 }  // namespace jw::host

@@ -68,6 +68,13 @@ Block equations_block(const View& view) {
     }};
 }
 
+/// Where a row was asked for, which rows are kept is the answer.
+Block row_answer_block(const View& view) {
+    const bool of_rows = view.question && view.question->kind == QuestionView::Kind::thing &&
+                         view.question->thing == Thing::Kind::row;
+    return of_rows ? equations_block(view) : Block{[](const Canvas&, const Box&, Density) { return 0.0F; }};
+}
+
 /// Block of the equations with their values only, without the reasons for the choice of rows.
 Block values_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density) {
@@ -225,8 +232,9 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
             return {
                 given_up_at(4, values_block(view)), newton_block(view), matrix,
                 given_up_at(2, convergence_block(canvas, view))};
-        case Step::Kind::question: return {figures_block(view), matrix, plot};
+        case Step::Kind::question: return {equations_block(view), figures_block(view), matrix, plot};
         case Step::Kind::answer:
+            return {row_answer_block(view), figures_block(view), words_block(view), matrix, plot};
         case Step::Kind::assembled: return {figures_block(view), words_block(view), matrix, plot};
         case Step::Kind::failed: return {failure_block(view), given_up_at(4, newton_block(view)), matrix};
         case Step::Kind::motion: break;

@@ -20,6 +20,7 @@ const char* word_of(Status status) {
     switch (status) {
         case Status::kept: return "";
         case Status::dropped: return tr("out");
+        case Status::open: return "";
         case Status::redundant: break;
     }
     return tr("repeats");
@@ -29,6 +30,7 @@ Colour colour_of(Status status) {
     switch (status) {
         case Status::kept: return theme::kInk;
         case Status::dropped: return theme::kFaint;
+        case Status::open: return theme::kSoft;
         case Status::redundant: break;
     }
     return theme::kRedundant;
@@ -44,18 +46,21 @@ void draw_mark(const Canvas& canvas, Point centre, Status status) {
 }
 
 /// "□ x  −0.0123  out"
-void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row) {
+void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& row, int joint) {
     const ImFont* const font = canvas.fonts().normal;
     const ImFont* const small = canvas.fonts().small;
     const Box place{cell.x - canvas.px(3.0F), cell.y, cell.width, canvas.line_height(font)};
-    canvas.spot(place, row.row < 0 ? Pointable{} : Pointable::row(row.row));
-    if (row.row >= 0 && canvas.lit(Pointable::row(row.row))) {
+    const Pointable link = row.row >= 0        ? Pointable::row(row.row)
+                           : row.equation >= 0 ? Pointable::equation(joint, row.equation)
+                                               : Pointable{};
+    canvas.spot(place, link);
+    if (link && canvas.lit(link)) {
         canvas.fill(place, theme::kSubject, canvas.px(3.0F));
         canvas.outline(place, theme::kSubjectMark, hairline(canvas), canvas.px(3.0F));
     }
     const float middle = cell.y + 0.5F * canvas.line_height(font);
     const Colour text_ink = row.status == Status::dropped ? theme::kSoft : theme::kInk;
-    draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status);
+    if (row.status != Status::open) { draw_mark(canvas, {cell.x + canvas.px(5.0F), middle}, row.status); }
     canvas.text({cell.x + canvas.px(15.0F), cell.y}, font, text_ink, row.component);
 
     const float right = cell.x + std::min(canvas.px(98.0F), cell.width - canvas.px(6.0F));
@@ -133,7 +138,7 @@ float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& grou
     float height = draw_formula_line(canvas, box, group, density);
     const Box cells{box.x, box.y + height, box.width, 0.0F};
     for (std::size_t k = 0; k < group.rows.size(); ++k) {
-        draw_component(canvas, column_of(cells, static_cast<int>(k), 3), group.rows[k]);
+        draw_component(canvas, column_of(cells, static_cast<int>(k), 3), group.rows[k], group.joint);
     }
     height += canvas.line_height(canvas.fonts().normal);
     if (group.choice) {
@@ -147,7 +152,11 @@ float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& grou
 
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density) {
-    float height = heading(canvas, box, tr("Equations"), tr("■ kept   □ left out   ▨ repeats others"));
+    const bool open = !equations.empty() && !equations.front().rows.empty() &&
+                      equations.front().rows.front().status == Status::open;
+    float height = heading(
+        canvas, box, tr("Equations"),
+        open ? tr("not added yet") : tr("■ kept   □ left out   ▨ repeats others"));
     const float gap =
         canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
     for (const EquationGroup& group : equations) {

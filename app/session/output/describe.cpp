@@ -17,6 +17,7 @@ std::string status_text(EquationRow::Status status) {
     switch (status) {
         case EquationRow::Status::kept: return tr("kept");
         case EquationRow::Status::dropped: return tr("left out");
+        case EquationRow::Status::open: return {};
         case EquationRow::Status::redundant: break;
     }
     return tr("repeats others");
@@ -110,6 +111,16 @@ std::string motion_text(const View& view) {
            text_table(bodies, columns_of_numbers(4, 2));
 }
 
+/// "a, b, c, ..." of many names.
+std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 24;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, names.size()); ++k) {
+        text += (k == 0 ? "" : ", ") + names[k];
+    }
+    return names.size() > most ? text + ", ..." : text;
+}
+
 /// The question with its choices, or its answer and why.
 std::string question_text(const QuestionView& question, int width) {
     std::string text = "  ? " + wrapped(math::plain_words(question.ask), width - 4, 4) + '\n';
@@ -117,6 +128,10 @@ std::string question_text(const QuestionView& question, int width) {
         for (std::size_t k = 0; k < question.choices.size(); ++k) {
             const std::string choice = std::to_string(k + 1) + ") " + math::plain_words(question.choices[k]);
             text += "    " + wrapped(choice, width - 4, 7) + '\n';
+        }
+        if (!question.how.empty()) { text += "    " + wrapped(question.how, width - 4, 4) + '\n'; }
+        if (!question.names.empty()) {
+            text += "    " + wrapped(some_of(question.names), width - 4, 4) + '\n';
         }
         return text;
     }

@@ -16,6 +16,7 @@ const char* status_name(EquationRow::Status status) {
     switch (status) {
         case EquationRow::Status::kept: return "kept";
         case EquationRow::Status::dropped: return "dropped";
+        case EquationRow::Status::open: return "open";
         case EquationRow::Status::redundant: break;
     }
     return "redundant";
@@ -102,10 +103,23 @@ Json list_of(const std::vector<T>& items) {
     return list;
 }
 
+const char* word_of(QuestionView::Kind kind) {
+    switch (kind) {
+        case QuestionView::Kind::number: return "number";
+        case QuestionView::Kind::choice: return "choice";
+        case QuestionView::Kind::thing: return "thing";
+        case QuestionView::Kind::pose: break;
+    }
+    return "pose";
+}
+
 Json json_of(const QuestionView& question) {
     return {
         {"ask", question.ask},
+        {"kind", word_of(question.kind)},
         {"choices", question.choices},
+        {"names", question.names},
+        {"how", text_or_null(question.how)},
         {"unit", text_or_null(question.unit)},
         {"answer", text_or_null(question.answer)},
         {"why", text_or_null(question.why)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/session/answers/question_view.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/story/featured.hpp"
 
@@ -27,6 +28,7 @@ int bodies_count(const Lesson& lesson) { return static_cast<int>(lesson.mechanis
 std::vector<int> subject_joints(const Story& story, const Step& step) {
     if (step.kind == Step::Kind::motion) { return featured_joints(story); }
     const std::optional<Addition> subject = subject_of(story.lesson(), step);
+    if (const int asked = joint_asked_about(story.lesson(), step); asked >= 0) { return {asked}; }
     if (!subject) { return {}; }
     if (subject->kind == Addition::Kind::joint) { return {subject->index}; }
     const int along = story.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lessons/equation_labels.hpp"
+
 namespace jw {
 
 namespace {
@@ -12,16 +14,6 @@ constexpr int kRadix = 8;
 constexpr int kBody = 1;
 constexpr int kJoint = 2;
 constexpr int kVector = 3;  // and the two after it, one per part
-
-constexpr int bit(int part) { return 1 << part; }
-
-/// The vectors that an equation is made of.
-int vectors_of(Role role) {
-    const unsigned vectors = traits_of(role).vectors;
-    const auto has = [&](unsigned any, int part) { return (vectors & any) != 0 ? bit(part) : 0; };
-    return has(kPoints | kAxisI | kSidesH | kSidesU, Pointable::kVectorI) |
-           has(kPoints | kAxisJ | kSidesH | kSidesU, Pointable::kVectorJ) | has(kD, Pointable::kVectorD);
-}
 
 std::vector<int> rows_of(const System& system, const SymbolPart& part) {
     std::vector<int> rows;
@@ -47,6 +39,7 @@ int picture_id(const Pointable& link) {
         case Pointable::Kind::vector: return (link.index + 1) * kRadix + kVector + link.part;
         case Pointable::Kind::none:
         case Pointable::Kind::symbol:
+        case Pointable::Kind::equation:
         case Pointable::Kind::row:
         case Pointable::Kind::column: break;
     }
@@ -103,6 +96,7 @@ void Emphasis::light(const System& system, int angular, const Pointable& pointed
                 }
             }
             break;
+        case Pointable::Kind::equation: add_coming_equation(system, pointed_at.index, pointed_at.part); break;
         case Pointable::Kind::symbol:
         case Pointable::Kind::none: break;
     }
@@ -129,8 +123,21 @@ void Emphasis::add_row_and_its_vectors(const System& system, int row) {
     }
     const Constraint& c = system.constraints()[k];
     add(Pointable::joint(c.joint));
+    add_vectors(c.joint, c.role);
+}
+
+void Emphasis::add_vectors(int joint, Role role) {
     for (const int part : {Pointable::kVectorI, Pointable::kVectorJ, Pointable::kVectorD}) {
-        if ((vectors_of(c.role) & bit(part)) != 0) { add(Pointable::vector(c.joint, part)); }
+        if (is_made_of(role, part)) { add(Pointable::vector(joint, part)); }
+    }
+}
+
+void Emphasis::add_coming_equation(const System& system, int joint, int number) {
+    const Joint& j = system.mechanism().joints[static_cast<std::size_t>(joint)];
+    const std::vector<LabelledEquation> equations = equations_of(*j.type, j.parallel_form);
+    add(Pointable::joint(joint));
+    if (static_cast<std::size_t>(number) < equations.size()) {
+        add_vectors(joint, equations[static_cast<std::size_t>(number)].equation.role);
     }
 }
 
@@ -149,7 +156,7 @@ void Emphasis::add_rows_with_vector(const System& system, int joint, int part) {
         const RowOrigin origin = system.origin(row);
         if (origin.kind != RowOrigin::Kind::constraint) { continue; }
         const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-        if (c.joint == joint && (vectors_of(c.role) & bit(part)) != 0) { add(Pointable::row(row)); }
+        if (c.joint == joint && is_made_of(c.role, part)) { add(Pointable::row(row)); }
     }
 }
 

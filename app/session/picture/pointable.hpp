@@ -4,6 +4,7 @@
 
 #include "app/session/view/symbols.hpp"
 #include "core/equations/system.hpp"
+#include "lessons/things.hpp"
 
 /// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
 /// matrix, its vector and its bodies in 3D. Pointing at one lights up the others.
@@ -13,16 +14,17 @@ namespace jw {
 struct Pointable {
     enum class Kind {
         none,
-        row,     ///< index: of the system
-        column,  ///< index: of Φq in the coordinates shown
-        body,    ///< index: in the mechanism
-        joint,   ///< index: in the mechanism
-        vector,  ///< index: joint; part: kVectorI, kVectorJ, kVectorD
-        symbol,  ///< index: in View::symbols
+        row,       ///< index: of the system
+        column,    ///< index: of Φq in the coordinates shown
+        body,      ///< index: in the mechanism
+        joint,     ///< index: in the mechanism
+        vector,    ///< index: joint; part: kVectorI, kVectorJ, kVectorD
+        symbol,    ///< index: in View::symbols
+        equation,  ///< index: joint that is not added yet; part: number among its equations
     };
-    static constexpr int kVectorI = 0;  ///< fixed in body i
-    static constexpr int kVectorJ = 1;  ///< fixed in body j
-    static constexpr int kVectorD = 2;  ///< between the two
+    static constexpr int kVectorI = Thing::kVectorI;  ///< fixed in body i
+    static constexpr int kVectorJ = Thing::kVectorJ;  ///< fixed in body j
+    static constexpr int kVectorD = Thing::kVectorD;  ///< between the two
 
     Kind kind = Kind::none;
     int index = -1;
@@ -36,6 +38,7 @@ struct Pointable {
     static Pointable body(int index) { return {Kind::body, index}; }
     static Pointable joint(int index) { return {Kind::joint, index}; }
     static Pointable symbol(int index) { return {Kind::symbol, index}; }
+    static Pointable equation(int joint, int number) { return {Kind::equation, joint, number}; }
     static Pointable vector(int joint, int part) { return {Kind::vector, joint, part}; }
 };
 
@@ -63,6 +66,8 @@ public:
 private:
     void add(const Pointable& link);
     void add_row_and_its_vectors(const System& system, int row);
+    void add_vectors(int joint, Role role);
+    void add_coming_equation(const System& system, int joint, int number);
     void add_rows_of_joint(const System& system, int joint);
     void add_rows_with_vector(const System& system, int joint, int part);
     void add_columns_of_body(const System& system, int angular, int body);

@@ -16,8 +16,7 @@ constexpr double kFollowTurn = 0.03;  // [rad] per step
 int closed_step(const Story& story, int index) {
     const auto open = [&](int k) {
         const Step::Kind kind = story.steps()[static_cast<std::size_t>(k)].kind;
-        return kind == Step::Kind::equations || kind == Step::Kind::iteration || kind == Step::Kind::failed ||
-               is_asked(kind);
+        return kind == Step::Kind::equations || kind == Step::Kind::iteration || kind == Step::Kind::failed;
     };
     while (index > 0 && open(index)) { --index; }
     return index;

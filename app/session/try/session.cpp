@@ -311,8 +311,15 @@ std::string Session::scrub(const Drag& drag) {
     return {};
 }
 
+bool Session::asks_for_pose() const {
+    const Step& step = story_->steps()[static_cast<std::size_t>(index_)];
+    return step.kind == Step::Kind::question &&
+           std::holds_alternative<PoseAnswer>(
+               lesson_->questions[static_cast<std::size_t>(step.question)].answer);
+}
+
 std::string Session::release() {
-    if (!hand_) { return {}; }
+    if (!hand_ || asks_for_pose()) { return {}; }
     const State state = hand_->step().state;
     Past past = present(tr("start estimate moved by hand"));
     take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));

@@ -33,6 +33,8 @@ public:
     const Step& step() const;
     /// True if the shown pose is not a step of the story: it is led by hand, or along a free motion.
     bool in_hand() const { return hand_ != nullptr; }
+    /// True at a question whose answer is the pose of a body: what is led by hand is an answer, no edit.
+    bool asks_for_pose() const;
 
     /// @return what was done or why it was not, for people; empty where there is nothing to say
     std::string apply(const Experiment& experiment);

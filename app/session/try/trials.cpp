@@ -10,13 +10,37 @@ namespace jw {
 
 namespace {
 
+/// Freedoms of what is put together at the end of a story.
+int freedoms_of(const Story& story) {
+    const Step& step = story.steps()[static_cast<std::size_t>(story.last_assembled())];
+    return (step.rank ? *step.rank : rank_of(*step.system, step.state, step.t)).dof;
+}
+
+/// Whether the story after the experiments is as the author says.
+void judge(const Trial& trial, int freedoms_before, const Story& story, ClaimResult& result) {
+    const Step* const failed = story.failure();
+    if (trial.breaks) {
+        const int freedoms = failed == nullptr ? freedoms_of(story) : 0;
+        result.holds = failed != nullptr || freedoms > freedoms_before;
+        if (!result.holds) {
+            result.found = tr_count(
+                freedoms, "it goes to its end, with {0} freedom", "it goes to its end, with {0} freedoms");
+        }
+        return;
+    }
+    result.holds = failed == nullptr;
+    if (failed != nullptr) { result.found = failed->failure ? failure_text(*failed) : failed->ended; }
+}
+
 ClaimResult result_of(const Trial& trial, const Lesson& lesson) {
     ClaimResult result;
     result.span = trial.span;
     result.why = math::plain_words(trial.text);
     result.moment = "try";
-    result.expected = trial.breaks ? tr("can be carried out") : tr("can be carried out and goes to its end");
+    result.expected = trial.breaks ? tr("breaks the scene: it fails, or has more freedoms")
+                                   : tr("can be carried out and goes to its end");
     Session session(lesson);
+    const int freedoms_before = trial.breaks ? freedoms_of(session.story()) : 0;
     for (const std::string& action : trial.actions) {
         result.subject += (result.subject.empty() ? "" : ", ") + action;
         const ExperimentResult done = carry_out(session, action);
@@ -25,9 +49,7 @@ ClaimResult result_of(const Trial& trial, const Lesson& lesson) {
             return result;
         }
     }
-    const Step* const failed = session.story().failure();
-    result.holds = trial.breaks || failed == nullptr;
-    if (!result.holds) { result.found = failed->failure ? failure_text(*failed) : failed->ended; }
+    judge(trial, freedoms_before, session.story(), result);
     return result;
 }
 

@@ -108,6 +108,16 @@ std::vector<EquationGroup> equations_of(
     return all;
 }
 
+/// Before a joint that a question is about: its equations, without which of them are kept.
+std::vector<EquationGroup> asked_equations(const Story& story, const Step& step, int index, int joint) {
+    if (joint < 0) { return {}; }
+    for (std::size_t k = static_cast<std::size_t>(index) + 1; k < story.steps().size(); ++k) {
+        const Step& after = story.steps()[k];
+        if (after.additions > step.additions) { return open_equations(step, after, joint); }
+    }
+    return {};
+}
+
 NewtonRow newton_row_of(const System& system, const NewtonStep& newton) {
     NewtonRow row;
     row.iteration = newton.iteration;
@@ -266,6 +276,9 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.author_text = author_text_of(lesson, step);
     if (index + 1 == view.steps && story.failure() == nullptr) { add_summary(lesson, view); }
     view.equations = equations_of(story, step, index, shown_joints, report);
+    const int asked = joint_asked_about(lesson, step);
+    std::ranges::move(asked_equations(story, step, index, asked), std::back_inserter(view.equations));
+    if (asked >= 0) { shown_joints.push_back(asked); }
     if (driver >= 0) {
         view.equations.push_back(equation_of_driver(step, driver, report.assembled ? &report : nullptr));
     }

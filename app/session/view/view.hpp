@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/session/answers/question_view.hpp"
 #include "app/session/view/dynamics_view.hpp"
 #include "app/session/view/quantities.hpp"
-#include "app/session/view/question_view.hpp"
 #include "app/session/view/symbols.hpp"
 #include "app/session/view/view_equations.hpp"
 

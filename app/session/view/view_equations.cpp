@@ -176,6 +176,21 @@ std::vector<EquationGroup> equations_of_joint(
     return groups;
 }
 
+std::vector<EquationGroup> open_equations(const Step& now, const Step& after, int joint) {
+    Step coming = now;
+    coming.system = after.system;
+    std::vector<EquationGroup> groups = equations_of_joint(coming, joint, {}, nullptr);
+    int equation = 0;
+    for (EquationGroup& group : groups) {
+        for (EquationRow& row : group.rows) {
+            row.row = -1;
+            row.status = EquationRow::Status::open;
+            row.equation = equation++;
+        }
+    }
+    return groups;
+}
+
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report) {
     const System& system = *step.system;
     const auto found = std::ranges::find(system.drivers(), driver, &DriverConstraint::driver);

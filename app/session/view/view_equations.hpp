@@ -11,11 +11,17 @@
 namespace jw {
 
 struct EquationRow {
-    enum class Status { kept, dropped, redundant };
+    enum class Status {
+        kept,
+        dropped,
+        redundant,
+        open,  ///< the joint is not added yet: which rows are kept is asked for
+    };
     std::string component;  ///< "x", empty for a single equation
     double value = 0.0;     ///< Φ, as it is
     int row = -1;           ///< of the system, -1 if dropped
     Status status = Status::kept;
+    int equation = -1;  ///< of an open one: number among all equations of its joint
 };
 
 /// Which of the three equations of p1 / p2 are kept, and why.
@@ -47,6 +53,8 @@ struct EquationGroup {
 /// @param choices of the joint's p1 and p2, in the order of its primitives; may be empty
 std::vector<EquationGroup> equations_of_joint(
     const Step& step, int joint, const std::vector<RowChoice>& choices, const RankReport* report);
+/// The equations of a joint that `after` adds, at the pose of now; which of them are kept stays open.
+std::vector<EquationGroup> open_equations(const Step& now, const Step& after, int joint);
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report);
 
 /// Why these rows are kept, at the step's state.

@@ -77,6 +77,7 @@ Decoded decode(std::string_view text, std::size_t at) {
 
 std::u32string from_utf8(std::string_view text) {
     std::u32string points;
+    points.reserve(text.size());
     for (std::size_t k = 0; k < text.size();) {
         const Decoded character = decode(text, k);
         points += character.point;
@@ -86,6 +87,7 @@ std::u32string from_utf8(std::string_view text) {
 }
 
 bool is_wide(char32_t c) {
+    if (c < kWide.front().first) { return false; }
     const auto* const found = std::ranges::lower_bound(kWide, c, {}, &Range::last);
     return found != kWide.end() && found->first <= c;
 }
@@ -96,6 +98,9 @@ bool may_break_between(char32_t left, char32_t right) {
 
 std::vector<std::string_view> parts_to_break(std::string_view word) {
     std::vector<std::string_view> parts;
+    // a word of Latin letters, as most are: every frame breaks its lines anew
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80U; };
+    if (!word.empty() && std::ranges::all_of(word, is_ascii)) { return {word}; }
     std::size_t begin = 0;
     char32_t before = 0;
     for (std::size_t k = 0; k < word.size();) {

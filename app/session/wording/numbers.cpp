@@ -55,6 +55,13 @@ std::string listed(const std::vector<std::string>& items) {
     return items.size() == 1 ? text : tr("{0} and {1}", text, items.back());
 }
 
+std::string alternatives(const std::vector<std::string>& items) {
+    if (items.empty()) { return {}; }
+    std::string text = items.front();
+    for (std::size_t k = 1; k + 1 < items.size(); ++k) { text = tr("{0}, {1}", text, items[k]); }
+    return items.size() == 1 ? text : tr("{0} or {1}", text, items.back());
+}
+
 std::string followed(const std::string& sentence, const std::string& next) {
     if (sentence.empty() || next.empty()) { return sentence + next; }
     return tr("{0} {1}", sentence, next);

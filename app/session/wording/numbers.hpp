@@ -23,6 +23,8 @@ std::string vector_text(const Vec3& v, int digits = 4);
 std::string count_text(int count, const std::string& singular, const std::string& plural = {});
 /// "a, b and c"
 std::string listed(const std::vector<std::string>& items);
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string>& items);
 /// Two sentences after each other; one of them may be empty.
 std::string followed(const std::string& sentence, const std::string& next);
 

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/session/answers/judged_answer.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/view/view.hpp"
 #include "lessons/catalogue.hpp"
@@ -84,7 +85,14 @@ GivenAnswer judged(const Story& story, int question, const std::string& given) {
     const int answered = steps_of(story, Step::Kind::answer, question).at(0);
     const Question& q = story.lesson().questions[static_cast<std::size_t>(question)];
     const RightAnswer right = right_answer(story, q, story.steps()[static_cast<std::size_t>(answered)]);
-    return judge_answer(*view_of(story, asked).question, right, given);
+    return judge_answer(*view_of(story, asked).question, right, story.lesson().mechanism, given);
+}
+
+/// The right answer as somebody types it.
+std::string typed_answer(const QuestionView& view, const RightAnswer& right, const Lesson& lesson) {
+    if (right.pose) { return pose_text(*right.pose); }
+    if (!right.things.empty()) { return name_of(right.things.back(), lesson.mechanism); }
+    return right.choice >= 0 ? std::to_string(right.choice + 1) : view.answer;
 }
 
 }  // namespace
@@ -200,8 +208,8 @@ TEST_CASE("every question of every shipped lesson has an answer", "[app][questio
             ++questions;
             // what is right is judged to be right when it is typed
             const QuestionView view = question_view_of(story, step);
-            const std::string typed = right.choice >= 0 ? std::to_string(right.choice + 1) : view.answer;
-            CHECK(judge_answer(view, right, typed).right);
+            CHECK(judge_answer(view, right, read.lesson->mechanism, typed_answer(view, right, *read.lesson))
+                      .right);
         }
     }
     CHECK(questions > 50);

@@ -1,0 +1,215 @@
+#include "app/session/answers/right_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "app/session/story/dynamics_rows.hpp"
+#include "core/numerics/variants.hpp"
+
+namespace jw {
+
+namespace {
+
+// the answer is found anew whenever the lesson is changed: a scene that was made stiff or endless has none
+constexpr long kMostStepsOfAnswer = 100'000;
+
+RightAnswer right_count(const CountAnswer& answer, const Step& step) {
+    const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+    RightAnswer right;
+    right.number = count_of(report, answer.count);
+    right.known = report.decided;
+    return right;
+}
+
+RightAnswer right_axis(const DroppedAnswer& answer, const Step& step) {
+    RightAnswer right;
+    for (const Constraint& c : step.system->constraints()) {
+        if (c.joint == answer.joint && c.role == answer.role) { right.choice = c.dropped; }
+    }
+    right.known = right.choice >= 0;
+    return right;
+}
+
+/// The instant at a time of the motion that the lesson prescribes.
+std::optional<Instant> driven_instant(const Story& story, double t) {
+    const Step& assembled = story.steps()[static_cast<std::size_t>(story.last_assembled())];
+    System system = *assembled.system;
+    MotionTracker tracker(system, assembled.state, assembled.t);
+    bool switched = false;
+    if (!advance_along(tracker, story.lesson(), t, switched)) { return std::nullopt; }
+    Instant instant;
+    instant.t = t;
+    instant.system = std::make_shared<const System>(system);
+    instant.state = tracker.frame().state;
+    instant.velocity = tracker.frame().velocity;
+    instant.acceleration = tracker.frame().acceleration;
+    return instant;
+}
+
+double value_at(const QuantityAnswer& answer, const Instant& instant) {
+    return evaluate(answer.quantity, instant, answer.derivative)
+        .derivatives[static_cast<std::size_t>(answer.derivative)];
+}
+
+/// By masses and forces, at exactly that time.
+std::optional<Instant> instant_of_run(const Lesson& lesson, double t, double tolerance) {
+    std::map<double, Instant> found;
+    const RunLimits limits{tolerance, kMostStepsOfAnswer};
+    const std::string failure = instants_by_forces(lesson, limits, {t}, found);
+    if (!failure.empty() || found.empty()) { return std::nullopt; }
+    return found.rbegin()->second;
+}
+
+/// What `read` finds at a time of the motion; nothing where two runs by masses and forces of different
+/// tolerance do not agree as well as the answer has to.
+template <class Read, class Agree>
+auto found_at(const Story& story, const AtTime& when, const Read& read, const Agree& agree)
+    -> std::optional<decltype(read(Instant{}))> {
+    if (!when.by_forces) {
+        const auto instant = driven_instant(story, when.t);
+        return instant ? std::optional(read(*instant)) : std::nullopt;
+    }
+    const auto tight = instant_of_run(story.lesson(), when.t, kTightRun);
+    const auto loose = instant_of_run(story.lesson(), when.t, kLooseRun);
+    if (!tight || !loose || !agree(read(*tight), read(*loose))) { return std::nullopt; }
+    return read(*tight);
+}
+
+RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
+    RightAnswer right;
+    const auto found = found_at(
+        story, answer.when, [&](const Instant& instant) { return value_at(answer, instant); },
+        [&](double a, double b) { return std::abs(a - b) <= answer.tolerance; });
+    const double value = found.value_or(std::numeric_limits<double>::quiet_NaN());
+    const double factor = answer.in_degrees ? kDegreesPerRadian : 1.0;
+    right.number = factor * value;
+    right.tolerance = factor * answer.tolerance;
+    const bool modulo_turn = answer.derivative == 0 && is_modulo_turn(answer.quantity);
+    right.turn = modulo_turn ? factor * 2.0 * std::numbers::pi : 0.0;
+    right.known = std::isfinite(right.number);
+    return right;
+}
+
+BodyPose pose_of(const State& state, int body) {
+    const auto b = static_cast<std::size_t>(body);
+    return {state.r[b], state.p[b]};
+}
+
+RightAnswer right_pose(const PoseAnswer& answer, const Story& story, const Step& step) {
+    RightAnswer right;
+    right.tolerance = answer.tolerance_m;
+    right.tolerance_rad = answer.tolerance_rad;
+    right.pose = pose_of(step.state, answer.body);
+    if (answer.when) {
+        right.pose = found_at(
+            story, *answer.when, [&](const Instant& instant) { return pose_of(instant.state, answer.body); },
+            [&](const BodyPose& a, const BodyPose& b) {
+                return (a.r - b.r).norm() <= answer.tolerance_m && a.turn_from(b) <= answer.tolerance_rad;
+            });
+    }
+    right.known = right.pose && right.pose->r.allFinite() && right.pose->p.allFinite();
+    if (!right.known) { right.pose.reset(); }
+    return right;
+}
+
+/// The rows that p1 and p2 leave out: of the joint that the step adds, else of all.
+std::vector<Thing> dropped_rows(const Lesson& lesson, const Question& question, const Step& step) {
+    const bool of_one = question.place == Question::Place::addition &&
+                        question.addition.kind == Addition::Kind::joint &&
+                        std::ranges::find(lesson.order, question.addition) != lesson.order.end();
+    std::vector<Thing> rows;
+    for (const Constraint& c : step.system->constraints()) {
+        if (c.dropped < 0 || (of_one && c.joint != question.addition.index)) { continue; }
+        rows.push_back(Thing::row(c.joint, {c.role, c.dropped}));
+    }
+    return rows;
+}
+
+/// Every row that takes part in a repetition: instead of the one that was found, each of the others could be
+/// left out. In the order of the system.
+std::vector<Thing> redundant_rows(const Step& step, const RankReport& report) {
+    std::vector<int> found;
+    for (const RedundantRow& redundant : report.redundant_rows) {
+        found.push_back(redundant.row);
+        for (const RedundantRow::Term& term : redundant.terms) { found.push_back(term.row); }
+    }
+    std::ranges::sort(found);
+    const auto repeated = std::ranges::unique(found);
+    found.erase(repeated.begin(), repeated.end());
+    std::vector<Thing> rows;
+    for (const int row : found) {
+        if (const auto thing = thing_of_row(*step.system, row)) { rows.push_back(*thing); }
+    }
+    return rows;
+}
+
+RightAnswer right_things(
+    const PointedAnswer& answer, const Story& story, const Question& question, const Step& step) {
+    RightAnswer right;
+    right.things = answer.right;
+    right.known = true;
+    if (!answer.found) { return right; }
+    if (*answer.found == RowsFound::dropped) {
+        right.things = dropped_rows(story.lesson(), question, step);
+    } else {
+        const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+        right.things = redundant_rows(step, report);
+    }
+    // a question that no click answers
+    right.known = !right.things.empty();
+    return right;
+}
+
+}  // namespace
+
+double BodyPose::turn_from(const BodyPose& other) const {
+    const double cosine = std::abs(p.dot(other.p)) / (p.norm() * other.p.norm());
+    return 2.0 * std::acos(std::min(1.0, cosine));
+}
+
+std::optional<Thing> thing_of_row(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const auto k = static_cast<std::size_t>(origin.index);
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint: {
+            const Constraint& c = system.constraints()[k];
+            return Thing::row(c.joint, {c.role, origin.component});
+        }
+        case RowOrigin::Kind::driver: return Thing::row_of_driver(system.drivers()[k].driver);
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return std::nullopt;
+}
+
+RightAnswer right_answer(const Story& story, int index) {
+    const Question& question = story.lesson().questions[static_cast<std::size_t>(index)];
+    for (const Step& step : story.steps()) {
+        if (step.kind == Step::Kind::answer && step.question == index) {
+            return right_answer(story, question, step);
+        }
+    }
+    return {};
+}
+
+RightAnswer right_answer(const Story& story, const Question& question, const Step& step) {
+    return std::visit(
+        Overloaded{
+            [&](const CountAnswer& a) { return right_count(a, step); },
+            [&](const DroppedAnswer& a) { return right_axis(a, step); },
+            [&](const QuantityAnswer& a) { return right_quantity(a, story); },
+            [&](const ChoiceAnswer& a) {
+                RightAnswer right;
+                right.choice = a.right;
+                right.known = true;
+                return right;
+            },
+            [&](const PointedAnswer& a) { return right_things(a, story, question, step); },
+            [&](const PoseAnswer& a) { return right_pose(a, story, step); },
+        },
+        question.answer);
+}
+
+}  // namespace jw

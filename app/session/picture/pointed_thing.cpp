@@ -1,0 +1,57 @@
+#include "app/session/picture/pointed_thing.hpp"
+
+#include "app/session/answers/right_answer.hpp"
+#include "lessons/equation_labels.hpp"
+
+namespace jw {
+
+namespace {
+
+std::optional<Thing> thing_of_symbol(
+    const Step& step, const View& view, const Pointable& place, Thing::Kind wanted) {
+    const auto k = static_cast<std::size_t>(place.index);
+    if (k >= view.symbols.size()) { return std::nullopt; }
+    for (const Pointable& link : links_of(view.symbols[k], *step.system)) {
+        if (const auto thing = thing_at(step, view, link, wanted)) { return thing; }
+    }
+    return std::nullopt;
+}
+
+/// All that a place can mean, each kind at most once.
+std::optional<Thing> thing_of_place(const Step& step, const View& view, const Pointable& place) {
+    const Mechanism& mechanism = step.system->mechanism();
+    const auto k = static_cast<std::size_t>(place.index);
+    switch (place.kind) {
+        case Pointable::Kind::body: return Thing::body(place.index);
+        case Pointable::Kind::joint: return Thing::joint(place.index);
+        case Pointable::Kind::vector: return Thing::vector(place.index, place.part);
+        case Pointable::Kind::row: return thing_of_row(*step.system, place.index);
+        case Pointable::Kind::column:
+            if (k >= view.matrix.columns.size()) { return std::nullopt; }
+            return thing_named(mechanism, Thing::Kind::body, view.matrix.columns[k].owner);
+        case Pointable::Kind::equation: {
+            const Joint& joint = mechanism.joints[k];
+            const std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);
+            const auto number = static_cast<std::size_t>(place.part);
+            if (number >= all.size()) { return std::nullopt; }
+            return Thing::row(place.index, all[number].equation);
+        }
+        case Pointable::Kind::symbol:
+        case Pointable::Kind::none: break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Thing> thing_at(
+    const Step& step, const View& view, const Pointable& place, Thing::Kind wanted) {
+    if (place.kind == Pointable::Kind::symbol) { return thing_of_symbol(step, view, place, wanted); }
+    const auto thing = thing_of_place(step, view, place);
+    if (thing && thing->kind == Thing::Kind::vector && wanted == Thing::Kind::joint) {
+        return Thing::joint(thing->index);
+    }
+    return thing && thing->kind == wanted ? thing : std::nullopt;
+}
+
+}  // namespace jw
