@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include <unistd.h>
@@ -76,8 +77,10 @@ inline int processes_with(const std::string& word) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         std::ifstream in(entry.path() / "cmdline");
-        const std::string line((std::istreambuf_iterator<char>(in)), {});
-        if (line.find(word) != std::string::npos) { ++count; }
+        // a process that ends meanwhile cannot be read: the stream keeps that to itself, an iterator would throw
+        std::ostringstream line;
+        line << in.rdbuf();
+        if (line.str().find(word) != std::string::npos) { ++count; }
     }
     return count;
 }
