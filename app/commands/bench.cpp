@@ -219,7 +219,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     }
     if (options.format == "json") {
         const Json json{{"format", "jointwise bench"}, {"version", kJsonVersion}, {"scenes", scenes}};
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     }
     return Exit::done;
 }

@@ -87,7 +87,7 @@ Exit bench_hard(const std::vector<std::string>& names, const std::string& format
     }
     if (format == "json") {
         const Json json{{"format", "jointwise hard cases"}, {"version", kJsonVersion}, {"cases", all}};
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     }
     return broken ? Exit::check_failed : Exit::done;
 }

@@ -95,7 +95,7 @@ Exit bench_kinematics(
     }
     if (format == "json") {
         const Json json{{"format", "jointwise bench kinematics"}, {"version", kJsonVersion}, {"scenes", all}};
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     }
     return Exit::done;
 }

@@ -97,7 +97,7 @@ void write_json(
         {"exit_status", exit_status},
         {"lessons", list}};
     // names of files need not be UTF-8
-    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << json_document(json);
 }
 
 }  // namespace jw

@@ -123,7 +123,7 @@ bool only_damaged(const Diagnosis& diagnosis) {
 Exit doctor(const std::string& format, const SurfaceDoctor& doctor_window, const Streams& streams) {
     const Diagnosis diagnosis = diagnose(doctor_window);
     if (format == "json") {
-        streams.out << json_of(diagnosis).dump(1) << '\n';
+        streams.out << json_document(json_of(diagnosis));
     } else {
         streams.out << describe(diagnosis);
     }

@@ -128,7 +128,7 @@ void write_json(const std::vector<Explanation>& pages, std::ostream& out) {
     Json list = Json::array();
     for (const Explanation& page : pages) { list.push_back(json_of_page(page)); }
     const Json json{{"format", "jointwise explain"}, {"version", kJsonVersion}, {"codes", list}};
-    out << json.dump(1) << '\n';
+    out << json_document(json);
 }
 
 }  // namespace jw

@@ -59,7 +59,7 @@ Exit inspect(const InspectOptions& options, const Streams& streams) {
     if (options.format == "json") {
         Json json = json_of(inspection, lesson);
         add_done(json, changed.done);
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     } else {
         streams.out << done_text(changed.done) << describe(inspection, lesson);
     }

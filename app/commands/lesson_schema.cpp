@@ -127,7 +127,7 @@ void write_lesson_schema(std::ostream& out) {
     definitions["number"] = {{"type", "number"}, {"minimum", -kLargestNumber}, {"maximum", kLargestNumber}};
     definitions["vector"] = list_of(definition("number"), 3, 3);
     for (std::size_t k = 1; k < tables.size(); ++k) { definitions[tables[k].name] = table_of(tables[k]); }
-    out << schema.dump(1) << '\n';
+    out << json_document(schema);
 }
 
 }  // namespace jw

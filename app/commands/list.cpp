@@ -112,7 +112,7 @@ void write_json(
     }
     for (const ListedLesson& l : lessons) { json["lessons"].push_back(json_of(l)); }
     // names of files need not be UTF-8
-    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << json_document(json);
 }
 
 Exit list(const ListOptions& options, const Streams& streams) {

@@ -72,7 +72,7 @@ Exit newton(const NewtonChoices& options, const Streams& streams) {
     if (options.format == "json") {
         Json json = json_of(runs, changed.lesson);
         add_done(json, changed.done);
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     } else if (options.format == "csv") {
         streams.err << done_text(changed.done);
         streams.out << csv_of(runs.comparison.residuals);

@@ -124,7 +124,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     if (options.format == "json") {
         Json json = json_of(table, lesson);
         add_done(json, changed.done);
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     } else {
         streams.out << csv_of(table.columns, table.rows);
     }

@@ -91,7 +91,7 @@ void write_json(
         {"rows", rows},
         {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
     add_done(json, changed.done);
-    out << json.dump(1) << '\n';
+    out << json_document(json);
 }
 
 /// The first row whose answer misses its equations by more than rounding, where nothing else has said so.

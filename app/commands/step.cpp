@@ -57,7 +57,7 @@ Exit step(const StepOptions& options, const Streams& streams) {
     if (options.format == "json") {
         Json json = json_of(story, until);
         add_done(json, changed.done);
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
         return exit;
     }
     streams.out << lesson.title << '\n';

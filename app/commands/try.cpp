@@ -40,7 +40,7 @@ Exit try_command(const TryOptions& options, const Streams& streams) {
     if (options.format == "json") {
         Json json = json_of(possible_experiments_of(session), lesson);
         add_done(json, done);
-        streams.out << json.dump(1) << '\n';
+        streams.out << json_document(json);
     } else {
         write_text(session, done, streams);
     }

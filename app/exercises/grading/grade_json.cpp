@@ -1,19 +1,16 @@
 #include <algorithm>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "app/exercises/grading/grade.hpp"
 #include "app/exercises/grading/plain_file.hpp"
 #include "app/exercises/random.hpp"
+#include "app/session/output/json.hpp"
 
 namespace jw {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kLargestFile = 2U << 20U;
@@ -59,8 +56,7 @@ std::string json_text(const Grade& grade) {
     const Json json{{"submission", grade.submission}, {"student", grade.student},
                     {"problem", grade.problem},       {"points", grade.points()},
                     {"earned", grade.earned()},       {"exercises", std::move(exercises)}};
-    // what students write need not be UTF-8
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_document(json, 2);
 }
 
 bool read_grade(const std::string& text, Grade& grade) {

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/run/safe_text.hpp"
+#include "app/session/output/json.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string points_text(double points) { return number_text(points, 6); }
 
@@ -122,7 +119,7 @@ std::string gradescope_json(const Grade& grade) {
              {"visibility", "visible"}});
     }
     const Json json{{"score", grade.earned()}, {"tests", std::move(tests)}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_document(json, 2);
 }
 
 std::string grades_json(const std::vector<Grade>& grades) {

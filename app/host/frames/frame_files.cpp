@@ -62,7 +62,7 @@ void FrameFiles::add(int number, const View& view, double seconds, render::Image
 void FrameFiles::finish(Json head) {
     wait();
     head["frames"] = std::move(frames_);
-    folder_.finish(head.dump(1) + '\n');
+    folder_.finish(json_document(head));
 }
 
 }  // namespace jw::host

@@ -170,7 +170,7 @@ void FrameFolder::finish(const std::string& manifest) {
         {"version", kJsonVersion},
         {"unfinished", true},
         {"frames", std::move(list)}};
-    render::write_file_atomically(folder_ / kUnfinished, unfinished.dump() + '\n');
+    render::write_file_atomically(folder_ / kUnfinished, json_document(unfinished, -1));
 
     remove(kManifest);
     for (const std::string& name : drawn) { put_in_place(drawn_ / name, folder_ / name); }

@@ -16,6 +16,11 @@ using Json = nlohmann::ordered_json;
 /// Version of the layout: a key is added without, removed or changed only with a new one.
 inline constexpr int kJsonVersion = 1;
 
+/// `json` as a document that ends with a line feed. Bytes that are not UTF-8 become U+FFFD; control
+/// characters up to U+009F are escaped, so that a terminal only shows the text.
+/// @param indent  -1: all in one line
+std::string json_document(const Json& json, int indent = 1);
+
 Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
 Json json_of(const RankReport& report, const System& system);
