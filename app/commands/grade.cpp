@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -143,18 +144,50 @@ private:
     bool again_;
 };
 
-Grade refused(const ReadyCourse& course, const fs::path& submission, std::string why) {
-    Grade grade;
-    grade.submission = submission.filename().string();
-    grade.problem = std::move(why);
-    for (const CourseExercise& entry : course.exercises) {
-        ExerciseGrade e;
-        e.name = entry.exercise->name;
-        e.title = entry.exercise->title;
-        e.points = entry.exercise->points;
-        grade.exercises.push_back(std::move(e));
+/// Reads the submission, then grades its exercises: a part for each. What was read stays in the process that
+/// goes on with the next part.
+class SubmissionParts {
+public:
+    SubmissionParts(const ReadyCourse& course, const fs::path& folder) : course_(course), folder_(folder) {}
+
+    std::string carry_out(int part) {
+        if (!read_) { read_ = read_submission(folder_); }
+        if (part == 0) { return json_text(empty_grade(course_, *read_)); }
+        return json_text(grade_exercise(course_, entry(part), *read_));
     }
-    return grade;
+
+    /// @param done  of all parts; of the first one alone where that failed
+    Grade collected(const std::vector<WorkDone>& done) const {
+        Grade grade = empty_grade(course_, {folder_, {}});
+        if (!read_grade(done.front().result, grade)) { grade.problem = problem_of(done.front()); }
+        for (std::size_t k = 1; k < done.size(); ++k) {
+            ExerciseGrade& exercise = grade.exercises[k - 1];
+            if (read_grade(done[k].result, exercise)) { continue; }
+            exercise.handed_in = true;
+            exercise.judged.understood = false;
+            exercise.judged.feedback = {problem_of(done[k])};
+        }
+        return grade;
+    }
+
+private:
+    const CourseExercise& entry(int part) const {
+        return course_.exercises[static_cast<std::size_t>(part - 1)];
+    }
+    static std::string problem_of(const WorkDone& done) {
+        return done.problem.empty() ? "Grading failed." : done.problem;
+    }
+
+    const ReadyCourse& course_;
+    fs::path folder_;
+    std::optional<Submission> read_;
+};
+
+/// Seconds for reading a submission; those for an exercise follow from its kind.
+double seconds_for(const ReadyCourse& course, int part) {
+    constexpr double kReading = 60.0;
+    return part == 0 ? kReading
+                     : longest_grading(*course.exercises[static_cast<std::size_t>(part - 1)].exercise);
 }
 
 std::vector<Grade> grade_all(
@@ -163,31 +196,33 @@ std::vector<Grade> grade_all(
     const KeptGrades kept(options);
     std::vector<Grade> grades(submissions.size());
     std::vector<std::string> digests(submissions.size());
-    std::vector<int> open;
+    std::vector<SubmissionParts> open;
+    std::vector<std::size_t> places;
     for (std::size_t k = 0; k < submissions.size(); ++k) {
         digests[k] = course.digest + "-" + digest_of(submissions[k]);
-        if (!kept.find(submissions[k], digests[k], grades[k])) { open.push_back(static_cast<int>(k)); }
+        if (kept.find(submissions[k], digests[k], grades[k])) { continue; }
+        open.emplace_back(course, submissions[k]);
+        places.push_back(k);
     }
     ProgressBar progress(streams, "grading");
     int finished = 0;
-    const auto place = [&](int piece) {
-        return static_cast<std::size_t>(open[static_cast<std::size_t>(piece)]);
+    Work work;
+    work.pieces = static_cast<int>(open.size());
+    work.parts = 1 + static_cast<int>(course.exercises.size());
+    work.wall_seconds = [&](int part) { return seconds_for(course, part); };
+    work.carry_out = [&](int piece, int part) {
+        return open[static_cast<std::size_t>(piece)].carry_out(part);
+    };
+    work.ended = [&](int piece, const std::vector<WorkDone>& done) {
+        const std::size_t k = places[static_cast<std::size_t>(piece)];
+        grades[k] = open[static_cast<std::size_t>(piece)].collected(done);
+        // what failed for want of time may succeed at the next run
+        const bool complete = std::ranges::all_of(done, &std::string::empty, &WorkDone::problem);
+        if (complete) { kept.keep(submissions[k], digests[k], grades[k]); }
+        progress.show(static_cast<double>(++finished) / static_cast<double>(work.pieces));
     };
     const int jobs = options.jobs > 0 ? options.jobs : static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-    do_in_processes(
-        static_cast<int>(open.size()), jobs, {},
-        [&](int piece) { return json_text(grade_submission(course, submissions[place(piece)])); },
-        [&](int piece, const WorkDone& done) {
-            const std::size_t k = place(piece);
-            const bool read = done.problem.empty() && read_grade(done.result, grades[k]);
-            if (!read) {
-                grades[k] =
-                    refused(course, submissions[k], done.problem.empty() ? "Grading failed." : done.problem);
-            }
-            // what failed for want of time may succeed at the next run
-            if (read) { kept.keep(submissions[k], digests[k], grades[k]); }
-            progress.show(static_cast<double>(++finished) / static_cast<double>(open.size()));
-        });
+    do_in_processes(work, jobs, {});
     return grades;
 }
 
@@ -199,6 +234,14 @@ void warn_of_twins(const std::vector<Grade>& grades, const Streams& streams) {
                     << "' hands in more than once, also as '" << exercises::printable(grade.submission)
                     << "'\n";
     }
+}
+
+/// Programs that nobody judged are no matter of points alone.
+Exit exit_of(const std::vector<Grade>& grades, const Streams& streams) {
+    const ProgramsNotRun programs = programs_not_run(grades);
+    if (programs.count == 0) { return Exit::done; }
+    streams.err << "jointwise: warning: " << programs.text() << '\n';
+    return Exit::numerics;
 }
 
 void write_grades(const std::vector<Grade>& grades, const std::string& format, const Streams& streams) {
@@ -240,7 +283,7 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
         render::write_file_atomically(out / "class.html", class_report_html(grades, set.title));
         render::write_file_atomically(out / "grades.csv", grades_csv(grades));
     }
-    return Exit::done;
+    return exit_of(grades, streams);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 #include "app/exercises/grading/plain_file.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/languages.hpp"
 #include "app/exercises/run/student_file.hpp"
-#include "lessons/exercise/handed_in.hpp"
 
 namespace jw {
 
@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLargestHandedIn = 200000;
+/// Stands in the table of kinds for the endings of all languages.
+constexpr std::string_view kProgramEnding = "program";
 /// Shares are rounded to this, so that 2/3 of 3 points are 2.
 constexpr double kFinest = 1e-6;
 
@@ -28,38 +30,54 @@ Judged not_judged(std::string why) {
     return judged;
 }
 
-/// Runs the program of the student and judges what it writes.
-Judged judge_program(const Task& task, const KindOfExercise& kind, const exercises::StudentProgram& program) {
-    const exercises::ReadyProgram ready = exercises::make_ready(program);
-    if (ready.outcome != exercises::ProgramResult::Outcome::ran) { return not_judged(ready.message); }
-    const exercises::SandboxLimits limits;
-    const exercises::ProgramResult result = exercises::run_ready(ready, program_input(task), limits);
-    if (result.outcome != exercises::ProgramResult::Outcome::ran) { return not_judged(result.message); }
-    const std::string fault = exercises::fault_of(result.run, limits);
-    if (!fault.empty()) { return not_judged("The program " + fault); }
-    return kind.judge(task, {result.run.out, {}});
+/// What is said of a program, and whether this machine could run it.
+struct ProgramVerdict {
+    Judged judged;
+    bool not_run = false;
+};
+
+ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const std::string& why) {
+    using Outcome = exercises::ProgramResult::Outcome;
+    return {not_judged(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
-/// What the folder has for an exercise, judged; the grade stays empty if there is nothing.
-void grade_exercise(const Task& task, const fs::path& folder, const HandedIn& handed, ExerciseGrade& grade) {
-    const KindOfExercise& kind = kind_of(task.exercise().kind);
-    const std::string ending = kind.file;
-    if (ending == "program") {
-        const exercises::ProgramSearch found = exercises::find_program(folder.string(), grade.name);
-        if (found.outcome == exercises::ProgramSearch::Outcome::absent) { return; }
-        grade.handed_in = true;
-        grade.judged = found.outcome == exercises::ProgramSearch::Outcome::found
-                           ? judge_program(task, kind, found.program)
-                           : not_judged(found.reason);
-        return;
+/// Runs the program of the student and judges what it writes.
+ProgramVerdict judge_program(const Task& task, const exercises::StudentProgram& program) {
+    const exercises::ReadyProgram ready = exercises::make_ready(program);
+    if (ready.outcome != exercises::ProgramResult::Outcome::ran) {
+        return not_run(ready.outcome, ready.message);
     }
-    if (!ending.empty()) {
-        const PlainFile file = read_plain_file(folder / (grade.name + ending), kLargestHandedIn);
-        if (file.absent) { return; }
-        grade.handed_in = true;
-        grade.judged = file.problem.empty() ? kind.judge(task, {file.text, {}}) : not_judged(file.problem);
-        return;
+    const exercises::SandboxLimits limits;
+    const exercises::ProgramResult result = exercises::run_ready(ready, program_input(task), limits);
+    if (result.outcome != exercises::ProgramResult::Outcome::ran) {
+        return not_run(result.outcome, result.message);
     }
+    const std::string fault = exercises::fault_of(result.run, limits);
+    if (!fault.empty()) { return {not_judged("The program " + fault)}; }
+    return {kind_of(task.exercise().kind).judge(task, {result.run.out, {}})};
+}
+
+void grade_program(const Task& task, const fs::path& folder, ExerciseGrade& grade) {
+    const exercises::ProgramSearch found = exercises::find_program(folder.string(), grade.name);
+    grade.handed_in = found.outcome != exercises::ProgramSearch::Outcome::absent;
+    if (found.outcome == exercises::ProgramSearch::Outcome::found) {
+        ProgramVerdict verdict = judge_program(task, found.program);
+        grade.judged = std::move(verdict.judged);
+        grade.not_run = verdict.not_run;
+    } else if (grade.handed_in) {
+        grade.judged = not_judged(found.reason);
+    }
+}
+
+void grade_file(const Task& task, const fs::path& path, ExerciseGrade& grade) {
+    const PlainFile file = read_plain_file(path, kLargestHandedIn);
+    if (file.absent) { return; }
+    grade.handed_in = true;
+    grade.judged = file.problem.empty() ? kind_of(task.exercise().kind).judge(task, {file.text, {}})
+                                        : not_judged(file.problem);
+}
+
+void grade_answer(const Task& task, const HandedIn& handed, ExerciseGrade& grade) {
     const auto answer = handed.answers.find(grade.name);
     if (answer == handed.answers.end()) { return; }
     const GivenText& given = answer->second;
@@ -69,7 +87,24 @@ void grade_exercise(const Task& task, const fs::path& folder, const HandedIn& ha
     grade.handed_in = true;
     const bool of_lists = task.exercise().kind == ExerciseKind::experiment;
     const std::vector<std::string> list = given.list.empty() ? std::vector{given.text} : given.list;
-    grade.judged = kind.judge(task, of_lists ? Handed{{}, list} : Handed{given.text, {}});
+    grade.judged =
+        kind_of(task.exercise().kind).judge(task, of_lists ? Handed{{}, list} : Handed{given.text, {}});
+}
+
+/// What the submission has for an exercise, judged; the grade stays empty if there is nothing.
+void grade_task(const Task& task, const Submission& submission, ExerciseGrade& grade) {
+    const std::string ending = kind_of(task.exercise().kind).file;
+    if (ending == kProgramEnding) { return grade_program(task, submission.folder, grade); }
+    if (!ending.empty()) { return grade_file(task, submission.folder / (grade.name + ending), grade); }
+    grade_answer(task, submission.handed, grade);
+}
+
+ExerciseGrade nothing_for(const Exercise& exercise) {
+    ExerciseGrade grade;
+    grade.name = exercise.name;
+    grade.title = exercise.title;
+    grade.points = exercise.points;
+    return grade;
 }
 
 /// Everything that a grade depends on, each part with its length, so that no two exercises have the same.
@@ -118,7 +153,7 @@ std::string means_of_running() {
 Judged judge_program_file(const Task& task, const fs::path& file) {
     const exercises::ProgramSearch found = exercises::read_program(file.string());
     if (found.outcome == exercises::ProgramSearch::Outcome::found) {
-        return judge_program(task, kind_of(task.exercise().kind), found.program);
+        return judge_program(task, found.program).judged;
     }
     return not_judged(
         found.reason.empty() ? "There is no file '" + file.string() + "'; expected a program."
@@ -155,37 +190,60 @@ double Grade::earned() const {
     return sum;
 }
 
-Grade grade_submission(const ReadyCourse& course, const fs::path& folder) {
-    Grade grade;
-    grade.submission = folder.filename().string();
+Submission read_submission(const fs::path& folder) {
+    Submission submission{folder, {}};
     std::error_code error;
-    const bool link = fs::is_symlink(folder, error);
-    const PlainFile answers = link ? PlainFile{} : read_plain_file(folder / kAnswersFile, kLargestHandedIn);
-    grade.problem = link ? "The submission is a symbolic link; expected a folder." : answers.problem;
-    HandedIn handed;
-    if (grade.problem.empty()) {
-        handed = read_answers_text(answers.text);
-        grade.problem = handed.problem;
+    if (fs::is_symlink(folder, error)) {
+        submission.handed.problem = "The submission is a symbolic link; expected a folder.";
+        return submission;
     }
-    grade.student = grade.problem.empty() ? handed.student : "";
+    const PlainFile answers = read_plain_file(folder / kAnswersFile, kLargestHandedIn);
+    if (answers.problem.empty()) {
+        submission.handed = read_answers_text(answers.text);
+    } else {
+        submission.handed.problem = answers.problem;
+    }
+    return submission;
+}
+
+Grade empty_grade(const ReadyCourse& course, const Submission& submission) {
+    Grade grade;
+    grade.submission = submission.folder.filename().string();
+    grade.problem = submission.handed.problem;
+    if (grade.problem.empty()) { grade.student = submission.handed.student; }
     for (const CourseExercise& entry : course.exercises) {
-        ExerciseGrade graded;
-        graded.name = entry.exercise->name;
-        graded.title = entry.exercise->title;
-        graded.points = entry.exercise->points;
-        if (grade.problem.empty()) {
-            const Task task = task_of(course, entry, handed.student);
-            if (task.problem.empty()) {
-                grade_exercise(task, folder, handed, graded);
-            } else {
-                graded.judged =
-                    not_judged("The exercise cannot be set for this student: " + task.problem + ".");
-            }
-            graded.earned = std::round(graded.judged.share * graded.points / kFinest) * kFinest;
-        }
-        grade.exercises.push_back(std::move(graded));
+        grade.exercises.push_back(nothing_for(*entry.exercise));
     }
     return grade;
+}
+
+ExerciseGrade grade_exercise(
+    const ReadyCourse& course, const CourseExercise& entry, const Submission& submission) {
+    ExerciseGrade grade = nothing_for(*entry.exercise);
+    if (!submission.handed.problem.empty()) { return grade; }
+    const Task task = task_of(course, entry, submission.handed.student);
+    if (task.problem.empty()) {
+        grade_task(task, submission, grade);
+    } else {
+        grade.judged = not_judged("The exercise cannot be set for this student: " + task.problem + ".");
+    }
+    grade.earned = std::round(grade.judged.share * grade.points / kFinest) * kFinest;
+    return grade;
+}
+
+Grade grade_submission(const ReadyCourse& course, const fs::path& folder) {
+    const Submission submission = read_submission(folder);
+    Grade grade = empty_grade(course, submission);
+    for (std::size_t k = 0; k < course.exercises.size(); ++k) {
+        grade.exercises[k] = grade_exercise(course, course.exercises[k], submission);
+    }
+    return grade;
+}
+
+double longest_grading(const Exercise& exercise) {
+    constexpr double kWithoutProgram = 60.0;
+    const bool is_program = std::string(kind_of(exercise.kind).file) == kProgramEnding;
+    return kWithoutProgram + (is_program ? exercises::longest_program_seconds() : 0.0);
 }
 
 }  // namespace jw

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/exercises/kinds.hpp"
+#include "lessons/exercise/handed_in.hpp"
 
 /// Grades what one student hands in.
 namespace jw {
@@ -33,6 +34,7 @@ struct ExerciseGrade {
     double points = 0.0;  ///< that there are
     double earned = 0.0;
     bool handed_in = false;
+    bool not_run = false;  ///< a program that this machine cannot run
     Judged judged;
 };
 
@@ -46,9 +48,27 @@ struct Grade {
     double earned() const;
 };
 
-/// Grades a folder: answers.toml, lesson files NAME.toml and programs NAME.py, NAME.cpp ... Nothing outside
-/// is read, links are not followed, programs run in a sandbox or not at all.
+/// What a folder hands in besides files: answers.toml, read.
+struct Submission {
+    std::filesystem::path folder;
+    HandedIn handed;  ///< `problem`: why nothing of the folder is graded
+};
+Submission read_submission(const std::filesystem::path& folder);
+
+/// All exercises of the course with nothing handed in.
+Grade empty_grade(const ReadyCourse& course, const Submission& submission);
+
+/// Grades one exercise of a submission: its answer, its lesson file NAME.toml or its program NAME.py,
+/// NAME.cpp
+/// ... Nothing outside the folder is read, links are not followed, programs run in a sandbox or not at all.
+ExerciseGrade grade_exercise(
+    const ReadyCourse& course, const CourseExercise& entry, const Submission& submission);
+
+/// Grades all exercises, one after the other, in this process.
 Grade grade_submission(const ReadyCourse& course, const std::filesystem::path& folder);
+
+/// How long the grading of an exercise may take on a busy machine [s]: of a program, its compiling and run.
+double longest_grading(const Exercise& exercise);
 
 /// Runs a program in the sandbox and judges what it writes; why it was not run is said in the feedback.
 Judged judge_program_file(const Task& task, const std::filesystem::path& file);
@@ -58,7 +78,9 @@ std::string digest_of(const std::filesystem::path& folder);
 
 /// A grade as JSON and back.
 std::string json_text(const Grade& grade);
+std::string json_text(const ExerciseGrade& grade);
 /// @return false if it is none
 bool read_grade(const std::string& json, Grade& grade);
+bool read_grade(const std::string& json, ExerciseGrade& grade);
 
 }  // namespace jw

@@ -22,6 +22,7 @@ Json json_of_exercise(const ExerciseGrade& e) {
         {"points", e.points},
         {"earned", e.earned},
         {"handed_in", e.handed_in},
+        {"not_run", e.not_run},
         {"understood", e.judged.understood},
         {"right", e.judged.right},
         {"share", e.judged.share},
@@ -38,6 +39,7 @@ ExerciseGrade exercise_in(const Json& json) {
     e.points = json.at("points");
     e.earned = json.at("earned");
     e.handed_in = json.at("handed_in");
+    e.not_run = json.at("not_run");
     e.judged.understood = json.at("understood");
     e.judged.right = json.at("right");
     e.judged.share = json.at("share");
@@ -59,9 +61,18 @@ std::string json_text(const Grade& grade) {
     return json_document(json, 2);
 }
 
+std::string json_text(const ExerciseGrade& grade) { return json_document(json_of_exercise(grade), 2); }
+
+bool read_grade(const std::string& text, ExerciseGrade& grade) {
+    const Json json = Json::parse(text, nullptr, false);
+    try {
+        grade = exercise_in(json);
+        return true;
+    } catch (const Json::exception&) { return false; }
+}
+
 bool read_grade(const std::string& text, Grade& grade) {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) { return false; }
     try {
         grade = {};
         grade.submission = json.at("submission");

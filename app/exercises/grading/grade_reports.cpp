@@ -33,6 +33,7 @@ std::string csv_field(const std::string& text) {
 
 std::string verdict_of(const ExerciseGrade& e) {
     if (!e.handed_in) { return "not handed in"; }
+    if (e.not_run) { return "not run"; }
     if (!e.judged.understood) { return "not understood"; }
     if (e.judged.right && e.judged.share >= 1.0) { return "right"; }
     return e.judged.title.empty() ? "wrong" : "wrong: " + math::plain_words(e.judged.title);
@@ -128,6 +129,25 @@ std::string grades_json(const std::vector<Grade>& grades) {
     return text + "]\n";
 }
 
+ProgramsNotRun programs_not_run(const std::vector<Grade>& grades) {
+    ProgramsNotRun programs;
+    for (const Grade& grade : grades) {
+        for (const ExerciseGrade& e : grade.exercises) {
+            if (!e.not_run) { continue; }
+            ++programs.count;
+            if (programs.reason.empty() && !e.judged.feedback.empty()) {
+                programs.reason = exercises::printable(e.judged.feedback.front());
+            }
+        }
+    }
+    return programs;
+}
+
+std::string ProgramsNotRun::text() const {
+    return std::to_string(count) + (count == 1 ? " program was" : " programs were") +
+           " not run and got no points: " + reason + "; grade on a machine that can run them";
+}
+
 std::vector<ExerciseCount> counts_of(const std::vector<Grade>& grades) {
     std::vector<ExerciseCount> counts;
     for (const Grade& grade : grades) {
@@ -141,6 +161,8 @@ std::vector<ExerciseCount> counts_of(const std::vector<Grade>& grades) {
             }
             if (!e.handed_in) {
                 ++count->missing;
+            } else if (e.not_run) {
+                ++count->not_run;
             } else if (!e.judged.understood) {
                 ++count->not_understood;
             } else if (e.judged.right && e.judged.share >= 1.0) {

@@ -23,6 +23,16 @@ std::string grades_json(const std::vector<Grade>& grades);
 /// A page about the class: points, and for each exercise which mistakes were made how often.
 std::string class_report_html(const std::vector<Grade>& grades, const std::string& title);
 
+/// Programs that were handed in and cannot be run on this machine.
+struct ProgramsNotRun {
+    int count = 0;
+    std::string reason;  ///< of the first one
+
+    /// A sentence about all of them.
+    std::string text() const;
+};
+ProgramsNotRun programs_not_run(const std::vector<Grade>& grades);
+
 /// How a class did an exercise.
 struct ExerciseCount {
     std::string name;
@@ -31,6 +41,7 @@ struct ExerciseCount {
     int partly = 0;
     int wrong = 0;
     int not_understood = 0;
+    int not_run = 0;
     int missing = 0;
     struct Mistake {
         std::string title;

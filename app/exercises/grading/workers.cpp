@@ -10,8 +10,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
+#include <cstring>
 #include <new>
+#include <string_view>
 #include <vector>
 
 namespace jw {
@@ -21,16 +22,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostResult = 4U << 20U;
+constexpr const char* kNoProcess = "No process could be started.";
 
+/// A process that does the parts of a piece from `done.size()` on.
 struct Worker {
-    int index = 0;
+    int piece = 0;
     pid_t process = -1;
     int pipe = -1;
-    Clock::time_point end;
-    std::string result;
+    Clock::time_point end;  ///< of the part that it does
+    std::string unread;     ///< each result comes behind its length
+    std::vector<WorkDone> done;
 };
 
-void write_all(int handle, const std::string& text) {
+void write_all(int handle, std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         const ssize_t count = write(handle, text.data() + at, text.size() - at);
         if (count < 0 && errno == EINTR) { continue; }
@@ -39,48 +43,71 @@ void write_all(int handle, const std::string& text) {
     }
 }
 
+void write_result(int handle, const std::string& result) {
+    const std::uint64_t size = result.size();
+    std::array<char, sizeof size> head{};
+    std::memcpy(head.data(), &size, sizeof size);
+    write_all(handle, {head.data(), head.size()});
+    write_all(handle, result);
+}
+
 void limit(int what, rlim_t most) {
     const rlimit both{most, most};
     setrlimit(what, &both);
 }
 
+/// From now on so many seconds more. The hard limit stays: it could never be raised again.
+void limit_cpu(int more_seconds) {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    rlimit now{};
+    getrlimit(RLIMIT_CPU, &now);
+    const auto until = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + more_seconds);
+    now.rlim_cur = std::min(until, now.rlim_max);
+    setrlimit(RLIMIT_CPU, &now);
+}
+
 [[noreturn]] void work_and_leave(
-    int handle, int index, const WorkerLimits& limits, const std::function<std::string(int)>& work) {
+    int handle, int piece, int first, const Work& work, const WorkerLimits& limits) {
     // a group of its own, so that what it starts ends with it
     setpgid(0, 0);
     // who waits for this process tells how it ended
     for (const int signal_number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGXCPU}) {
         signal(signal_number, SIG_DFL);
     }
-    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_seconds));
     limit(RLIMIT_AS, static_cast<rlim_t>(limits.address_bytes));
     limit(RLIMIT_CORE, 0);
     try {
-        write_all(handle, work(index));
+        for (int part = first; part < work.parts; ++part) {
+            limit_cpu(limits.cpu_seconds);
+            write_result(handle, work.carry_out(piece, part));
+        }
         _exit(0);
     } catch (const std::bad_alloc&) { _exit(3); } catch (...) {
         _exit(2);
     }
 }
 
-Worker started(int index, const WorkerLimits& limits, const std::function<std::string(int)>& work) {
-    Worker worker;
-    worker.index = index;
+Clock::time_point end_of_part(const Work& work, const Worker& worker) {
+    const int part = std::min(static_cast<int>(worker.done.size()), work.parts - 1);
+    return Clock::now() + std::chrono::milliseconds(static_cast<int>(1000.0 * work.wall_seconds(part)));
+}
+
+/// Starts the process that goes on with `worker`. @return false if there can be none
+bool start(Worker& worker, const Work& work, const WorkerLimits& limits) {
     std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) { return worker; }
+    if (pipe(ends.data()) != 0) { return false; }
     worker.process = fork();
     if (worker.process == 0) {
         close(ends[0]);
-        work_and_leave(ends[1], index, limits, work);
+        work_and_leave(ends[1], worker.piece, static_cast<int>(worker.done.size()), work, limits);
     }
     close(ends[1]);
-    if (worker.process < 0) {
-        close(ends[0]);
-        return worker;
-    }
     worker.pipe = ends[0];
-    worker.end = Clock::now() + std::chrono::milliseconds(static_cast<int>(1000.0 * limits.wall_seconds));
-    return worker;
+    if (worker.process < 0) { close(worker.pipe); }
+    worker.unread.clear();
+    worker.end = end_of_part(work, worker);
+    return worker.process >= 0;
 }
 
 std::string problem_of(int status) {
@@ -94,26 +121,52 @@ std::string problem_of(int status) {
     return WEXITSTATUS(status) == 0 ? "" : "Grading failed.";
 }
 
-/// Waits for the process; the group ends with it.
-WorkDone finished(Worker& worker) {
+/// Takes the results that are complete. @return false if one is larger than any may be
+bool take_results(Worker& worker, const Work& work) {
+    for (;;) {
+        std::uint64_t size = 0;
+        if (worker.unread.size() < sizeof size) { return true; }
+        std::memcpy(&size, worker.unread.data(), sizeof size);
+        if (size > kMostResult) { return false; }
+        if (worker.unread.size() < sizeof size + size) { return true; }
+        worker.done.push_back({worker.unread.substr(sizeof size, size), {}});
+        worker.unread.erase(0, sizeof size + size);
+        worker.end = end_of_part(work, worker);
+    }
+}
+
+/// Reads what there is. @return false at the end
+bool read_more(Worker& worker, const Work& work) {
+    std::array<char, 65536> part{};
+    const ssize_t count = read(worker.pipe, part.data(), part.size());
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) { return true; }
+    if (count <= 0) { return false; }
+    worker.unread.append(part.data(), static_cast<std::size_t>(count));
+    return take_results(worker, work);
+}
+
+/// Waits for the end of the process; its group ends with it. @return why it ended early, if it did
+std::string finished(const Worker& worker) {
     close(worker.pipe);
     int status = 0;
     while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {}
     kill(-worker.process, SIGKILL);
-    WorkDone done{std::move(worker.result), {}};
-    done.problem = problem_of(status);
-    if (done.result.empty() && done.problem.empty()) { done.problem = "Grading gave no result."; }
-    return done;
+    return problem_of(status);
 }
 
-/// Reads what there is. @return false at the end
-bool read_more(Worker& worker) {
-    std::array<char, 65536> part{};
-    const ssize_t count = read(worker.pipe, part.data(), part.size());
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) { return true; }
-    if (count <= 0 || worker.result.size() > kMostResult) { return false; }
-    worker.result.append(part.data(), static_cast<std::size_t>(count));
-    return true;
+/// Ends the process and begins another one for what is left. @return false if nothing is
+bool go_on(Worker& worker, const Work& work, const WorkerLimits& limits) {
+    const auto parts = static_cast<std::size_t>(work.parts);
+    // one that wrote too much still runs
+    if (worker.done.size() < parts) { kill(-worker.process, SIGKILL); }
+    const std::string problem = finished(worker);
+    if (worker.done.size() >= parts) { return false; }
+    worker.done.push_back({{}, problem.empty() ? "Grading gave no result." : problem});
+    if (worker.done.size() == 1) { return false; }
+    while (worker.done.size() < parts && !start(worker, work, limits)) {
+        worker.done.push_back({{}, kNoProcess});
+    }
+    return worker.done.size() < parts;
 }
 
 void wait_for_some(const std::vector<Worker>& workers) {
@@ -127,36 +180,38 @@ bool has_something(const Worker& worker) {
     return poll(&handle, 1, 0) > 0;
 }
 
+/// Looks after a process. @return false if its piece has ended
+bool attend(Worker& worker, const Work& work, const WorkerLimits& limits) {
+    const bool late = Clock::now() > worker.end;
+    if (late) { kill(-worker.process, SIGKILL); }
+    if (!late && (!has_something(worker) || read_more(worker, work))) { return true; }
+    return go_on(worker, work, limits);
+}
+
 }  // namespace
 
-void do_in_processes(
-    int count, int jobs, const WorkerLimits& limits, const std::function<std::string(int)>& work,
-    const std::function<void(int, WorkDone)>& done) {
+void do_in_processes(const Work& work, int jobs, const WorkerLimits& limits) {
     std::vector<Worker> workers;
     int next = 0;
-    while (next < count || !workers.empty()) {
-        while (next < count && static_cast<int>(workers.size()) < std::max(1, jobs)) {
-            Worker worker = started(next++, limits, work);
-            if (worker.pipe < 0) {
-                done(worker.index, {{}, "No process could be started."});
-            } else {
+    while (next < work.pieces || !workers.empty()) {
+        while (next < work.pieces && static_cast<int>(workers.size()) < std::max(1, jobs)) {
+            Worker worker;
+            worker.piece = next++;
+            if (start(worker, work, limits)) {
                 workers.push_back(std::move(worker));
+            } else {
+                work.ended(worker.piece, {{{}, kNoProcess}});
             }
         }
         wait_for_some(workers);
         for (std::size_t k = 0; k < workers.size();) {
-            Worker& worker = workers[k];
-            const bool late = Clock::now() > worker.end;
-            if (late) { kill(-worker.process, SIGKILL); }
-            if (late || (has_something(worker) && !read_more(worker))) {
-                const int index = worker.index;
-                if (late) { worker.result.clear(); }
-                WorkDone end = finished(worker);
-                workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(k));
-                done(index, std::move(end));
-            } else {
+            if (attend(workers[k], work, limits)) {
                 ++k;
+                continue;
             }
+            Worker ended = std::move(workers[k]);
+            workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(k));
+            work.ended(ended.piece, std::move(ended.done));
         }
     }
 }

@@ -3,27 +3,34 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
-/// Work in processes of their own: a crash, an endless loop or a lack of memory ends one of them and nothing
-/// else.
+/// Work in processes of their own: a crash, an endless loop or a lack of memory ends one part of it and
+/// nothing else.
 namespace jw {
 
 struct WorkerLimits {
-    double wall_seconds = 120.0;
-    int cpu_seconds = 60;  ///< of the process itself, without its children
+    int cpu_seconds = 30;  ///< of the process itself for one part, without its children
     std::uint64_t address_bytes = 4ULL << 30U;
 };
 
 struct WorkDone {
-    std::string result;   ///< what the work returned
+    std::string result;   ///< what the part returned
     std::string problem;  ///< why it returned nothing
 };
 
-/// Does `count` pieces of work, `jobs` at a time, each in a process of its own made by fork; `done` is called
-/// here, in the order in which they end. The calling process must have no other thread.
-/// @param work  its result has at most 4 MB
-void do_in_processes(
-    int count, int jobs, const WorkerLimits& limits, const std::function<std::string(int)>& work,
-    const std::function<void(int, WorkDone)>& done);
+/// Pieces of work. One process does the parts of a piece one after the other; when a part ends it, or takes
+/// too long, another process goes on behind that part. Without its first part a piece has no others.
+struct Work {
+    int pieces = 0;
+    int parts = 1;                                                ///< of each piece
+    std::function<std::string(int piece, int part)> carry_out;    ///< its result has at most 4 MB
+    std::function<double(int part)> wall_seconds;                 ///< that a part may take
+    std::function<void(int piece, std::vector<WorkDone>)> ended;  ///< all parts; in the calling process
+};
+
+/// Does the work, `jobs` pieces at a time, in processes made by fork. Pieces end in any order. The calling
+/// process must have no other thread.
+void do_in_processes(const Work& work, int jobs, const WorkerLimits& limits);
 
 }  // namespace jw

@@ -97,6 +97,10 @@ std::string missing_tool(const Language& language) {
            tool + " (Debian package " + std::string(language.package) + ")";
 }
 
+double longest_program_seconds() {
+    return 2.0 * kLongestSetUp + compiler_limits().wall_seconds + SandboxLimits{}.wall_seconds;
+}
+
 ReadyProgram make_ready(const StudentProgram& program) {
     if (!sandbox_availability().available) {
         return none(Outcome::no_sandbox, sandbox_availability().reason);

@@ -72,6 +72,9 @@ struct ReadyProgram {
     std::uint64_t address_bytes = 0;
 };
 
+/// The longest that make_ready and run_ready can take together [s], where the sandbox is set up slowly, too.
+double longest_program_seconds();
+
 /// Compiles in the sandbox, with limits of its own, if needed. Takes about a second for C++ and no time
 /// otherwise.
 ReadyProgram make_ready(const StudentProgram& program);

@@ -26,8 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLookEvery = 0.025;    // s: a program touches about 100 MB in this time
-constexpr double kStartSeconds = 20.0;  // for the sandbox alone, on a busy machine
+constexpr double kLookEvery = 0.025;  // s: a program touches about 100 MB in this time
 constexpr double kBlindSeconds = 1.0;
 constexpr double kDieSeconds = 5.0;
 
@@ -173,7 +172,7 @@ void SandboxRun::on_start() {
 
 void SandboxRun::check_limits() {
     if (!runs_) {
-        if (since(begin_) > kStartSeconds) { cannot("the sandbox was not set up within 20 s"); }
+        if (since(begin_) > kLongestSetUp) { cannot("the sandbox was not set up within 20 s"); }
         return;
     }
     if (since(begin_) > job_.limits.wall_seconds) { result_.timed_out = stop_ = true; }

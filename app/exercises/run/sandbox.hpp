@@ -11,9 +11,12 @@ namespace jw::exercises {
 inline constexpr const char* kSandboxFolder = "/submission";
 inline constexpr const char* kBwrap = "/usr/bin/bwrap";
 
+/// On a busy machine a sandbox may take so long to be set up [s].
+inline constexpr double kLongestSetUp = 20.0;
+
 /// What a program may use. Times in seconds of the clock and of all processors together.
 struct SandboxLimits {
-    double wall_seconds = 10.0;
+    double wall_seconds = 20.0;
     double cpu_seconds = 5.0;                    ///< of all processes of the run together
     std::uint64_t memory_bytes = 512ULL << 20U;  ///< of one process, and of all of them together
     std::uint64_t address_bytes = 4ULL << 30U;   ///< of one process: reserved, whether used or not

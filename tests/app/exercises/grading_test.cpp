@@ -220,6 +220,9 @@ TEST_CASE("Nobody becomes several students, takes a place or hands in a link", "
     CHECK_THAT(all.out, Catch::Contains("s1,s1,3,3"));
     CHECK_THAT(all.out, Catch::Contains(",s4,0,3,0,,0,,The submission is a symbolic link"));
     CHECK(all.out.find("\xC2\x9B") == std::string::npos);
+    const Ran json = c.grade({"--format", "json"});
+    CHECK(json.out.find("\xC2\x9B") == std::string::npos);
+    CHECK_THAT(json.out, Catch::Contains("n\\u009b\","));
     CHECK_THAT(all.err, Catch::Contains("'s5.zip' is an archive"));
     CHECK(c.grade({"--out", c.folder().path("out"), "--format", "csv"}).out == all.out);
     const Ran named = run(
@@ -256,31 +259,52 @@ TEST_CASE("A grade survives its way through JSON", "[exercises][grade]") {
     CHECK_FALSE(read_grade("nonsense", back));
 }
 
-TEST_CASE("A piece of work that crashes, hangs or eats memory ends alone", "[exercises][grade]") {
+TEST_CASE("A part of a work that crashes, hangs or eats memory is lost alone", "[exercises][grade]") {
     WorkerLimits limits;
-    limits.wall_seconds = 1.0;
     limits.address_bytes = 1ULL << 30U;
-    std::vector<WorkDone> all(6);
-    do_in_processes(
-        6, 3, limits,
-        [](int k) -> std::string {
-            if (k == 1) { raise(SIGSEGV); }
-            if (k == 2) {
-                for (;;) { pause(); }
-            }
-            if (k == 3) { return std::string(static_cast<std::size_t>(3) << 30U, 'x'); }
-            if (k == 4) { throw 1; }
-            return "piece " + std::to_string(k);
-        },
-        [&](int k, WorkDone done) { all[static_cast<std::size_t>(k)] = std::move(done); });
-    CHECK(all[0].result == "piece 0");
-    CHECK(all[5].result == "piece 5");
-    for (const std::size_t k : {1U, 2U, 3U, 4U}) {
-        CAPTURE(k);
-        CHECK_FALSE(all[k].problem.empty());
+    std::vector<std::vector<WorkDone>> all(2);
+    Work work;
+    work.pieces = 2;
+    work.parts = 8;
+    work.wall_seconds = [](int) { return 1.0; };
+    work.carry_out = [](int piece, int part) -> std::string {
+        if (piece == 1 && part == 1) { raise(SIGSEGV); }
+        if (piece == 1 && part == 2) {
+            for (;;) { pause(); }
+        }
+        if (piece == 1 && part == 3) { return std::string(static_cast<std::size_t>(3) << 30U, 'x'); }
+        if (piece == 1 && part == 4) { throw 1; }
+        if (piece == 1 && part == 5) { return std::string(static_cast<std::size_t>(5) << 20U, 'x'); }
+        // longer together than one part may take
+        usleep(400000);
+        return "part " + std::to_string(part);
+    };
+    work.ended = [&](int piece, std::vector<WorkDone> done) {
+        all[static_cast<std::size_t>(piece)] = std::move(done);
+    };
+    do_in_processes(work, 2, limits);
+    for (const std::vector<WorkDone>& piece : all) { REQUIRE(piece.size() == 8); }
+    for (std::size_t part = 0; part < 8; ++part) {
+        CAPTURE(part);
+        CHECK(all[0][part].result == "part " + std::to_string(part));
+        const bool bad = part >= 1 && part <= 5;
+        CHECK(all[1][part].problem.empty() != bad);
+        CHECK(all[1][part].result == (bad ? "" : "part " + std::to_string(part)));
     }
-    CHECK_THAT(all[2].problem, Catch::Contains("too long"));
-    CHECK_THAT(all[3].problem, Catch::Contains("memory"));
+    CHECK_THAT(all[1][2].problem, Catch::Contains("too long"));
+    CHECK_THAT(all[1][3].problem, Catch::Contains("memory"));
+}
+
+TEST_CASE("Without its first part a piece of work has no others", "[exercises][grade]") {
+    Work work;
+    work.pieces = 1;
+    work.parts = 3;
+    work.wall_seconds = [](int) { return 60.0; };
+    work.carry_out = [](int, int) -> std::string { throw 1; };
+    std::size_t parts = 0;
+    work.ended = [&](int, const std::vector<WorkDone>& done) { parts = done.size(); };
+    do_in_processes(work, 1, {});
+    CHECK(parts == 1);
 }
 
 }  // namespace jw::test
