@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exercises/kinds.hpp"
+#include "app/exercises/read_output.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/symbol.hpp"
 #include "lessons/formula/symbol_values.hpp"
@@ -74,26 +75,6 @@ Json json_of(const MatrixX& m) {
     return rows;
 }
 
-/// A number, a list of numbers or a list of rows; empty for anything else.
-MatrixX matrix_in(const Json& json) {
-    if (json.is_number()) { return MatrixX::Constant(1, 1, json.get<double>()); }
-    if (!json.is_array() || json.empty() || json.size() > 1000) { return {}; }
-    const bool nested = json.front().is_array();
-    const std::size_t columns = nested ? json.front().size() : 1;
-    if (columns == 0 || columns > 1000) { return {}; }
-    MatrixX m(static_cast<Eigen::Index>(json.size()), static_cast<Eigen::Index>(columns));
-    for (std::size_t r = 0; r < json.size(); ++r) {
-        const Json& row = json[r];
-        if (nested && (!row.is_array() || row.size() != columns)) { return {}; }
-        for (std::size_t c = 0; c < columns; ++c) {
-            const Json& entry = nested ? row[c] : row;
-            if (!entry.is_number()) { return {}; }
-            m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = entry.get<double>();
-        }
-    }
-    return m;
-}
-
 MatrixX turned_to(const MatrixX& right, MatrixX given) {
     const bool vectors =
         std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
@@ -113,12 +94,17 @@ Judged refused(std::string why) {
     return judged;
 }
 
-/// The known mistake that gives all these answers.
+/// Numbers, of which one is NaN or infinite.
+bool is_without_value(const MatrixX& given) { return given.size() > 0 && !given.allFinite(); }
+
+/// The known mistake that gives all these answers; those without a value tell nothing.
 const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
+    if (std::ranges::all_of(given, is_without_value)) { return nullptr; }
     const std::size_t count = cases.front().asked.mistakes.size();
     for (std::size_t m = 0; m < count; ++m) {
         bool all = true;
         for (std::size_t k = 0; all && k < cases.size(); ++k) {
+            if (is_without_value(given[k])) { continue; }
             all = m < cases[k].asked.mistakes.size() &&
                   fits_answer(cases[k].asked.mistakes[m].answer, given[k], cases[k].asked);
         }
@@ -126,6 +112,8 @@ const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::ve
     }
     return nullptr;
 }
+
+std::string entry_text(double entry) { return std::isfinite(entry) ? number_text(entry, 6) : "NaN"; }
 
 std::string marked_entries(const MatrixX& right, const MatrixX& given) {
     if (given.rows() != right.rows() || given.cols() != right.cols()) {
@@ -141,11 +129,27 @@ std::string marked_entries(const MatrixX& right, const MatrixX& given) {
             if (std::abs(entry - right(r, c)) <= kTolerance * size) { continue; }
             if (++wrong > 4) { continue; }
             text += (wrong > 1 ? "; " : "") + ("entry (" + std::to_string(r + 1)) + ", " +
-                    std::to_string(c + 1) + ") is " + number_text(entry, 6) + ", expected " +
+                    std::to_string(c + 1) + ") is " + entry_text(entry) + ", expected " +
                     number_text(right(r, c), 6);
         }
     }
     return text + (wrong > 4 ? "; and " + std::to_string(wrong - 4) + " more" : "");
+}
+
+std::string state_of(const std::vector<CodeCase>& cases, std::size_t k) {
+    return cases[k].name.empty() ? "case " + std::to_string(k) : cases[k].name;
+}
+
+void tell_missing_values(
+    const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given, Judged& judged) {
+    const auto first = std::ranges::find_if(given, is_without_value);
+    if (first == given.end()) { return; }
+    const auto count = std::ranges::count_if(given, is_without_value);
+    judged.feedback.push_back(
+        std::to_string(count) + (count == 1 ? " answer has" : " answers have") +
+        " NaN or infinity, the first in " + state_of(cases, static_cast<std::size_t>(first - given.begin())) +
+        ": mind divisions by zero, and roots and arc cosines of numbers that rounding put out of their "
+        "range.");
 }
 
 void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given, Judged& judged) {
@@ -169,8 +173,9 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.share = judged.right ? 1.0 : kWorthOfCases * right / count;
     if (judged.right) { return; }
     judged.feedback.push_back(std::to_string(right) + " of " + std::to_string(count) + " states are right.");
-    const std::string state = first->name.empty() ? "case " + std::to_string(at) : first->name;
-    judged.feedback.push_back("In " + state + " " + marked_entries(first->asked.right, given[at]) + ".");
+    judged.feedback.push_back(
+        "In " + state_of(cases, at) + " " + marked_entries(first->asked.right, given[at]) + ".");
+    tell_missing_values(cases, given, judged);
     if (wrong_and_random == 0) {
         judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions.");
     }
@@ -263,13 +268,10 @@ std::vector<HandedMistake> mistaken_outputs(const Task& task) {
 }
 
 Judged judge_output(const Task& task, const Handed& handed) {
-    const Json json = Json::parse(handed.text, nullptr, false);
-    if (json.is_discarded()) { return refused("The output is no JSON; expected {\"answers\": [...]}."); }
-    if (!json.is_object() || !json.contains("answers") || !json["answers"].is_array()) {
-        return refused("The output has no list \"answers\"; expected {\"answers\": [...]}.");
-    }
+    const ProgramOutput output = read_program_output(handed.text);
+    if (!output.problem.empty()) { return refused(output.problem); }
     const std::vector<CodeCase> cases = cases_of(task);
-    const Json& answers = json["answers"];
+    const std::vector<MatrixX>& answers = output.answers;
     if (answers.size() != cases.size()) {
         return refused(
             "There are " + std::to_string(answers.size()) + " answers; expected " +
@@ -277,7 +279,7 @@ Judged judge_output(const Task& task, const Handed& handed) {
     }
     std::vector<MatrixX> given;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-        given.push_back(turned_to(cases[k].asked.right, matrix_in(answers[k])));
+        given.push_back(turned_to(cases[k].asked.right, answers[k]));
     }
     Judged judged;
     tell_cases(cases, given, judged);

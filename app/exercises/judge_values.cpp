@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/exercises/given_value.hpp"
@@ -135,12 +136,41 @@ void tell_what_differs(const Task& task, const MatrixX& given, Judged& judged) {
         number_text(difference_from(task.asked.right, given, task.asked), 3) + ".");
 }
 
-/// Where components are chosen, "y" is 2.
+/// "Y " as "y"
+std::string in_lower_case(const std::string& text) {
+    std::string lower;
+    for (const char c : text) {
+        if (c == ' ' || c == '\t' || c == '\n' || c == '\r') { continue; }
+        lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return lower;
+}
+
+/// The place of a choice or item that is one letter, from 1; `word` where there is none.
+std::string place_of_letter(const Task& task, const std::string& word) {
+    const auto same = [&](const std::string& shown) {
+        const bool letter = shown.size() == 1 && std::isalpha(static_cast<unsigned char>(shown.front())) != 0;
+        return letter && in_lower_case(shown) == in_lower_case(word);
+    };
+    const auto found = std::ranges::find_if(task.shown, same);
+    return found == task.shown.end() ? word : std::to_string(found - task.shown.begin() + 1);
+}
+
+/// Where components are chosen or sorted, "y" and "Y" are 2; "[x, Z, y]" is a list of places.
 std::string number_of_letter(const Task& task, const std::string& text) {
-    const auto shown = std::ranges::find(task.shown, text);
-    return task.exercise().kind == ExerciseKind::choose && shown != task.shown.end()
-               ? std::to_string(shown - task.shown.begin() + 1)
-               : text;
+    const ExerciseKind kind = task.exercise().kind;
+    if (kind != ExerciseKind::choose && kind != ExerciseKind::order) { return text; }
+    const std::string whole = place_of_letter(task, text);
+    if (kind == ExerciseKind::choose || whole != text) { return whole; }
+    constexpr const char* kBetween = "[](),; \t\n\r";
+    std::string numbers;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t word = std::min(text.find_first_not_of(kBetween, at), text.size());
+        const std::size_t end = std::min(text.find_first_of(kBetween, word), text.size());
+        numbers += text.substr(at, word - at) + place_of_letter(task, text.substr(word, end - word));
+        at = end;
+    }
+    return numbers;
 }
 
 }  // namespace

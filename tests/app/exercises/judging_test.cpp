@@ -1,0 +1,106 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "app/exercises/kinds.hpp"
+#include "app/exercises/read_output.hpp"
+#include "lessons/exercise/read_exercises.hpp"
+
+using namespace jw;
+
+namespace {
+
+/// A shipped exercise; it and its tasks live as long as this.
+struct Shipped {
+    Shipped(const std::string& file, const std::string& name)
+        : read(read_exercise_file(std::filesystem::path(JW_EXERCISES_FOLDER) / file)),
+          maker(*std::ranges::find(read.exercises, name, &Exercise::name)),
+          task(maker.make(7)) {}
+    ExercisesRead read;
+    TaskMaker maker;
+    Task task;
+};
+
+/// An output of answers with another word for its last number.
+std::string with_last_number(const std::string& output, const std::string& word) {
+    const std::size_t end = output.find_last_of("0123456789") + 1;
+    const std::size_t begin = output.find_last_of("[,", end) + 1;
+    return output.substr(0, begin) + word + output.substr(end);
+}
+
+Exercise letters() {
+    Exercise exercise;
+    exercise.name = "letters";
+    exercise.kind = ExerciseKind::order;
+    return exercise;
+}
+
+}  // namespace
+
+TEST_CASE("NaN costs a program the states in which it is written, and is named", "[exercises]") {
+    const Shipped shipped("jacobians.toml", "n1-row-code");
+    REQUIRE(shipped.task.problem.empty());
+    const std::string right = right_output(shipped.task).text;
+    for (const char* word : {"NaN", "-nan", "Infinity", "-inf", "null", "1e999"}) {
+        CAPTURE(word);
+        const std::string output = with_last_number(right, word);
+        const Judged judged = judge_output(shipped.task, {output, {}});
+        CHECK(judged.understood);
+        CHECK_FALSE(judged.right);
+        CHECK(judged.feedback.front() == "23 of 24 states are right.");
+        CHECK(judged.share == Approx(0.5 * 23 / 24));
+        const bool named = std::ranges::any_of(judged.feedback, [](const std::string& sentence) {
+            return sentence.find("1 answer has NaN or infinity") != std::string::npos;
+        });
+        CHECK(named);
+    }
+}
+
+TEST_CASE("A known mistake is named although a state has no value", "[exercises]") {
+    const Shipped shipped("jacobians.toml", "n1-row-code");
+    const HandedMistake mistake = mistaken_outputs(shipped.task).front();
+    const std::string output = with_last_number(mistake.handed.text, "NaN");
+    CHECK(judge_output(shipped.task, {output, {}}).mistake == mistake.name);
+}
+
+TEST_CASE("Words within strings and half an output are no numbers", "[exercises]") {
+    CHECK(
+        read_program_output(R"({"nan \" inf": "NaN", "answers": [1, [NaN, 2], "nan", {}, [[1], 2]]})")
+            .answers.size() == 5);
+    CHECK(read_program_output(R"({"answers": ["nan"]})").answers.front().size() == 0);
+    for (const char* text :
+         {"", "{\"answers\": [[1, 2, 3], [4,", "nan", "\"", "\"\\", "{\"answers\": nano}"}) {
+        CAPTURE(text);
+        CHECK_FALSE(read_program_output(text).problem.empty());
+    }
+}
+
+TEST_CASE("A component is chosen by its letter, large or small, or by its place", "[exercises]") {
+    const Shipped shipped("vectors.toml", "dropped-component");
+    REQUIRE(shipped.task.shown == std::vector<std::string>{"x", "y", "z"});
+    const auto place = static_cast<std::size_t>(shipped.task.asked.right(0, 0)) - 1;
+    std::string letter = shipped.task.shown[place];
+    CHECK(judge_value(shipped.task, {letter, {}}).right);
+    letter.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(letter.front())));
+    CHECK(judge_value(shipped.task, {letter, {}}).right);
+    CHECK(judge_value(shipped.task, {" " + letter + "\n", {}}).right);
+    CHECK(judge_value(shipped.task, {std::to_string(place + 1), {}}).right);
+    CHECK_FALSE(judge_value(shipped.task, {"W", {}}).understood);
+}
+
+TEST_CASE(
+    "Items that are letters are sorted by their letters, large or small, or by their places", "[exercises]") {
+    const Exercise exercise = letters();
+    Task task;
+    task.variant.exercise = &exercise;
+    task.shown = {"y", "z", "x"};
+    task.asked.right = VectorX(3);
+    task.asked.right << 3.0, 1.0, 2.0;
+    for (const char* text : {"[x, y, z]", "X Y Z", "x,Y, z", "[3, 1, 2]"}) {
+        CAPTURE(text);
+        CHECK(judge_value(task, {text, {}}).right);
+    }
+    CHECK_FALSE(judge_value(task, {"X Z Y", {}}).right);
+}
