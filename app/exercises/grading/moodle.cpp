@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/exercises/accuracy.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -155,10 +156,13 @@ std::string items_html(const SheetEntry& entry) {
     return html + "</ol><p>" + markup_text(hand_in_text(entry)) + "</p>";
 }
 
+/// Moodle reads numbers alone: no fractions, no units.
 std::string unit_html(const SheetEntry& entry) {
     const std::string& unit = entry.task.asked.unit;
-    return unit.empty() ? ""
-                        : "<p>The answer is in " + markup_text(unit) + ", as a number without the unit.</p>";
+    std::string words = unit.empty() ? "" : "The answer is in " + unit + ", as a number without the unit.";
+    const std::string accuracy = accuracy_text(entry.task);
+    if (!accuracy.empty()) { words += (words.empty() ? "" : " ") + accuracy; }
+    return words.empty() ? words : "<p>" + markup_text(words) + "</p>";
 }
 
 std::string question_xml(const SheetEntry& entry, const std::string& student) {

@@ -1,5 +1,6 @@
 #include "app/exercises/grading/sheet.hpp"
 
+#include "app/exercises/accuracy.hpp"
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -152,9 +153,9 @@ std::string hand_in_text(const SheetEntry& entry) {
         return "Hand in a program beside answers.toml: " + name + ".py, " + name + ".cpp, " + name +
                ".m or " + name + ".js. It reads JSON and writes JSON.";
     }
-    return entry.task.exercise().kind == ExerciseKind::number && counts
-               ? "Write a whole number."
-               : kind_of(entry.task.exercise().kind).hand_in;
+    if (entry.task.exercise().kind == ExerciseKind::number && counts) { return "Write a whole number."; }
+    const std::string accuracy = accuracy_text(entry.task);
+    return kind_of(entry.task.exercise().kind).hand_in + (accuracy.empty() ? "" : " " + accuracy);
 }
 
 std::string solution_text(const SheetEntry& entry) {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
+#include "app/exercises/accuracy.hpp"
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/read_output.hpp"
+#include "app/session/wording/numbers.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
 using namespace jw;
@@ -103,4 +106,34 @@ TEST_CASE(
         CHECK(judge_value(task, {text, {}}).right);
     }
     CHECK_FALSE(judge_value(task, {"X Z Y", {}}).right);
+}
+
+TEST_CASE("An answer that is rounded as its sheet says is right, whatever its numbers", "[exercises]") {
+    Exercise exercise;
+    exercise.kind = ExerciseKind::vector;
+    Task task;
+    task.variant.exercise = &exercise;
+    for (const double tolerance : {0.02, 0.01, 1e-3, 1e-4}) {
+        exercise.tolerance = tolerance;
+        for (const double first : {1.0004999, 1.0049999, 2.3456789, 9.9951, -0.00104999}) {
+            task.asked.right = VectorX::Constant(3, first);
+            task.asked.tolerance = tolerance * std::abs(first);
+            const std::string said = accuracy_text(task);
+            CAPTURE(tolerance, first, said);
+            const int digits = tolerance > 0.01 ? 3 : tolerance > 1e-3 ? 3 : tolerance > 1e-4 ? 4 : 5;
+            constexpr const char* kDigits[] = {"Three", "Four", "Five"};
+            CHECK(
+                said == std::string(kDigits[digits - 3]) + " significant digits in each number are enough.");
+            CHECK(judge_value(task, {written(task.asked.right, digits), {}}).right);
+        }
+    }
+    exercise.absolute = true;
+    task.asked.tolerance = 0.5;
+    task.asked.unit = "deg";
+    CHECK(accuracy_text(task) == "Each number may be off by 0.5 deg.");
+    exercise.kind = ExerciseKind::choose;
+    CHECK(accuracy_text(task).empty());
+    exercise.kind = ExerciseKind::vector;
+    task.asked.tolerance = 0.0;
+    CHECK(accuracy_text(task).empty());
 }

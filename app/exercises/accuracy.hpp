@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "app/exercises/task.hpp"
+
+namespace jw {
+
+/// How exact an answer in numbers has to be, as a sentence that does not tell the answer: "Four significant
+/// digits in each number are enough.", "It may be off by 0.01 m."; empty where it is exact, or no number.
+std::string accuracy_text(const Task& task);
+
+}  // namespace jw
