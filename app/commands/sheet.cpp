@@ -7,6 +7,7 @@
 #include "app/commands/exercise_figure.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/exercises/grading/sheet.hpp"
+#include "app/exercises/starters.hpp"
 #include "render/atomic_file.hpp"
 
 namespace jw {
@@ -56,6 +57,19 @@ void make_folder(const fs::path& folder) {
     if (error) { throw bad_sheet("cannot make the folder '" + folder.string() + "': " + error.message()); }
 }
 
+/// For each exercise that asks for a program: one in every language, and its input.
+void write_starters(const Sheet& sheet, const fs::path& folder) {
+    for (const SheetEntry& entry : sheet.entries) {
+        const Exercise& exercise = entry.task.exercise();
+        if (exercise.kind != ExerciseKind::code) { continue; }
+        make_folder(folder);
+        for (const std::string_view ending : kStarterEndings) {
+            write_text(folder / (exercise.name + std::string(ending)), starter_text(entry.task, ending));
+        }
+        write_text(folder / (exercise.name + "-input.json"), program_input(entry.task));
+    }
+}
+
 void write_sheet(const Sheet& sheet, const fs::path& folder, bool solution) {
     make_folder(folder);
     bool figures = false;
@@ -67,6 +81,7 @@ void write_sheet(const Sheet& sheet, const fs::path& folder, bool solution) {
         render::write_file_atomically(
             folder / "figures" / (entry.task.exercise().name + ".png"), entry.figure);
     }
+    write_starters(sheet, folder / kStartersFolder);
     write_text(folder / "sheet.md", sheet_markdown(sheet, false));
     write_text(folder / "sheet.html", sheet_html(sheet, false));
     write_text(folder / kAnswersFile, answers_template(sheet, false));

@@ -245,6 +245,14 @@ std::string program_input(const Task& task) {
     return Json{{"exercise", task.exercise().name}, {"cases", std::move(cases)}}.dump() + "\n";
 }
 
+std::string judging_of_programs(const Task& task) {
+    std::string special;
+    for (const char* state : kHardStates) { special += (special.empty() ? "" : "; ") + std::string(state); }
+    return "It is tried in " + std::to_string(cases_of(task).size()) + " states, the first ones special (" +
+           special + "). Each entry has to agree with the formula within " + number_text(kTolerance, 1) +
+           " of the largest one.";
+}
+
 Handed right_output(const Task& task) {
     Json answers = Json::array();
     for (const CodeCase& c : cases_of(task)) { answers.push_back(json_of(c.asked.right)); }

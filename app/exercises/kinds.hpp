@@ -56,6 +56,8 @@ std::vector<HandedMistake> mistaken_outputs(const Task& task);
 Judged judge_output(const Task& task, const Handed& handed);
 /// What a program reads on its standard input.
 std::string program_input(const Task& task);
+/// How the answers of a program are judged, a sentence.
+std::string judging_of_programs(const Task& task);
 /// Names of the inputs in it: "s_i_local".
 std::vector<std::string> input_names(const Exercise& exercise);
 

@@ -151,7 +151,8 @@ std::string hand_in_text(const SheetEntry& entry) {
     const std::string& name = entry.task.exercise().name;
     if (entry.task.exercise().kind == ExerciseKind::code) {
         return "Hand in a program beside answers.toml: " + name + ".py, " + name + ".cpp, " + name +
-               ".m or " + name + ".js. It reads JSON and writes JSON.";
+               ".m or " + name + ".js. It reads JSON and writes JSON; a starter in the folder " +
+               kStartersFolder + " does that already, and " + name + "-input.json there is an input to try.";
     }
     if (entry.task.exercise().kind == ExerciseKind::number && counts) { return "Write a whole number."; }
     const std::string accuracy = accuracy_text(entry.task);
@@ -161,7 +162,7 @@ std::string hand_in_text(const SheetEntry& entry) {
 std::string solution_text(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     switch (exercise.kind) {
-        case ExerciseKind::code: return "A program for the formula.";
+        case ExerciseKind::code: return "A program for the formula. " + judging_of_programs(entry.task);
         case ExerciseKind::repair: {
             std::string text;
             for (const SceneEdit& edit : exercise.spoil) { text += (text.empty() ? "" : ", ") + edit.key; }

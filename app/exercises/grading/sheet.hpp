@@ -25,6 +25,9 @@ struct SheetEntry {
     std::string template_line;         ///< of answers.toml; empty where a file is handed in
 };
 
+/// Folder of a sheet with programs to begin with: beside answers.toml several of them would be handed in.
+inline constexpr const char* kStartersFolder = "starters";
+
 struct Sheet {
     std::string title;
     std::string student;

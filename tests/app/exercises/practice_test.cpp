@@ -4,6 +4,7 @@
 
 #include "app/exercises/practice/practice.hpp"
 #include "app/exercises/practice/starter.hpp"
+#include "app/exercises/starters.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "tests/app/program.hpp"
 
