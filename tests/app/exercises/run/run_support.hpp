@@ -77,7 +77,8 @@ inline int processes_with(const std::string& word) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         std::ifstream in(entry.path() / "cmdline");
-        // a process that ends meanwhile cannot be read: the stream keeps that to itself, an iterator would throw
+        // a process that ends meanwhile cannot be read: the stream keeps that to itself, an iterator would
+        // throw
         std::ostringstream line;
         line << in.rdbuf();
         if (line.str().find(word) != std::string::npos) { ++count; }
