@@ -15,6 +15,7 @@
 #include "app/exercises/grading/workers.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/safe_text.hpp"
+#include "lessons/catalogue.hpp"
 #include "render/atomic_file.hpp"
 
 namespace jw {
@@ -280,7 +281,9 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
     write_grades(grades, options.format, streams);
     if (!options.out.empty()) {
         const fs::path out = options.out;
-        render::write_file_atomically(out / "class.html", class_report_html(grades, set.title));
+        const std::vector<SlideLesson> lessons = lessons_of_slides(catalogue_folder(), {});
+        render::write_file_atomically(
+            out / "class.html", class_report_html(grades, set.title, {lessons, set.exercises}));
         render::write_file_atomically(out / "grades.csv", grades_csv(grades));
     }
     return exit_of(grades, streams);

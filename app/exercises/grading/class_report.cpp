@@ -29,7 +29,7 @@ constexpr const char* kStyle =
     "display:flex;"
     "font-size:.8rem;gap:2px}.axis "
     "span{flex:1;text-align:center}@media(prefers-color-scheme:dark){body{background:"
-    "#14191f;color:#e6ebf0}td,th{border-color:#333d47}}";
+    "#14191f;color:#e6ebf0}td,th{border-color:#333d47}a{color:#8fb8e6}}";
 
 constexpr int kBins = 10;
 
@@ -60,23 +60,44 @@ std::string histogram(const std::vector<Grade>& grades) {
 std::string count_bar(const ExerciseCount& c, int all) {
     return "<div class=\"bar\"><i class=\"right\" " + width_of(c.right, all) + "></i><i class=\"partly\" " +
            width_of(c.partly, all) + "></i><i class=\"wrong\" " + width_of(c.wrong, all) +
-           "></i><i class=\"lost\" " + width_of(c.not_understood, all) + "></i><i class=\"missing\" " +
-           width_of(c.missing, all) + "></i></div>\n";
+           "></i><i class=\"lost\" " + width_of(c.not_understood + c.not_run, all) +
+           "></i><i class=\"missing\" " + width_of(c.missing, all) + "></i></div>\n";
 }
 
-std::string about_exercise(const ExerciseCount& c, int all) {
+/// Lessons that were linked, each once.
+using LinkedLessons = std::vector<const SlideLesson*>;
+
+std::string answer_cell(
+    const ExerciseCount& c, const ExerciseCount::Mistake& mistake, const AnsweringLessons& lessons,
+    LinkedLessons& linked) {
+    const SlideLesson* const lesson = lessons.find(c.name, mistake.slide);
+    if (lesson == nullptr) {
+        return "<a href=\"#" + markup_text(c.name) + "\">the solution of the sheet</a>";
+    }
+    if (std::ranges::find(linked, lesson) == linked.end()) { linked.push_back(lesson); }
+    return lesson_link(*lesson, mistake.slide);
+}
+
+std::string about_lessons(const LinkedLessons& linked) {
+    if (linked.empty()) { return {}; }
+    std::string html = "<h2>Where the answers are</h2>\n";
+    for (const SlideLesson* lesson : linked) { html += lesson_section(*lesson); }
+    return html;
+}
+
+std::string about_exercise(
+    const ExerciseCount& c, int all, const AnsweringLessons& lessons, LinkedLessons& linked) {
     std::string html = "<h2 id=\"" + markup_text(c.name) + "\">" + html_words(c.title) + " <small>(" +
                        markup_text(c.name) + ")</small></h2>\n" + count_bar(c, all);
     html += "<p>" + std::to_string(c.right) + " right, " + std::to_string(c.partly) + " partly, " +
             std::to_string(c.wrong) + " wrong, " + std::to_string(c.not_understood) + " not understood, " +
-            std::to_string(c.missing) + " not handed in.</p>\n";
+            (c.not_run > 0 ? std::to_string(c.not_run) + " not run, " : "") + std::to_string(c.missing) +
+            " not handed in.</p>\n";
     if (c.mistakes.empty()) { return html; }
     html += "<table><tr><th>mistake</th><th class=\"n\">students</th><th>answered by</th></tr>\n";
     for (const ExerciseCount::Mistake& m : c.mistakes) {
         html += "<tr><td>" + html_words(m.title) + "</td><td class=\"n\">" + std::to_string(m.count) +
-                "</td><td>" +
-                (m.slide.empty() ? "" : "<code>jointwise list \"" + markup_text(m.slide) + "\"</code>") +
-                "</td></tr>\n";
+                "</td><td>" + answer_cell(c, m, lessons, linked) + "</td></tr>\n";
     }
     return html + "</table>\n";
 }
@@ -95,7 +116,8 @@ std::string about_refused(const std::vector<Grade>& grades) {
 
 }  // namespace
 
-std::string class_report_html(const std::vector<Grade>& grades, const std::string& title) {
+std::string class_report_html(
+    const std::vector<Grade>& grades, const std::string& title, const AnsweringLessons& lessons) {
     const int all = static_cast<int>(grades.size());
     double sum = 0.0;
     double points = 0.0;
@@ -113,10 +135,16 @@ std::string class_report_html(const std::vector<Grade>& grades, const std::strin
     html +=
         "<p class=\"key\"><span><i class=\"right\"></i>right</span><span><i "
         "class=\"partly\"></i>partly</span><span><i "
-        "class=\"wrong\"></i>wrong</span><span><i class=\"lost\"></i>not understood</span><span><i "
+        "class=\"wrong\"></i>wrong</span><span><i class=\"lost\"></i>not understood or not "
+        "run</span><span><i "
         "class=\"missing\"></i>not handed in</span></p>\n";
-    for (const ExerciseCount& count : counts_of(grades)) { html += about_exercise(count, all); }
-    return html + about_refused(grades) + "</body></html>\n";
+    const ProgramsNotRun programs = programs_not_run(grades);
+    if (programs.count > 0) { html += "<p><b>" + markup_text(programs.text()) + ".</b></p>\n"; }
+    LinkedLessons linked;
+    for (const ExerciseCount& count : counts_of(grades)) {
+        html += about_exercise(count, all, lessons, linked);
+    }
+    return html + about_refused(grades) + about_lessons(linked) + "</body></html>\n";
 }
 
 }  // namespace jw

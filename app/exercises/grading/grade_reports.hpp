@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/exercises/grading/answering_lessons.hpp"
 #include "app/exercises/grading/grade.hpp"
 
 /// Grades for people and for other programs.
@@ -20,8 +21,10 @@ std::string gradescope_json(const Grade& grade);
 /// All grades in one list.
 std::string grades_json(const std::vector<Grade>& grades);
 
-/// A page about the class: points, and for each exercise which mistakes were made how often.
-std::string class_report_html(const std::vector<Grade>& grades, const std::string& title);
+/// A page about the class: points, for each exercise which mistakes were made how often, and the lessons that
+/// answer them.
+std::string class_report_html(
+    const std::vector<Grade>& grades, const std::string& title, const AnsweringLessons& lessons);
 
 /// Programs that were handed in and cannot be run on this machine.
 struct ProgramsNotRun {

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "lessons/exercise/exercise.hpp"
-#include "lessons/search.hpp"
 
-/// The exercises of a lesson, and the lessons of slides.
+/// The exercises of a lesson.
 namespace jw {
 
 /// An exercise that can be practised.
@@ -31,18 +30,5 @@ std::string record_key(const std::filesystem::path& file, const std::string& nam
 LessonExercises exercises_to_practise(
     const std::filesystem::path& lesson_file, const std::filesystem::path& lessons_folder,
     const std::stop_token& stop);
-
-/// A lesson and the slides that it is about.
-struct SlideLesson {
-    std::filesystem::path file;
-    std::string title;
-    std::vector<SlideRange> slides;
-};
-std::vector<SlideLesson> lessons_of_slides(
-    const std::filesystem::path& lessons_folder, const std::stop_token& stop);
-
-/// The lesson to look at for "slide 5": the one about the fewest other slides, the first of those;
-/// nullptr if there is none.
-const SlideLesson* lesson_of_slide(const std::vector<SlideLesson>& lessons, const std::string& slide);
 
 }  // namespace jw

@@ -11,6 +11,7 @@
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/exercises/practice/progress.hpp"
 #include "app/exercises/practice/verdict.hpp"
+#include "app/exercises/slide_lessons.hpp"
 
 /// Practising the exercises of a lesson, without drawing.
 namespace jw {

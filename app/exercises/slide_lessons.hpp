@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "lessons/search.hpp"
+
+/// The lessons of slides.
+namespace jw {
+
+/// A lesson and the slides that it is about, which may be none.
+struct SlideLesson {
+    std::filesystem::path file;
+    std::string title;
+    std::string text;  ///< what it says first, and at its end
+    std::string summary;
+    std::vector<SlideRange> slides;
+};
+/// The lessons of a course in their order.
+std::vector<SlideLesson> lessons_of_slides(
+    const std::filesystem::path& lessons_folder, const std::stop_token& stop);
+
+/// The lesson to look at for "slide 5": the one about the fewest other slides, the first of those;
+/// nullptr if there is none.
+const SlideLesson* lesson_of_slide(const std::vector<SlideLesson>& lessons, const std::string& slide);
+
+}  // namespace jw
