@@ -9,8 +9,24 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+from formats import check_gradescope, check_junit, check_prairielearn
+
 program, project = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 docs = project / "docs" / "grading"
+
+
+SUBMISSIONS = {
+    "wrong": b'student = "wrong"\n[answers]\nglobal-vector = "[1, 2, 3]"\n',
+    "nothing": b'student = "nothing"\n[answers]\n',
+    "escape": b'student = "escape"\n[answers]\nglobal-vector = "<b>]]>&amp;\\u001b\\u0085\\uffff\\"\'"\n',
+    "bytes": b"\xff\xfe\x00<>",
+}
+LESSONS = {
+    "fails.toml": b'format = 1\ntitle = "F"\n[[body]]\nname = "a"\n[[expect]]\nrank = 3\n',
+    "none.toml": b'format = 1\ntitle = "N"\n[[body]]\nname = "a"\n',
+    "broken.toml": b'format = 1\ntitle = "B<>&\x01"\n[[body\n',
+}
 
 
 def run(*arguments, **environment):
@@ -41,9 +57,8 @@ with tempfile.TemporaryDirectory() as folder:
     run(docs / "gradescope" / "setup.sh", AUTOGRADER=str(root / "gradescope"))
     run(docs / "gradescope" / "run_autograder", AUTOGRADER=str(root / "gradescope"))
     result = json.loads((root / "gradescope" / "results" / "results.json").read_text())
-    assert {"score", "tests"} <= result.keys()
+    check_gradescope(result)
     for test in result["tests"]:
-        assert {"name", "score", "max_score", "output"} <= test.keys(), test
         assert test["score"] == test["max_score"] or "not handed in" in test["output"], test
     assert result["score"] > 10
 
@@ -52,8 +67,25 @@ with tempfile.TemporaryDirectory() as folder:
     assert info["externalGradingOptions"]["entrypoint"].endswith("/grade.sh")
     run(docs / "prairielearn" / "grade.sh", GRADE=str(root / "grade"), JOINTWISE_SOURCE=str(root / "grade" / "tests" / "jointwise"))
     result = json.loads((root / "grade" / "results" / "results.json").read_text())
-    assert result["gradable"] and 0.5 < result["score"] <= 1.0, result["score"]
-    assert all(test["points"] <= test["max_points"] for test in result["tests"])
+    check_prairielearn(result)
+    assert 0.5 < result["score"] <= 1.0, result["score"]
+
+    # wrong, missing, hostile and unreadable ones in every format
+    key, class_of = root / "grade" / "tests" / "key.toml", root / "class"
+    for student, text in SUBMISSIONS.items():
+        (class_of / student).mkdir(parents=True)
+        (class_of / student / "answers.toml").write_bytes(text)
+    names = check_junit(run(program, "grade", class_of, "--key", key, "--format", "junit"))
+    assert names.count("global-vector") == len(SUBMISSIONS), names
+    for student in SUBMISSIONS:
+        check_gradescope(json.loads(run(program, "grade", class_of / student, "--key", key, "--format", "gradescope")))
+    catalogue = project / "lessons" / "catalogue" / "vectors"
+    assert check_junit(run(program, "check", catalogue, "--format", "junit"))
+    (root / "lessons").mkdir()
+    for name, text in LESSONS.items():
+        (root / "lessons" / name).write_bytes(text)
+    said = subprocess.run([program, "check", root / "lessons", "--format", "junit"], capture_output=True)
+    assert said.returncode in (1, 2) and len(check_junit(said.stdout)) == 3, said
 
     workflow = (docs / "github-classroom" / ".github" / "workflows" / "grade.yml").read_text()
     import yaml

@@ -47,6 +47,32 @@ std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
     return text;
 }
 
+struct JunitCounts {
+    int tests = 0;
+    int failures = 0;
+    int skipped = 0;
+
+    std::string attributes() const {
+        return " tests=\"" + std::to_string(tests) + "\" failures=\"" + std::to_string(failures) +
+               "\" errors=\"0\" skipped=\"" + std::to_string(skipped) + "\"";
+    }
+};
+
+/// What stands in the test case of an exercise: nothing where it has all points.
+std::string junit_verdict(const Grade& grade, const ExerciseGrade& e, JunitCounts& counts) {
+    ++counts.tests;
+    const std::string said = grade.problem.empty() ? feedback_text(e, "") : grade.problem;
+    if (e.not_run) {
+        ++counts.skipped;
+        return "<skipped message=\"" + markup_text(in_a_line(said)) + "\"/>";
+    }
+    if (e.earned >= e.points) { return {}; }
+    ++counts.failures;
+    const std::string type = e.judged.mistake.empty() ? "grade" : e.judged.mistake;
+    return "<failure type=\"" + markup_text(type) + "\" message=\"" + markup_text(verdict_of(e)) + "\">" +
+           markup_text(said) + "</failure>";
+}
+
 }  // namespace
 
 std::string grade_text(const Grade& grade) {
@@ -84,28 +110,25 @@ std::string grades_csv(const std::vector<Grade>& grades) {
 }
 
 std::string grades_junit(const std::vector<Grade>& grades) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    JunitCounts all;
+    std::string suites;
     for (const Grade& grade : grades) {
-        const std::string who = grade.student.empty() ? grade.submission : grade.student;
-        const auto failures = std::ranges::count_if(
-            grade.exercises, [](const ExerciseGrade& e) { return e.earned < e.points; });
-        text += "  <testsuite name=\"" + markup_text(who) + "\" tests=\"" +
-                std::to_string(grade.exercises.size()) + "\" failures=\"" + std::to_string(failures) +
-                "\">\n";
+        const std::string who = markup_text(grade.student.empty() ? grade.submission : grade.student);
+        JunitCounts counts;
+        std::string cases;
         for (const ExerciseGrade& e : grade.exercises) {
-            text +=
-                "    <testcase classname=\"" + markup_text(who) + "\" name=\"" + markup_text(e.name) + "\"";
-            if (e.earned >= e.points) {
-                text += "/>\n";
-                continue;
-            }
-            const std::string said = grade.problem.empty() ? feedback_text(e, "") : grade.problem;
-            text += ">\n      <failure message=\"" + markup_text(verdict_of(e)) + "\">" + markup_text(said) +
-                    "</failure>\n    </testcase>\n";
+            const std::string verdict = junit_verdict(grade, e, counts);
+            cases += "    <testcase classname=\"" + who + "\" name=\"" + markup_text(e.name) + "\"" +
+                     (verdict.empty() ? "/>\n" : ">\n      " + verdict + "\n    </testcase>\n");
         }
-        text += "  </testsuite>\n";
+        suites +=
+            "  <testsuite name=\"" + who + "\"" + counts.attributes() + ">\n" + cases + "  </testsuite>\n";
+        all.tests += counts.tests;
+        all.failures += counts.failures;
+        all.skipped += counts.skipped;
     }
-    return text + "</testsuites>\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"jointwise grade\"" +
+           all.attributes() + ">\n" + suites + "</testsuites>\n";
 }
 
 std::string gradescope_json(const Grade& grade) {
@@ -117,6 +140,7 @@ std::string gradescope_json(const Grade& grade) {
              {"max_score", e.points},
              {"output", grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "")
                                               : exercises::printable(grade.problem)},
+             {"status", e.earned >= e.points ? "passed" : "failed"},
              {"visibility", "visible"}});
     }
     const Json json{{"score", grade.earned()}, {"tests", std::move(tests)}};

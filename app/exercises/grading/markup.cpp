@@ -9,19 +9,25 @@ namespace jw {
 
 namespace {
 
-/// Bytes of the UTF-8 character at the front, 0 if it is none.
+/// "Char" of XML 1.0 beyond ASCII, written with as few bytes as it has.
+bool is_allowed(char32_t c, std::size_t bytes) {
+    const bool is_short = c >= (bytes == 2 ? 0x80U : bytes == 3 ? 0x800U : 0x10000U);
+    return is_short && (c <= 0xD7FFU || (c >= 0xE000U && c <= 0xFFFDU) || (c >= 0x10000U && c <= 0x10FFFFU));
+}
+
+/// Bytes of the UTF-8 character at the front, 0 if it is none, or none that XML allows.
 std::size_t utf8_length(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t length = first < 0x80U    ? 1
-                               : first >= 0xF0U ? 4
-                               : first >= 0xE0U ? 3
-                               : first >= 0xC2U ? 2
-                                                : 0;
-    if (length == 0 || first > 0xF4U || length > text.size()) { return 0; }
+    if (first < 0x80U) { return 1; }
+    const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : 2;
+    if (first < 0xC2U || first > 0xF4U || length > text.size()) { return 0; }
+    char32_t value = first & (0x7FU >> length);
     for (std::size_t k = 1; k < length; ++k) {
-        if ((static_cast<unsigned char>(text[k]) & 0xC0U) != 0x80U) { return 0; }
+        const auto next = static_cast<unsigned char>(text[k]);
+        if ((next & 0xC0U) != 0x80U) { return 0; }
+        value = (value << 6U) | (next & 0x3FU);
     }
-    return length;
+    return is_allowed(value, length) ? length : 0;
 }
 
 }  // namespace

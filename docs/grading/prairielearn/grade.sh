@@ -11,7 +11,10 @@ mkdir -p "$grade/results"
 import json, sys
 graded = json.load(sys.stdin)
 points = sum(test["max_score"] for test in graded["tests"])
-tests = [{"name": t["name"], "points": t["score"], "max_points": t["max_score"], "output": t["output"]} for t in graded["tests"]]
+def test_of(t):
+    verdict, _, feedback = t["output"].partition("\n")
+    return {"name": t["name"], "points": t["score"], "max_points": t["max_score"], "message": verdict, "output": feedback}
+tests = [test_of(t) for t in graded["tests"]]
 json.dump({"gradable": True, "score": graded["score"] / points if points else 0, "tests": tests}, sys.stdout)
 ' >"$grade/results/results.json.part"
 mv "$grade/results/results.json.part" "$grade/results/results.json"

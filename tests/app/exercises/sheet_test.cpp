@@ -117,6 +117,10 @@ TEST_CASE("Text of students does nothing in a page", "[exercises][sheet]") {
         markup_text(std::string("a\xff\x1b") + "b") ==
         "a\xEF\xBF\xBD\xEF\xBF\xBD"
         "b");
+    for (const char* none : {"\xEF\xBF\xBF", "\xED\xA0\x80", "\xE0\x80\x80", "\xF4\x90\x80\x80"}) {
+        CHECK(markup_text(none).starts_with("\xEF\xBF\xBD"));
+    }
+    CHECK(markup_text("ω 數 😀") == "ω 數 😀");
     CHECK(html_words("x < y and $a < b$").find("<script") == std::string::npos);
     CHECK(html_words("1 < 2").find("&lt;") != std::string::npos);
 }
