@@ -93,6 +93,25 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
 }
 
 /// Joints of every type, drivers of every kind, words and looks: all numbers random.
+/// Of the kinds that are clicked or dragged.
+inline std::vector<Question> random_questions(Random& random, const Lesson& lesson) {
+    std::vector<Question> questions;
+    for (const auto kind : {Thing::Kind::body, Thing::Kind::joint, Thing::Kind::vector, Thing::Kind::row}) {
+        PointedAnswer answer{kind, {}, {}};
+        for (const Thing& thing : things_of(lesson.mechanism, kind)) {
+            if (random.number() < -0.6) { answer.right.push_back(thing); }
+        }
+        if (answer.right.empty()) { answer.right = {things_of(lesson.mechanism, kind).back()}; }
+        questions.push_back({Question::Place::addition, lesson.order[1], "Which?", answer, "why", {}});
+    }
+    const PointedAnswer found{Thing::Kind::row, {}, RowsFound::redundant};
+    questions.push_back({Question::Place::bodies, {}, "Which?", found, "", {}});
+    const PoseAnswer pose{
+        1, AtTime{random.number(1.0, 2.0), false}, random.number(1e-3, 1.0), random.number(1e-3, 1.0)};
+    questions.push_back({Question::Place::motion, {}, "Where?", pose, "", {}});
+    return questions;
+}
+
 inline Lesson random_lesson(unsigned seed) {
     Random random(seed);
     Lesson lesson;
@@ -156,6 +175,7 @@ inline Lesson random_lesson(unsigned seed) {
     lesson.motion = MotionPlan{random.number(), random.number(2.0, 3.0), random.number(1.0, 9.0), 7};
     if (seed % 2 == 0) { lesson.dynamics = random_dynamics(random, m, seed); }
     lesson.step_texts.times = {{1.0, "from 1 s"}, {1.5, "then\n\nthis"}};
+    lesson.questions = random_questions(random, lesson);
     lesson.camera.from = random.direction();
     lesson.camera.target = random.vector();
     lesson.camera.distance = random.number(1.0, 2.0);

@@ -16,8 +16,12 @@ namespace {
 // the answer is found anew whenever the lesson is changed: a scene that was made stiff or endless has none
 constexpr long kMostStepsOfAnswer = 100'000;
 
+RankReport report_of(const Step& step) {
+    return step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+}
+
 RightAnswer right_count(const CountAnswer& answer, const Step& step) {
-    const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+    const RankReport report = report_of(step);
     RightAnswer right;
     right.number = count_of(report, answer.count);
     right.known = report.decided;
@@ -116,10 +120,9 @@ RightAnswer right_pose(const PoseAnswer& answer, const Story& story, const Step&
 }
 
 /// The rows that p1 and p2 leave out: of the joint that the step adds, else of all.
-std::vector<Thing> dropped_rows(const Lesson& lesson, const Question& question, const Step& step) {
-    const bool of_one = question.place == Question::Place::addition &&
-                        question.addition.kind == Addition::Kind::joint &&
-                        std::ranges::find(lesson.order, question.addition) != lesson.order.end();
+std::vector<Thing> dropped_rows(const Question& question, const Step& step) {
+    const bool of_one =
+        question.place == Question::Place::addition && question.addition.kind == Addition::Kind::joint;
     std::vector<Thing> rows;
     for (const Constraint& c : step.system->constraints()) {
         if (c.dropped < 0 || (of_one && c.joint != question.addition.index)) { continue; }
@@ -146,28 +149,28 @@ std::vector<Thing> redundant_rows(const Step& step, const RankReport& report) {
     return rows;
 }
 
-RightAnswer right_things(
-    const PointedAnswer& answer, const Story& story, const Question& question, const Step& step) {
+RightAnswer right_things(const PointedAnswer& answer, const Question& question, const Step& step) {
     RightAnswer right;
-    right.things = answer.right;
     right.known = true;
-    if (!answer.found) { return right; }
-    if (*answer.found == RowsFound::dropped) {
-        right.things = dropped_rows(story.lesson(), question, step);
-    } else {
-        const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+    right.things = answer.right;
+    if (answer.found == RowsFound::dropped) {
+        right.things = dropped_rows(question, step);
+    } else if (answer.found == RowsFound::redundant) {
+        const RankReport report = report_of(step);
         right.things = redundant_rows(step, report);
+        right.known = report.decided;
     }
-    // a question that no click answers
-    right.known = !right.things.empty();
+    // without one no click is an answer
+    right.known = right.known && !right.things.empty();
     return right;
 }
 
 }  // namespace
 
 double BodyPose::turn_from(const BodyPose& other) const {
-    const double cosine = std::abs(p.dot(other.p)) / (p.norm() * other.p.norm());
-    return 2.0 * std::acos(std::min(1.0, cosine));
+    // |p - p'| = 2 sin(angle / 4); an arc cosine of pᵀp' would lose half of the digits of a small angle
+    const double apart = std::min((p - other.p).norm(), (p + other.p).norm());
+    return 4.0 * std::asin(std::min(1.0, 0.5 * apart));
 }
 
 std::optional<Thing> thing_of_row(const System& system, int row) {
@@ -206,7 +209,7 @@ RightAnswer right_answer(const Story& story, const Question& question, const Ste
                 right.known = true;
                 return right;
             },
-            [&](const PointedAnswer& a) { return right_things(a, story, question, step); },
+            [&](const PointedAnswer& a) { return right_things(a, question, step); },
             [&](const PoseAnswer& a) { return right_pose(a, story, step); },
         },
         question.answer);

@@ -9,9 +9,12 @@
 #include "app/session/answers/judged_answer.hpp"
 #include "app/session/picture/pointed_thing.hpp"
 #include "app/session/try/session.hpp"
+#include "core/equations/assembler.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
+#include "tests/support/grown_mechanisms.hpp"
+#include "tests/support/long_double_svd.hpp"
 
 /// Questions that are answered by pointing at a thing or by leading a body somewhere.
 namespace jw::test {
@@ -45,6 +48,35 @@ GivenAnswer judged(const Story& story, int question, const std::string& given) {
     return judge_answer(*view.question, right_answer(story, question), story.lesson().mechanism, given);
 }
 
+/// A lesson that adds every joint and driver of a mechanism that is assembled.
+Lesson lesson_of_mechanism(Mechanism mechanism) {
+    Lesson lesson;
+    lesson.mechanism = std::move(mechanism);
+    lesson.step_texts.joints.resize(lesson.mechanism.joints.size());
+    lesson.step_texts.drivers.resize(lesson.mechanism.drivers.size());
+    lesson.looks.resize(lesson.mechanism.bodies.size());
+    for (int k = 0; k < static_cast<int>(lesson.mechanism.joints.size()); ++k) {
+        lesson.order.push_back({Addition::Kind::joint, k});
+    }
+    for (int k = 0; k < static_cast<int>(lesson.mechanism.drivers.size()); ++k) {
+        lesson.order.push_back({Addition::Kind::driver, k});
+    }
+    return lesson;
+}
+
+/// Singular values that are no rounding: grown mechanisms have none between 1e-10 and 1e-7 of the largest
+/// where the program is sure of the rank.
+int rank_by_singular_values(const MatrixX& matrix) {
+    const VectorX values = long_double_singular_values(matrix);
+    return static_cast<int>((values.array() > 1e-9 * values.maxCoeff()).count());
+}
+
+MatrixX without_row(const MatrixX& matrix, int row) {
+    MatrixX less(matrix.rows() - 1, matrix.cols());
+    less << matrix.topRows(row), matrix.bottomRows(matrix.rows() - 1 - row);
+    return less;
+}
+
 int rank_without(const Lesson& lesson, const Thing& row) {
     Lesson less = lesson;
     less.mechanism.joints[static_cast<std::size_t>(row.index)].without.push_back(row.equation);
@@ -76,6 +108,63 @@ TEST_CASE(
         needed += said ? 0 : 1;
     }
     CHECK(needed > 0);
+}
+
+TEST_CASE(
+    "rows that are right for 'redundant' are those without which the spectrum keeps its rank, in grown "
+    "mechanisms",
+    "[app][questions]") {
+    int redundant = 0;
+    int needed = 0;
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        CAPTURE(seed);
+        Lesson lesson = lesson_of_mechanism(grown_mechanism(seed, 2 + static_cast<int>(seed % 5), 2));
+        lesson.questions.push_back(
+            {Question::Place::addition,
+             lesson.order.back(),
+             {},
+             PointedAnswer{Thing::Kind::row, {}, RowsFound::redundant},
+             {},
+             {}});
+        const Story story(lesson);
+        REQUIRE(story.failure() == nullptr);
+        const Step& step = story.steps()[static_cast<std::size_t>(story.last_assembled())];
+        if (!rank_of(*step.system, step.state, step.t).decided) {
+            CHECK_FALSE(right_answer(story, 0).known);
+            continue;
+        }
+        const RightAnswer right = right_answer(story, 0);
+        Assembler<OmegaLocal> assembler(*step.system);
+        assembler.assemble_phi_and_jacobian(step.state, step.t);
+        const MatrixX jacobian = assembler.jacobian().topRows(step.system->rows());
+        const int rank = rank_by_singular_values(jacobian);
+        for (int k = 0; k < step.system->rows(); ++k) {
+            CAPTURE(k);
+            const auto row = thing_of_row(*step.system, k);
+            REQUIRE(row);
+            const bool said = std::ranges::find(right.things, *row) != right.things.end();
+            CHECK(said == (rank_by_singular_values(without_row(jacobian, k)) == rank));
+            (said ? redundant : needed) += 1;
+        }
+    }
+    CHECK(redundant > 500);
+    CHECK(needed > 500);
+}
+
+TEST_CASE("a turn is measured to its last digits, small or large, by p of either sign", "[app][questions]") {
+    Random random(7);
+    for (int k = 0; k < 1000; ++k) {
+        const double angle = std::pow(10.0, random.number(-9.0, 0.49));
+        const Vec3 axis = random.direction();
+        const Eigen::Quaterniond first(random.number(), random.number(), random.number(), random.number());
+        const Eigen::Quaterniond from = first.normalized();
+        const Eigen::Quaterniond to = from * Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+        const double sign = k % 2 == 0 ? 1.0 : -1.0;
+        const BodyPose a{{}, Vec4(from.w(), from.x(), from.y(), from.z())};
+        const BodyPose b{{}, sign * Vec4(to.w(), to.x(), to.y(), to.z())};
+        // rounding of unit quaternions is some 1e-16
+        CHECK(a.turn_from(b) == Approx(angle).epsilon(1e-12).margin(2e-15));
+    }
 }
 
 TEST_CASE("rows that are left out are those of the system that has been chosen", "[app][questions]") {
