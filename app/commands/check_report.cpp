@@ -96,7 +96,6 @@ void write_json(
         {"version", kJsonVersion},
         {"exit_status", exit_status},
         {"lessons", list}};
-    // names of files need not be UTF-8
     out << json_document(json);
 }
 

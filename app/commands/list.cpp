@@ -111,7 +111,6 @@ void write_json(
              {"needs", c.needs}});
     }
     for (const ListedLesson& l : lessons) { json["lessons"].push_back(json_of(l)); }
-    // names of files need not be UTF-8
     out << json_document(json);
 }
 

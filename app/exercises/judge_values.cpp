@@ -156,7 +156,7 @@ std::string place_of_letter(const Task& task, const std::string& word) {
     return found == task.shown.end() ? word : std::to_string(found - task.shown.begin() + 1);
 }
 
-/// Where components are chosen or sorted, "y" and "Y" are 2; "[x, Z, y]" is a list of places.
+/// Places of letters where components are chosen or sorted: "y" and "Y" are 2, "[x, Z, y]" is a list.
 std::string number_of_letter(const Task& task, const std::string& text) {
     const ExerciseKind kind = task.exercise().kind;
     if (kind != ExerciseKind::choose && kind != ExerciseKind::order) { return text; }

@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 4> kStarterEndings{".py", ".cpp", 
 /// @return empty for another ending
 std::string starter_text(const Task& task, std::string_view ending);
 
-/// The same in C++, which has no reader of JSON and so brings a small one.
+/// Starter in C++, which has no reader of JSON and so brings a small one.
 /// @param inputs  a line for each input of a case
 std::string cpp_starter_text(const std::string& inputs);
 

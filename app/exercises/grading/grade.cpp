@@ -30,7 +30,7 @@ Judged not_judged(std::string why) {
     return judged;
 }
 
-/// What is said of a program, and whether this machine could run it.
+/// Judgement of a program, and whether this machine could run it.
 struct ProgramVerdict {
     Judged judged;
     bool not_run = false;
@@ -91,7 +91,7 @@ void grade_answer(const Task& task, const HandedIn& handed, ExerciseGrade& grade
         kind_of(task.exercise().kind).judge(task, of_lists ? Handed{{}, list} : Handed{given.text, {}});
 }
 
-/// What the submission has for an exercise, judged; the grade stays empty if there is nothing.
+/// Judges the part of a submission that belongs to an exercise; the grade stays empty if there is none.
 void grade_task(const Task& task, const Submission& submission, ExerciseGrade& grade) {
     const std::string ending = kind_of(task.exercise().kind).file;
     if (ending == kProgramEnding) { return grade_program(task, submission.folder, grade); }
@@ -228,15 +228,6 @@ ExerciseGrade grade_exercise(
         grade.judged = not_judged("The exercise cannot be set for this student: " + task.problem + ".");
     }
     grade.earned = std::round(grade.judged.share * grade.points / kFinest) * kFinest;
-    return grade;
-}
-
-Grade grade_submission(const ReadyCourse& course, const fs::path& folder) {
-    const Submission submission = read_submission(folder);
-    Grade grade = empty_grade(course, submission);
-    for (std::size_t k = 0; k < course.exercises.size(); ++k) {
-        grade.exercises[k] = grade_exercise(course, course.exercises[k], submission);
-    }
     return grade;
 }
 

@@ -48,7 +48,7 @@ struct Grade {
     double earned() const;
 };
 
-/// What a folder hands in besides files: answers.toml, read.
+/// A folder that was handed in, with its answers.toml read.
 struct Submission {
     std::filesystem::path folder;
     HandedIn handed;  ///< `problem`: why nothing of the folder is graded
@@ -58,16 +58,13 @@ Submission read_submission(const std::filesystem::path& folder);
 /// All exercises of the course with nothing handed in.
 Grade empty_grade(const ReadyCourse& course, const Submission& submission);
 
-/// Grades one exercise of a submission: its answer, its lesson file NAME.toml or its program NAME.py,
-/// NAME.cpp
-/// ... Nothing outside the folder is read, links are not followed, programs run in a sandbox or not at all.
+/// Grades one exercise of a submission: its answer, its lesson file NAME.toml or its program (NAME.py,
+/// NAME.cpp ...). Nothing outside the folder is read, links are not followed, programs run in a sandbox or
+/// not at all.
 ExerciseGrade grade_exercise(
     const ReadyCourse& course, const CourseExercise& entry, const Submission& submission);
 
-/// Grades all exercises, one after the other, in this process.
-Grade grade_submission(const ReadyCourse& course, const std::filesystem::path& folder);
-
-/// How long the grading of an exercise may take on a busy machine [s]: of a program, its compiling and run.
+/// Longest time that grading an exercise takes on a busy machine [s]: of a program with compiling and run.
 double longest_grading(const Exercise& exercise);
 
 /// Runs a program in the sandbox and judges what it writes; why it was not run is said in the feedback.

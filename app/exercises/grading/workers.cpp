@@ -56,7 +56,8 @@ void limit(int what, rlim_t most) {
     setrlimit(what, &both);
 }
 
-/// From now on so many seconds more. The hard limit stays: it could never be raised again.
+/// Limits the processor time of this process to so many seconds from now on. The hard limit stays: it could
+/// never be raised again.
 void limit_cpu(int more_seconds) {
     rusage used{};
     getrusage(RUSAGE_SELF, &used);

@@ -20,7 +20,7 @@ struct Part {
 Part part_of(const Story& story, const Step& step) {
     Part part{step.kind == Step::Kind::motion, step.additions};
     if (!is_asked(step.kind)) { return part; }
-    const Question& question = story.lesson().questions[static_cast<std::size_t>(step.question)];
+    const Question& question = question_of(story.lesson(), step);
     part.moves = question.place == Question::Place::motion;
     if (step.kind == Step::Kind::question && question.place == Question::Place::addition) {
         ++part.additions;

@@ -20,7 +20,12 @@ using panels::Box;
 using panels::Canvas;
 
 constexpr float kSheetMargin = 10.0F;
-constexpr float kClick = 3.0F;  // pixels: more is a drag, as for the hand
+constexpr float kPadding = 12.0F;  // of the words in the sheet
+
+/// Width of the words in the sheet.
+float width_of_words(const Ui& ui, const Box& scene) {
+    return scene.width - 2.0F * ui.px(kSheetMargin + kPadding);
+}
 
 /// A sheet at the foot of the picture, for so many lines.
 Box sheet_of(const Ui& ui, const Box& scene, float height) {
@@ -33,7 +38,7 @@ std::string verdict_text(const GivenAnswer& answer) {
                         : tr("{0}   Not so.", math::plain_words(answer.note));
 }
 
-/// What an answer to this kind of question looks like.
+/// Hint in the empty field of an answer.
 const char* hint_of(QuestionView::Kind kind) {
     switch (kind) {
         case QuestionView::Kind::number: return tr("your answer  (a)");
@@ -44,11 +49,11 @@ const char* hint_of(QuestionView::Kind kind) {
     return tr("or seven numbers  (a)");
 }
 
-/// Where the hand has led the body that is asked for, as it would be typed.
+/// Pose that the hand has led the asked body to, as it would be typed.
 std::string pose_in_hand(const Session& session) {
     const Step& step = session.step();
-    const auto& question = session.lesson().questions[static_cast<std::size_t>(step.question)];
-    const auto b = static_cast<std::size_t>(std::get<PoseAnswer>(question.answer).body);
+    const PoseAnswer& asked = std::get<PoseAnswer>(question_of(session.lesson(), step).answer);
+    const auto b = static_cast<std::size_t>(asked.body);
     return pose_text({step.state.r[b], step.state.p[b]});
 }
 
@@ -64,17 +69,17 @@ float Predictions::height(const LessonUi& ui, const Box& scene) const {
     if (!is_asked(step.kind) || !is_shown(ui.session)) { return 0.0F; }
     const float margin = 2.0F * ui.px(kSheetMargin);
     if (step.kind == Step::Kind::question) {
-        const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
         const std::string& how = ui.session.view().question->how;
+        const float width = width_of_words(ui, scene);
         const float said =
-            how.empty() ? 0.0F : panels::paragraph_height(ui.canvas, ui.canvas.fonts().small, how, inner);
+            how.empty() ? 0.0F : panels::paragraph_height(ui.canvas, ui.canvas.fonts().small, how, width);
         return ImGui::GetFrameHeightWithSpacing() * (objection_.empty() ? 1.0F : 2.0F) + said + ui.px(16.0F) +
                margin;
     }
     const GivenAnswer* const answer = given(step.question);
     if (answer == nullptr) { return 0.0F; }
-    const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
-    return panels::paragraph_height(ui.canvas, ui.canvas.fonts().normal, verdict_text(*answer), inner) +
+    const float width = width_of_words(ui, scene);
+    return panels::paragraph_height(ui.canvas, ui.canvas.fonts().normal, verdict_text(*answer), width) +
            ui.px(16.0F) + margin;
 }
 
@@ -143,7 +148,9 @@ void Predictions::follow_mouse(const LessonUi& ui, const Pointed& pointed, bool 
         if (reachable) { pressed_ = {pointed.symbol, pointed.row, pointed.column, ui.state.pointed_at}; }
     }
     const float way = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way <= kClick * kClick) { click(ui, pressed_); }
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way <= kLongestClick * kLongestClick) {
+        click(ui, pressed_);
+    }
 }
 
 void Predictions::click(const LessonUi& ui, const std::array<Pointable, 4>& places) {
@@ -189,14 +196,13 @@ void Predictions::compare(const LessonUi& ui, const Box& scene, const Step& step
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
     const std::string text = verdict_text(*answer);
-    const float inner = scene.width - 2.0F * ui.px(kSheetMargin + 12.0F);
     const Box sheet = sheet_of(ui, scene, height(ui, scene) - 2.0F * ui.px(kSheetMargin));
     panels::sheet(
         canvas, sheet, answer->right ? theme::kPaper : theme::kWarningShade,
         answer->right ? theme::kAccent : theme::kSubjectMark);
     panels::paragraph(
-        canvas, {sheet.x + ui.px(12.0F), sheet.y + ui.px(8.0F), inner, sheet.height}, font, theme::kInk,
-        text);
+        canvas, {sheet.x + ui.px(kPadding), sheet.y + ui.px(8.0F), width_of_words(ui, scene), sheet.height},
+        font, theme::kInk, text);
 }
 
 }  // namespace jw::host

@@ -16,7 +16,6 @@ constexpr double kCloserPerNotch = 1.15;
 constexpr double kTurnPerKey = 0.15;  // [rad]
 constexpr double kCloserPerKey = 1.2;
 constexpr double kTurnSeconds = 0.3;
-constexpr float kClick = 3.0F;  // pixels: less is a click, not a drag
 
 /// The moving body that something drawn belongs to, -1 if it is fixed or none.
 int body_of(const Session& session, const Pointable& link) {
@@ -155,7 +154,7 @@ void SceneHand::move(const LessonUi& ui, const render::Rect& viewport) {
     if (!ImGui::IsMousePosValid(&mouse)) { return; }
     const float dx = mouse.x - x_;
     const float dy = mouse.y - y_;
-    if (!moved_ && std::hypot(dx, dy) < kClick) { return; }
+    if (!moved_ && std::hypot(dx, dy) < kLongestClick) { return; }
     moved_ = true;
     if (dx == 0.0F && dy == 0.0F) { return; }
     x_ = mouse.x;

@@ -8,6 +8,9 @@ struct ImGuiIO;
 /// Mouse and keyboard events as values; a window makes them, and so do tests.
 namespace jw::host {
 
+/// Way of the pointer [pixels] with a button held that is still a click: more is a drag.
+inline constexpr float kLongestClick = 3.0F;
+
 enum class Key {
     none,
     left,

@@ -108,7 +108,7 @@ std::string answer_text(const Lesson& lesson, const Question& question, const Ri
 
 int joint_asked_about(const Lesson& lesson, const Step& step) {
     if (step.kind != Step::Kind::question) { return -1; }
-    const Question& question = lesson.questions[static_cast<std::size_t>(step.question)];
+    const Question& question = question_of(lesson, step);
     const auto* const pointed = std::get_if<PointedAnswer>(&question.answer);
     const bool of_joint =
         question.place == Question::Place::addition && question.addition.kind == Addition::Kind::joint;
@@ -118,7 +118,7 @@ int joint_asked_about(const Lesson& lesson, const Step& step) {
 }
 
 QuestionView question_view_of(const Story& story, const Step& step) {
-    const Question& question = story.lesson().questions[static_cast<std::size_t>(step.question)];
+    const Question& question = question_of(story.lesson(), step);
     QuestionView view;
     view.kind = kind_of(question.answer);
     view.ask = question.ask;

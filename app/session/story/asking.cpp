@@ -7,8 +7,7 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     if (step.additions == 0 || step.kind == Step::Kind::motion) { return std::nullopt; }
     if (step.kind == Step::Kind::question) { return std::nullopt; }
     const bool of_addition =
-        step.kind != Step::Kind::answer ||
-        lesson.questions[static_cast<std::size_t>(step.question)].place == Question::Place::addition;
+        step.kind != Step::Kind::answer || question_of(lesson, step).place == Question::Place::addition;
     if (!of_addition) { return std::nullopt; }
     return lesson.order[static_cast<std::size_t>(step.additions - 1)];
 }

@@ -75,6 +75,11 @@ struct Step {
 /// True for a question and its answer: nothing is added or moved by them.
 inline bool is_asked(Step::Kind kind) { return kind == Step::Kind::question || kind == Step::Kind::answer; }
 
+/// The question that a question or answer of the story is about.
+inline const Question& question_of(const Lesson& lesson, const Step& step) {
+    return lesson.questions[static_cast<std::size_t>(step.question)];
+}
+
 /// Reactions at a moment of a motion by masses and forces; absent at other steps, and for mechanisms so large
 /// that finding them would take longer than the motion.
 std::optional<Reactions> reactions_of(const Step& step);

@@ -314,8 +314,7 @@ std::string Session::scrub(const Drag& drag) {
 bool Session::asks_for_pose() const {
     const Step& step = story_->steps()[static_cast<std::size_t>(index_)];
     return step.kind == Step::Kind::question &&
-           std::holds_alternative<PoseAnswer>(
-               lesson_->questions[static_cast<std::size_t>(step.question)].answer);
+           std::holds_alternative<PoseAnswer>(question_of(*lesson_, step).answer);
 }
 
 std::string Session::release() {

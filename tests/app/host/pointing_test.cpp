@@ -15,7 +15,7 @@ int go_to_question(Person& person) {
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
         const Step& step = story.steps()[k];
         if (step.kind != Step::Kind::question) { continue; }
-        const Question& question = story.lesson().questions[static_cast<std::size_t>(step.question)];
+        const Question& question = question_of(story.lesson(), step);
         if (!std::holds_alternative<AnswerKind>(question.answer)) { continue; }
         person.go_to(static_cast<int>(k));
         person.settle();
@@ -39,6 +39,20 @@ bool click_on(Person& person, const Pointable& wanted) {
         }
     }
     return false;
+}
+
+/// Drags a body in the picture.
+void pull(Person& person, int body) {
+    person.host().set_picker([body](float, float) { return picture_id(Pointable::body(body)); });
+    person.drag(300.0F, 250.0F, 340.0F, 280.0F);
+}
+
+/// Types an answer; an empty one is what was led by hand, or skips.
+void hand_in(Person& person, const std::string& text) {
+    person.type("a");
+    person.type(text);
+    person.press(Key::enter);
+    person.settle();
 }
 
 }  // namespace
@@ -81,10 +95,7 @@ TEST_CASE("A name that is typed is the answer, a wrong name an objection", "[poi
     Person person("vectors/perpendicular-vectors.toml");
     const int question = go_to_question<PointedAnswer>(person);
     const int asked = person.session().index();
-    person.type("a");
-    person.type("n1 s_k");
-    person.press(Key::enter);
-    person.settle();
+    hand_in(person, "n1 s_k");
     CHECK(person.host().predictions().given(question) == nullptr);
     CHECK(person.session().index() == asked);
 }
@@ -93,15 +104,12 @@ TEST_CASE("A body is dragged to its pose and handed in, without changing the les
     Person person("joints/revolute.toml");
     const int question = go_to_question<PoseAnswer>(person);
     const int asked = person.session().index();
-    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
-    person.drag(300.0F, 250.0F, 340.0F, 280.0F);
+    pull(person, 1);
     person.settle();
     REQUIRE(person.session().in_hand());
     CHECK(person.view().kind == Step::Kind::question);
     CHECK_FALSE(person.session().is_changed());
-    person.type("a");
-    person.press(Key::enter);
-    person.settle();
+    hand_in(person, "");
     REQUIRE(person.host().predictions().given(question) != nullptr);
     CHECK_FALSE(person.session().in_hand());
     CHECK(person.session().index() == asked + 1);
@@ -112,15 +120,12 @@ TEST_CASE("Escape takes the body back, and an empty field skips the question", "
     Person person("joints/revolute.toml");
     const int question = go_to_question<PoseAnswer>(person);
     const int asked = person.session().index();
-    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
-    person.drag(300.0F, 250.0F, 340.0F, 280.0F);
+    pull(person, 1);
     person.press(Key::escape);
     person.settle();
     CHECK_FALSE(person.session().in_hand());
     CHECK(person.session().index() == asked);
-    person.type("a");
-    person.press(Key::enter);
-    person.settle();
+    hand_in(person, "");
     CHECK(person.host().predictions().given(question) == nullptr);
     CHECK(person.session().index() == asked + 1);
 }

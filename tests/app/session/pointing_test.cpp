@@ -267,7 +267,7 @@ TEST_CASE("a body that is led somewhere at a question is an answer and no edit",
     for (std::size_t k = 0; k < story.steps().size() && asked < 0; ++k) {
         const Step& step = story.steps()[k];
         if (step.kind != Step::Kind::question) { continue; }
-        const Question& q = session.lesson().questions[static_cast<std::size_t>(step.question)];
+        const Question& q = question_of(session.lesson(), step);
         if (std::holds_alternative<PoseAnswer>(q.answer)) { asked = static_cast<int>(k); }
     }
     REQUIRE(asked >= 0);

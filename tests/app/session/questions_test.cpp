@@ -201,7 +201,7 @@ TEST_CASE("every question of every shipped lesson has an answer", "[app][questio
         const Story story(*read.lesson);
         for (const Step& step : story.steps()) {
             if (step.kind != Step::Kind::answer) { continue; }
-            const Question& question = read.lesson->questions[static_cast<std::size_t>(step.question)];
+            const Question& question = question_of(*read.lesson, step);
             CAPTURE(file, question.ask);
             const RightAnswer right = right_answer(story, question, step);
             CHECK(right.known);
