@@ -29,7 +29,12 @@ void Host::draw_interface() {
     } else {
         browser(ui, layout_.whole, shelf_, desk_.practice().progress(), session_ != nullptr);
     }
-    const panels::Box room = shows_lesson() ? panels::box_of(layout_.scene) : layout_.whole;
+    panels::Box room = layout_.whole;
+    if (shows_lesson()) {
+        // above the sheet of an answer, which has a field and buttons
+        room = panels::box_of(layout_.scene);
+        if (!shows_figure()) { room.height -= predictions_.height({ui, *session_, hand_.camera()}, room); }
+    }
     notice_.draw(ui, room, session_ != nullptr);
     help_overlay(ui, layout_.whole);
     carry_out(std::move(requests));

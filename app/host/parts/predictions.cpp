@@ -92,6 +92,9 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
         field_[0] = '\0';
     }
     const Step& step = ui.session.step();
+    // of the question before
+    if (step.question != asked_) { objection_.clear(); }
+    asked_ = step.question;
     if (step.kind == Step::Kind::question && is_shown(ui.session)) {
         ask(ui, scene, step);
     } else if (step.kind == Step::Kind::answer && is_shown(ui.session)) {

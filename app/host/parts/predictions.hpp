@@ -26,6 +26,8 @@ public:
 
     /// What was answered to a question of the open lesson; nullptr if nothing was.
     const GivenAnswer* given(int question) const;
+    /// Why the last attempt at the question that is asked was no answer; empty if it was, or there was none.
+    const std::string& objection() const { return objection_; }
 
 private:
     static bool is_shown(const Session& session);
@@ -38,7 +40,8 @@ private:
     std::string lesson_;  ///< title of the lesson that they belong to
     std::map<int, GivenAnswer> given_;
     std::array<char, 256> field_{};  ///< seven numbers with all digits fit
-    std::string objection_;          ///< why what was typed is no answer
+    std::string objection_;          ///< why what was typed or clicked is no answer
+    int asked_ = -1;                 ///< question of the step that was drawn last
     bool wants_focus_ = false;
     std::array<Pointable, 4> pressed_{};  ///< what the mouse went down on
 };

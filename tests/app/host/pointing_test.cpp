@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include "tests/app/host/person.hpp"
 
 /// Questions at the window that are answered with the mouse.
@@ -114,6 +117,32 @@ TEST_CASE("A body is dragged to its pose and handed in, without changing the les
     CHECK_FALSE(person.session().in_hand());
     CHECK(person.session().index() == asked + 1);
     CHECK_FALSE(person.session().is_changed());
+}
+
+TEST_CASE("An objection is to one question, and goes when that is skipped", "[pointing]") {
+    Person person("joints/revolute.toml");
+    go_to_question<PointedAnswer>(person);
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
+    person.click(300.0F, 250.0F);
+    person.settle();
+    CHECK_FALSE(person.host().predictions().objection().empty());
+    hand_in(person, "");
+    CHECK(person.session().step().kind == Step::Kind::question);
+    CHECK(person.host().predictions().objection().empty());
+}
+
+TEST_CASE("What is said while a body is dragged does not cover the field of the answer", "[pointing]") {
+    Person person("joints/revolute.toml");
+    go_to_question<PoseAnswer>(person);
+    // into the hinge: the lever cannot follow
+    person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
+    person.drag(430.0F, 275.0F, 474.0F, 215.0F);
+    person.frame();
+    const ImDrawList* const said = ImGui::GetForegroundDrawList();
+    REQUIRE(said->VtxBuffer.Size > 0);
+    const ImGuiWindow* const sheet = ImGui::FindWindowByName("prediction");
+    REQUIRE(sheet != nullptr);
+    for (const ImDrawVert& v : said->VtxBuffer) { REQUIRE_FALSE(sheet->Rect().Contains(v.pos)); }
 }
 
 TEST_CASE("Escape takes the body back, and an empty field skips the question", "[pointing]") {
