@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "app/session/claims/checks.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/view/view.hpp"
@@ -27,6 +29,25 @@ TEST_CASE("every shipped lesson reads without a warning and all its claims hold"
                               << result.found);
             CHECK(result.holds);
         }
+    }
+}
+
+TEST_CASE(
+    "Every lesson of the course asks, proposes what to try and to break, and sums up", "[app][lessons]") {
+    for (const auto& file : lessons_below(catalogue_folder())) {
+        const ReadResult read = read_lesson_file(file);
+        INFO(file);
+        REQUIRE(read.lesson.has_value());
+        const Lesson& lesson = *read.lesson;
+        CHECK_FALSE(lesson.questions.empty());
+        // that a trial does what it says is proved by `check`
+        const auto breaking = std::ranges::count_if(lesson.trials, &Trial::breaks);
+        CHECK(std::ssize(lesson.trials) > breaking);
+        // nothing holds a body without joints, so nothing can be broken
+        CHECK((breaking > 0 || lesson.mechanism.joints.empty()));
+        // two lines, with a line feed between them
+        const std::string& summary = lesson.summary.own();
+        CHECK(std::ranges::count(summary, '\n') == 1);
     }
 }
 
