@@ -222,7 +222,8 @@ Fonts load_fonts(float scale, std::u32string_view others) {
     fonts.mono = builder.add_interface(kMono, size(14.0F), others);
     fonts.formula = builder.add_formula(size(21.0F));
     fonts.formula_script = builder.add_formula(size(15.0F));
-    fonts.formula_small = builder.add_formula(size(18.0F));
+    fonts.formula_words = builder.add_formula(size(17.0F));
+    fonts.formula_words_script = builder.add_formula(size(13.0F));
     fonts.formula_large = builder.add_formula(size(30.0F));
     fonts.formula_large_script = builder.add_formula(size(21.0F));
     builder.build();

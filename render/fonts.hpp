@@ -23,9 +23,11 @@ struct Fonts {
     ImFont* mono = nullptr;    ///< 14 px
 
     ImFont* formula = nullptr;         ///< 21 px
-    ImFont* formula_script = nullptr;  ///< 15 px, sub- and superscripts of `formula`
-    ImFont* formula_small = nullptr;   ///< 18 px, beside words of `small`; its scripts are `formula_script`
-    ImFont* formula_large = nullptr;   ///< 30 px, the headline of a step
+    ImFont* formula_script = nullptr;  ///< 15 px, sub- and superscripts of `formula`; beside words of `small`
+    // an x of Latin Modern is as high as that of the words beside it
+    ImFont* formula_words = nullptr;         ///< 17 px, beside words of `normal`
+    ImFont* formula_words_script = nullptr;  ///< 13 px, of both sizes beside words
+    ImFont* formula_large = nullptr;         ///< 30 px, the headline of a step
     ImFont* formula_large_script = nullptr;  ///< 21 px
 
     float scale = 1.0F;

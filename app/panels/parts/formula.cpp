@@ -40,8 +40,9 @@ FormulaFonts large_formula_fonts(const render::Fonts& fonts) {
     return {fonts.formula_large, fonts.formula_large_script};
 }
 
-FormulaFonts small_text_formula_fonts(const render::Fonts& fonts) {
-    return {fonts.formula_small, fonts.formula_script};
+FormulaFonts formula_fonts_beside(const render::Fonts& fonts, const ImFont& words) {
+    const ImFont* const base = &words == fonts.small ? fonts.formula_script : fonts.formula_words;
+    return {base, fonts.formula_words_script};
 }
 
 FormulaFonts small_formula_fonts(const render::Fonts& fonts) {

@@ -18,8 +18,8 @@ struct FormulaFonts {
 
 FormulaFonts formula_fonts(const render::Fonts& fonts);
 FormulaFonts large_formula_fonts(const render::Fonts& fonts);
-/// Fonts of formulas beside words of the small font.
-FormulaFonts small_text_formula_fonts(const render::Fonts& fonts);
+/// Fonts of formulas in a line of words of the font `words`.
+FormulaFonts formula_fonts_beside(const render::Fonts& fonts, const ImFont& words);
 /// Fonts of formulas in tables and pictures: the script font is also the base.
 FormulaFonts small_formula_fonts(const render::Fonts& fonts);
 

@@ -24,6 +24,7 @@ struct Chunk {
     std::vector<RichPiece> pieces;  ///< x from the left end of the chunk
     float width = 0.0F;
     bool space_before = false;
+    bool new_line = false;  ///< a paragraph begins
     bool own_line = false;  ///< a displayed formula
 };
 
@@ -38,6 +39,7 @@ public:
             const bool space = words[at] == ' ' || words[at] == '\n';
             if (space) {
                 pending_space_ = true;
+                pending_line_ = pending_line_ || words[at] == '\n';
                 ++at;
                 continue;
             }
@@ -81,9 +83,7 @@ public:
     std::vector<Chunk> take() { return std::move(chunks_); }
 
 private:
-    FormulaFonts formulas() const {
-        return font_ == fonts_->small ? small_text_formula_fonts(*fonts_) : formula_fonts(*fonts_);
-    }
+    FormulaFonts formulas() const { return formula_fonts_beside(*fonts_, *font_); }
 
     void put_words(std::string_view part) {
         const std::u32string characters = from_utf8(part);
@@ -105,9 +105,10 @@ private:
 
     void put(RichPiece piece, float width) {
         if (chunks_.empty() || pending_space_ || after_display_ || may_break_) {
-            chunks_.push_back({{}, 0.0F, pending_space_, false});
+            chunks_.push_back({{}, 0.0F, pending_space_, pending_line_, false});
         }
         pending_space_ = false;
+        pending_line_ = false;
         may_break_ = false;
         after_display_ = false;
         Chunk& chunk = chunks_.back();
@@ -121,6 +122,7 @@ private:
     std::vector<Chunk> chunks_;
     char32_t last_ = U' ';  ///< before the next piece
     bool pending_space_ = false;
+    bool pending_line_ = false;
     bool may_break_ = false;  ///< without a space
     bool after_display_ = false;
 };
@@ -151,7 +153,7 @@ std::vector<RichLine> broken(std::vector<Chunk> chunks, const ImFont& font, floa
     bool fresh = true;
     for (Chunk& chunk : chunks) {
         const float gap = chunk.space_before && !fresh ? space : 0.0F;
-        const bool fits = !fresh && lines.back().width + gap + chunk.width <= width;
+        const bool fits = !fresh && !chunk.new_line && lines.back().width + gap + chunk.width <= width;
         if (!fits || chunk.own_line) { lines.emplace_back(); }
         float x = fits && !chunk.own_line ? lines.back().width + gap : 0.0F;
         if (chunk.own_line) {

@@ -28,7 +28,7 @@ struct RichText {
 };
 
 /// Lays a text with formulas out in lines no wider than `width`; a formula that is wider alone is broken at
-/// its relations.
+/// its relations. A line feed begins a line.
 RichText layout_rich(const render::Fonts& fonts, const ImFont& font, std::string_view text, float width);
 
 /// As much of the text as is no higher than `height`: whole sentences are left out from the end, marked "…".

@@ -189,7 +189,8 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
 void add_summary(const Lesson& lesson, View& view) {
     if (lesson.summary.empty()) { return; }
     std::string& text = view.question ? view.question->why : view.author_text;
-    text = followed(text, tr("In short: {0}", lesson.summary));
+    if (!text.empty()) { text += "\n\n"; }
+    text += tr("In short: {0}", lesson.summary);
 }
 
 std::string velocity_note_of(const Step& step) {

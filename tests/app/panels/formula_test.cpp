@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
+#include "app/panels/parts/rich_text.hpp"
 #include "lessons/math/read_math.hpp"
 #include "render/math_alphabets.hpp"
 #include "tests/app/panels/support.hpp"
@@ -143,6 +146,25 @@ TEST_CASE("ascent and descent hold all that is inked", "[panels][formula]") {
         99.0F, 200.0F - formula.ascent - 0.01F, formula.width + 2.0F,
         formula.ascent + formula.descent + 0.02F};
     CHECK(box.contains(surface.drawn()));
+}
+
+TEST_CASE("A letter of a formula is as high as one of the words beside it", "[panels][formula]") {
+    const Surface surface;
+    const render::Fonts& fonts = surface.fonts();
+    const auto height = [](const ImFontGlyph& x) { return x.Y1 - x.Y0; };
+    for (const ImFont* const words : {fonts.normal, fonts.small}) {
+        const Formula formula = layout_formula("x", formula_fonts_beside(fonts, *words));
+        // both are rounded to whole pixels
+        CHECK(std::abs(height(*formula.glyphs.front().glyph) - height(*words->FindGlyph('x'))) <= 1.0F);
+    }
+}
+
+TEST_CASE("A line feed begins a line, with formulas and without", "[panels][formula]") {
+    const Surface surface;
+    const ImFont& font = *surface.fonts().normal;
+    CHECK(layout_rich(surface.fonts(), font, "one $x$ two\nthree $y$", 900.0F).lines.size() == 2);
+    CHECK(layout_rich(surface.fonts(), font, "one $x$\n$y$\nthree", 900.0F).lines.size() == 3);
+    CHECK(layout_rich(surface.fonts(), font, "one $x$ two three", 900.0F).lines.size() == 1);
 }
 
 }  // namespace jw::panels::test
