@@ -1,0 +1,123 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "lessons/formula/text_symbols.hpp"
+#include "lessons/math/read_math.hpp"
+#include "tests/app/host/person.hpp"
+#include "tests/support/golden.hpp"
+
+/// Symbols of texts: what stands beside the pointer or, by the keyboard, beside the symbol.
+namespace jw::test {
+namespace {
+
+/// The lesson on slide 3 where p1 stands, whose text names vectors of the joint.
+constexpr const char* kLesson = "parallel/parallel-vectors.toml";
+
+/// Numbers of what is outlined in the picture.
+std::set<int> lit_in(const Picture& picture) {
+    std::set<int> ids;
+    for (const auto& arrow : picture.scene.arrows) {
+        if (arrow.highlighted && arrow.id != 0) { ids.insert(arrow.id); }
+    }
+    return ids;
+}
+
+const std::vector<SymbolView>& symbols_of(const Person& person) { return person.view().symbols; }
+
+/// s_i in the text of the step, -1 if it is not there.
+int index_of_s_i(const Person& person) {
+    const auto symbol = formula::text_symbol_of(math::own_math("\\mathbf{s}_i").front());
+    return index_of_symbol(symbols_of(person), {}, symbol.value().source);
+}
+
+/// Goes to the first step whose text has s_i.
+/// @return the step
+int go_to_s_i(Person& person) {
+    for (int step = 0; step < person.view().steps; ++step) {
+        person.go_to(step);
+        if (index_of_s_i(person) >= 0) { return step; }
+    }
+    FAIL("no text has it");
+    return -1;
+}
+
+/// Moves the pointer over the caption until it is over the symbol.
+void point_at(Person& person, int symbol) {
+    const panels::Box caption = person.host().layout().caption;
+    for (float y = caption.y + 4.0F; y < caption.bottom(); y += 5.0F) {
+        for (float x = caption.x + 4.0F; x < caption.right(); x += 3.0F) {
+            person.host().push(host::InputEvent::pointer(x, y));
+            person.frame();
+            if (person.host().state().pointed_at == Pointable::symbol(symbol)) { return person.settle(); }
+        }
+    }
+    FAIL("the symbol is nowhere in the caption");
+}
+
+/// The part of the pixels that differ at all.
+double changed(const render::Image& a, const render::Image& b) {
+    int pixels = 0;
+    for (std::size_t k = 0; k + 2 < a.rgb.size(); k += 3) {
+        pixels += std::equal(&a.rgb[k], &a.rgb[k] + 3, &b.rgb[k]) ? 0 : 1;
+    }
+    return 3.0 * pixels / static_cast<double>(a.rgb.size());
+}
+
+}  // namespace
+
+TEST_CASE("Pointing at a vector of a text outlines it in the picture and tells its numbers", "[tip]") {
+    Person person(kLesson, Person::Pictures::drawn);
+    go_to_s_i(person);
+    const int symbol = index_of_s_i(person);
+    const int joint = person.view().equations.front().joint;
+    const int arrow = picture_id(Pointable::vector(joint, Pointable::kVectorI));
+    person.point(2.0F, 2.0F);
+    const render::Image before = person.picture();
+    REQUIRE_FALSE(lit_in(person.host().picture()).contains(arrow));
+    point_at(person, symbol);
+    CHECK(lit_in(person.host().picture()).contains(arrow));
+    // a tip of three lines is more than a fiftieth of the window
+    CHECK(changed(before, person.picture()) > 0.02);
+    person.point(2.0F, 2.0F);
+    CHECK_FALSE(lit_in(person.host().picture()).contains(arrow));
+}
+
+TEST_CASE("t and T go through the symbols of a text and back, and the next step begins anew", "[tip]") {
+    Person person(kLesson);
+    const int step = go_to_s_i(person);
+    const auto chosen = [&] { return person.host().state().symbol; };
+    const auto of_texts = static_cast<int>(std::ranges::count_if(
+        symbols_of(person), [](const SymbolView& symbol) { return symbol.scope.empty(); }));
+    REQUIRE(of_texts >= 2);
+    CHECK(chosen() == -1);
+    for (int k = 0; k < of_texts; ++k) {
+        person.type("t");
+        CHECK(chosen() == k);
+    }
+    person.type("t");
+    CHECK(chosen() == -1);
+    person.type("T");
+    CHECK(chosen() == of_texts - 1);
+    person.go_to(step + 1);
+    CHECK(chosen() == -1);
+}
+
+TEST_CASE("The tip of a symbol looks as it did when it was looked at", "[tip][golden]") {
+    struct Case {
+        const char* file;
+        float text;
+        bool dark;
+    };
+    for (const Case& c :
+         {Case{"tests/golden/tip.png", 1.0F, false}, Case{"tests/golden/tip-large-dark.png", 1.5F, true}}) {
+        Person person(kLesson, Person::Pictures::drawn, 1280, 720, c.dark, c.text);
+        go_to_s_i(person);
+        const int symbol = index_of_s_i(person);
+        while (person.host().state().symbol != symbol) { person.type("t"); }
+        compare_with_golden(c.file, person.picture());
+    }
+}
+
+}  // namespace jw::test
