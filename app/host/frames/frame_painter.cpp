@@ -8,6 +8,7 @@
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/pointed_thing.hpp"
 #include "render/fonts.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/offscreen.hpp"
@@ -79,13 +80,19 @@ void FramePainter::compose_camera() {
 
 render::Image FramePainter::paint(const View& view) {
     Surface& s = *surface_;
-    const Picture picture = picture_of(*story_, style_, view.step);
+    const Step& step = story_->steps()[static_cast<std::size_t>(view.step)];
+    Picture picture = picture_of(*story_, style_, step, view.step);
+    Emphasis lit;
+    light_answer(step, story_->lesson().coordinates, view, lit);
+    light_up(picture, lit);
     s.context.enter();
     s.begin_3d();
     s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size());
     s.begin_2d();
     ImGui::NewFrame();
-    panels::draw_frame(view, picture, s.camera, s.layout, s.fonts);
+    std::vector<panels::HotSpot> nowhere;
+    const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), s.fonts);
+    panels::draw_frame(canvas.pointed(lit, nowhere), view, picture, s.camera, s.layout);
     ImGui::Render();
     s.panels.draw(*ImGui::GetDrawData(), s.size());
     s.context.leave();

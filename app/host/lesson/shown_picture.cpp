@@ -2,15 +2,9 @@
 
 #include <utility>
 
+#include "app/session/picture/pointed_thing.hpp"
+
 namespace jw::host {
-
-namespace {
-
-int angular_of(CoordinateChoice choice) {
-    return with_choice(choice, [](auto c) { return decltype(c)::kAngular; });
-}
-
-}  // namespace
 
 Emphasis emphasis_of(const Session& session, const Lit& lit) {
     const System& system = *session.step().system;
@@ -21,6 +15,7 @@ Emphasis emphasis_of(const Session& session, const Lit& lit) {
     if (lit.pointed_at.kind == Pointable::Kind::symbol && k < symbols.size()) {
         for (const Pointable& link : links_of(symbols[k], system)) { all.light(system, angular, link); }
     }
+    light_answer(session.step(), session.lesson().coordinates, session.view(), all);
     for (const int row : lit.rows) { all.light(system, angular, Pointable::row(row)); }
     return all;
 }

@@ -127,7 +127,9 @@ QuestionView question_view_of(const Story& story, const Step& step) {
     add_how(story.lesson(), question.answer, view);
     view.answered = step.kind == Step::Kind::answer;
     if (!view.answered) { return view; }
-    view.answer = answer_text(story.lesson(), question, right_answer(story, question, step));
+    const RightAnswer right = right_answer(story, question, step);
+    view.answer = answer_text(story.lesson(), question, right);
+    view.right = right.things;
     view.why = question.why;
     return view;
 }

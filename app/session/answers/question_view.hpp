@@ -24,7 +24,8 @@ struct QuestionView {
     std::string unit;                ///< of a number, may be empty
     std::vector<std::string> names;  ///< of all things that can be clicked; of a thing only
     Thing::Kind thing = Thing::Kind::row;  ///< of a thing only
-    bool answered = false;                 ///< this is the answer, not the question
+    std::vector<Thing> right;  ///< of a thing only: any of them is right; empty until it is answered
+    bool answered = false;     ///< this is the answer, not the question
 };
 
 /// The joint that a question comes before and asks for a row or vector of, -1 if there is none: its equations

@@ -58,6 +58,10 @@ Pointable pointable_of(int id) {
     return {};
 }
 
+int angular_of(CoordinateChoice choice) {
+    return with_choice(choice, [](auto c) { return decltype(c)::kAngular; });
+}
+
 std::vector<Pointable> links_of(const SymbolView& symbol, const System& system) {
     std::vector<Pointable> links;
     for (const SymbolMeaning& meaning : symbol.meanings) {

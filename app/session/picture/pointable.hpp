@@ -20,7 +20,8 @@ struct Pointable {
         joint,     ///< index: in the mechanism
         vector,    ///< index: joint; part: kVectorI, kVectorJ, kVectorD
         symbol,    ///< index: in View::symbols
-        equation,  ///< index: joint that is not added yet; part: number among its equations
+        equation,  ///< of a joint, that is no row of the system; index: joint; part: number among its
+                   ///< equations
     };
     static constexpr int kVectorI = Thing::kVectorI;  ///< fixed in body i
     static constexpr int kVectorJ = Thing::kVectorJ;  ///< fixed in body j
@@ -46,6 +47,9 @@ struct Pointable {
 int picture_id(const Pointable& link);
 Pointable pointable_of(int picture_id);
 
+/// Columns of a body beyond those of r: 4 in the (r, p) choices, else 3.
+int angular_of(CoordinateChoice choice);
+
 /// What a symbol stands for.
 std::vector<Pointable> links_of(const SymbolView& symbol, const System& system);
 
@@ -54,7 +58,7 @@ class Emphasis {
 public:
     Emphasis() = default;
     /// Lights everything that belongs to `pointed_at`.
-    /// @param angular columns per body beyond r: 4 in the (r, p) choices, else 3
+    /// @param angular see angular_of
     Emphasis(const System& system, int angular, const Pointable& pointed_at);
 
     /// Adds what belongs to something else.

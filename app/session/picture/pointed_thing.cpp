@@ -1,5 +1,7 @@
 #include "app/session/picture/pointed_thing.hpp"
 
+#include <algorithm>
+
 #include "app/session/answers/right_answer.hpp"
 #include "lessons/equation_labels.hpp"
 
@@ -42,7 +44,36 @@ std::optional<Thing> thing_of_place(const Step& step, const View& view, const Po
     return std::nullopt;
 }
 
+/// Of a row of a joint.
+Pointable place_of_equation(const Mechanism& mechanism, const Thing& row) {
+    const Joint& joint = mechanism.joints[static_cast<std::size_t>(row.index)];
+    const std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);
+    const auto found = std::ranges::find(all, row.equation, &LabelledEquation::equation);
+    return found == all.end() ? Pointable{}
+                              : Pointable::equation(row.index, static_cast<int>(found - all.begin()));
+}
+
 }  // namespace
+
+Pointable place_of(const Step& step, const Thing& thing) {
+    switch (thing.kind) {
+        case Thing::Kind::body: return Pointable::body(thing.index);
+        case Thing::Kind::joint: return Pointable::joint(thing.index);
+        case Thing::Kind::vector: return Pointable::vector(thing.index, thing.part);
+        case Thing::Kind::row: break;
+    }
+    for (int row = 0; row < step.system->rows(); ++row) {
+        if (thing_of_row(*step.system, row) == thing) { return Pointable::row(row); }
+    }
+    return thing.driven ? Pointable{} : place_of_equation(step.system->mechanism(), thing);
+}
+
+void light_answer(const Step& step, CoordinateChoice coordinates, const View& view, Emphasis& lit) {
+    if (!view.question) { return; }
+    for (const Thing& thing : view.question->right) {
+        lit.light(*step.system, angular_of(coordinates), place_of(step, thing));
+    }
+}
 
 std::optional<Thing> thing_at(
     const Step& step, const View& view, const Pointable& place, Thing::Kind wanted) {

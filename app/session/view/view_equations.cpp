@@ -149,6 +149,7 @@ std::vector<EquationGroup> equations_of_joint(
     const Step& step, int joint, const std::vector<RowChoice>& choices, const RankReport* report) {
     std::vector<EquationGroup> groups;
     std::size_t next_choice = 0;
+    int equation = 0;
     for (const Constraint& c : step.system->constraints()) {
         if (c.joint != joint) { continue; }
         const EquationText text = equation_text(*step.system, c);
@@ -159,6 +160,7 @@ std::vector<EquationGroup> equations_of_joint(
         for (int k = 0; k < c.equations; ++k) {
             EquationRow entry;
             entry.component = component_name(c, k);
+            entry.equation = equation++;
             entry.value = values(k);
             entry.row = c.has_row(k) ? row++ : -1;
             if (entry.row < 0) {
@@ -180,12 +182,10 @@ std::vector<EquationGroup> open_equations(const Step& now, const Step& after, in
     Step coming = now;
     coming.system = after.system;
     std::vector<EquationGroup> groups = equations_of_joint(coming, joint, {}, nullptr);
-    int equation = 0;
     for (EquationGroup& group : groups) {
         for (EquationRow& row : group.rows) {
             row.row = -1;
             row.status = EquationRow::Status::open;
-            row.equation = equation++;
         }
     }
     return groups;

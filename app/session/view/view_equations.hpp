@@ -21,7 +21,7 @@ struct EquationRow {
     double value = 0.0;     ///< Φ, as it is
     int row = -1;           ///< of the system, -1 if dropped
     Status status = Status::kept;
-    int equation = -1;  ///< of an open one: number among all equations of its joint
+    int equation = -1;  ///< number among all equations of its joint; -1: of a driver
 };
 
 /// Which of the three equations of p1 / p2 are kept, and why.

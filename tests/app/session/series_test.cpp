@@ -291,6 +291,8 @@ TEST_CASE("curves of dynamics are as fine as a plot is wide, and pass through th
     REQUIRE(set.at.size() > 900);
     const int last = static_cast<int>(story.steps().size()) - 1;
     for (int k = story.last_assembled() + 1; k <= last; ++k) {
+        // questions and answers are no moments of the motion
+        if (story.steps()[static_cast<std::size_t>(k)].kind != Step::Kind::motion) { continue; }
         // the last point up to a step is the step itself
         const auto above = std::ranges::upper_bound(set.steps, k);
         const auto point = static_cast<std::size_t>(above - set.steps.begin()) - 1;
