@@ -22,16 +22,28 @@ constexpr std::array kContours{0.2, 0.4, 0.577, 0.8};
 
 int index_of(PairInUse pair) { return static_cast<int>(pair) - 1; }  // of the dropped component
 
+/// Cosines and sines of a whole turn, first and last the same: they are needed anew in every frame.
+const std::vector<std::array<double, 2>>& turn() {
+    static const std::vector<std::array<double, 2>> parts = [] {
+        std::vector<std::array<double, 2>> all;
+        for (int n = 0; n <= kLineParts; ++n) {
+            const double angle = 2.0 * kPi * n / kLineParts;
+            all.push_back({std::cos(angle), std::sin(angle)});
+        }
+        return all;
+    }();
+    return parts;
+}
+
 /// All directions whose component k is `value`.
 std::vector<Vec3> circle(int k, double value) {
     const double radius = std::sqrt(1.0 - value * value);
     std::vector<Vec3> points;
-    for (int n = 0; n <= kLineParts; ++n) {
-        const double angle = 2.0 * kPi * n / kLineParts;
+    for (const auto& [cosine, sine] : turn()) {
         Vec3 d;
         d(k) = value;
-        d((k + 1) % 3) = radius * std::cos(angle);
-        d((k + 2) % 3) = radius * std::sin(angle);
+        d((k + 1) % 3) = radius * cosine;
+        d((k + 2) % 3) = radius * sine;
         points.push_back(d);
     }
     return points;
@@ -71,6 +83,39 @@ Colour shaded(Colour colour, double facing) {
     return {light * colour.r, light * colour.g, light * colour.b, colour.a};
 }
 
+/// The side of the sphere that is seen: x to the right, y up, z to the eye.
+struct HalfSphere {
+    std::vector<Vec3> directions;
+    std::vector<unsigned short> triangles;  ///< three directions each
+};
+
+HalfSphere half_sphere() {
+    HalfSphere half;
+    half.directions.push_back(Vec3::UnitZ());
+    for (int ring = 1; ring <= kRingsOfSphere; ++ring) {
+        const double tilt = 0.5 * kPi * ring / kRingsOfSphere;
+        for (int spoke = 0; spoke < kSpokes; ++spoke) {
+            const double angle = 2.0 * kPi * spoke / kSpokes;
+            half.directions.emplace_back(
+                std::sin(tilt) * std::cos(angle), std::sin(tilt) * std::sin(angle), std::cos(tilt));
+        }
+    }
+    const auto corner = [](int ring, int spoke) {
+        return static_cast<unsigned short>(ring == 0 ? 0 : 1 + (ring - 1) * kSpokes + spoke % kSpokes);
+    };
+    for (int ring = 1; ring <= kRingsOfSphere; ++ring) {
+        for (int spoke = 0; spoke < kSpokes; ++spoke) {
+            const auto inner = corner(ring - 1, spoke);
+            const auto outer = corner(ring, spoke);
+            const auto next = corner(ring, spoke + 1);
+            half.triangles.insert(half.triangles.end(), {inner, outer, next});
+            if (ring == 1) { continue; }
+            half.triangles.insert(half.triangles.end(), {inner, next, corner(ring - 1, spoke + 1)});
+        }
+    }
+    return half;
+}
+
 }  // namespace
 
 double pair_quality(PairInUse pair, const Vec3& s_i) {
@@ -92,42 +137,26 @@ std::vector<SphereLine> lines_of(PairInUse pair) {
 
 Colour colour_of_quality(double quality) {
     const double middle = 1.0 / std::numbers::sqrt3;
-    const Colour bad = render::mix(theme::kRedundant, theme::kPaper, 0.25F);
-    const Colour good = render::mix(theme::kAccent, theme::kPaper, 0.40F);
-    const Colour plain = render::from_hex(0xF4F0E6);
+    static const Colour bad = render::mix(theme::kRedundant, theme::kPaper, 0.25F);
+    static const Colour good = render::mix(theme::kAccent, theme::kPaper, 0.40F);
+    static const Colour plain = render::from_hex(0xF4F0E6);
     if (quality < middle) { return render::mix(bad, plain, static_cast<float>(quality / middle)); }
     return render::mix(plain, good, static_cast<float>((quality - middle) / (1.0 - middle)));
 }
 
 void draw_shading(const Canvas& canvas, const SphereView& view, PairInUse pair) {
     if (!canvas.draws()) { return; }
-    struct Corner {
-        Point at;
-        Colour colour;
-    };
-    const auto corner = [&](int ring, int spoke) {
-        const double tilt = 0.5 * kPi * ring / kRingsOfSphere;
-        const double angle = 2.0 * kPi * spoke / kSpokes;
-        const Vec3 d = std::sin(tilt) * (std::cos(angle) * view.right + std::sin(angle) * view.up) +
-                       std::cos(tilt) * view.towards;
-        return Corner{view.pixel(d), shaded(colour_of_quality(pair_quality(pair, d)), std::cos(tilt))};
-    };
-    const auto fill = [&](const Corner& a, const Corner& b, const Corner& c) {
-        canvas.gradient_triangle({a.at, b.at, c.at}, {a.colour, b.colour, c.colour});
-    };
-    std::array<Corner, kSpokes + 1> inner;
-    std::array<Corner, kSpokes + 1> outer;
-    inner.fill(corner(0, 0));
-    for (int ring = 1; ring <= kRingsOfSphere; ++ring) {
-        for (int spoke = 0; spoke <= kSpokes; ++spoke) {
-            outer[static_cast<std::size_t>(spoke)] = corner(ring, spoke);
-        }
-        for (std::size_t k = 0; k < kSpokes; ++k) {
-            fill(inner[k], outer[k], outer[k + 1]);
-            if (ring > 1) { fill(inner[k], outer[k + 1], inner[k + 1]); }
-        }
-        inner = outer;
+    static const HalfSphere half = half_sphere();
+    std::vector<Point> corners;
+    std::vector<Colour> colours;
+    corners.reserve(half.directions.size());
+    colours.reserve(half.directions.size());
+    for (const Vec3& seen : half.directions) {
+        const Vec3 d = seen.x() * view.right + seen.y() * view.up + seen.z() * view.towards;
+        corners.push_back(view.pixel(d));
+        colours.push_back(shaded(colour_of_quality(pair_quality(pair, d)), seen.z()));
     }
+    canvas.gradient_mesh(corners, colours, half.triangles);
 }
 
 std::vector<std::vector<Point>> front_of(const SphereView& view, const std::vector<Vec3>& points) {

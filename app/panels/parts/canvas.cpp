@@ -152,4 +152,19 @@ void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours
     }
 }
 
+void Canvas::gradient_mesh(
+    std::span<const Point> corners, std::span<const Colour> colours,
+    std::span<const unsigned short> triangles) const {
+    if (list_ == nullptr) { return; }
+    list_->PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(corners.size()));
+    // after it was reserved, which may begin to count anew
+    const unsigned first = list_->_VtxCurrentIdx;
+    for (const unsigned short corner : triangles) {
+        list_->PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+    }
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        list_->PrimWriteVtx(vec(corners[k]), ImGui::GetFontTexUvWhitePixel(), packed(colours[k]));
+    }
+}
+
 }  // namespace jw::panels

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -85,6 +86,11 @@ public:
     void square(Point centre, float side, Colour colour, bool filled) const;
     /// Filled; its corners may differ in colour.
     void gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const;
+
+    /// Triangles of corners that they share, three numbers each.
+    void gradient_mesh(
+        std::span<const Point> corners, std::span<const Colour> colours,
+        std::span<const unsigned short> triangles) const;
 
 private:
     ImDrawList* list_;
