@@ -339,4 +339,36 @@ Alterations degrees_in_function(const Row& right) {
     });
 }
 
+/// An inverse that stands in front of what is solved for is left out.
+Alterations forgotten_inverse(const Row& right) {
+    return changed_once(right, [](Row& row, std::size_t k) {
+        const Row& above = row[k].above;
+        const bool inverse =
+            above.size() >= 2 && is_sign(above[above.size() - 2], "−") && is_sign(above.back(), "1");
+        if (!inverse || row.size() < 2) { return false; }
+        row.erase(row.begin() + static_cast<std::ptrdiff_t>(k));
+        return true;
+    });
+}
+
+/// s_{zi} becomes s_{xi}, and s_{yi}.
+Alterations other_component(const Row& right) {
+    constexpr std::string_view kAxes = "xyz";
+    Alterations all;
+    for (std::size_t onwards = 1; onwards < kAxes.size(); ++onwards) {
+        const auto change = [&](Row& row, std::size_t k) {
+            const Letter letter = letter_of(row[k]);
+            if (letter.node == nullptr || letter.node->below.empty()) { return false; }
+            auto* const index = std::get_if<Sign>(&letter.node->below.front().nucleus);
+            const std::size_t axis =
+                index != nullptr && index->utf8.size() == 1 ? kAxes.find(index->utf8) : std::string::npos;
+            if (axis == std::string::npos) { return false; }
+            index->utf8 = kAxes[(axis + onwards) % kAxes.size()];
+            return true;
+        };
+        std::ranges::move(changed_once(right, change), std::back_inserter(all));
+    }
+    return all;
+}
+
 }  // namespace jw::alterations

@@ -31,5 +31,7 @@ Alterations other_jacobian(const math::Row& right);
 Alterations not_normalised(const math::Row& right);
 Alterations other_function(const math::Row& right);
 Alterations degrees_in_function(const math::Row& right);
+Alterations forgotten_inverse(const math::Row& right);
+Alterations other_component(const math::Row& right);
 
 }  // namespace jw::alterations

@@ -75,7 +75,14 @@ constexpr std::array kFormulaMistakes{
         alterations::other_function},
     FormulaMistake{
         "degrees-in-function", "degrees in a function", "The functions take radians, not degrees.", "",
-        alterations::degrees_in_function}};
+        alterations::degrees_in_function},
+    FormulaMistake{
+        "inverse", "an inverse is forgotten",
+        "{} is missing: this is still the right side of the equations, not what they are solved for.", "",
+        alterations::forgotten_inverse},
+    FormulaMistake{
+        "component", "another component", "Another component was taken in place of {}.", "slide 5",
+        alterations::other_component}};
 
 }  // namespace
 
