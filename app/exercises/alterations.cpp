@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 
 #include "app/exercises/alterations.hpp"
@@ -235,17 +236,41 @@ Alterations transposed(const Row& right) {
     return {{{group}, "the answer"}};
 }
 
+/// Turned by A or its transpose: only one of them changes the frame, the other a vector that nobody writes.
+Alterations other_frame(const Row& right) {
+    Alterations all;
+    for (const char* turn : {"A", "A^T"}) {
+        Altered altered{math::own_math(turn), "the answer"};
+        Node group;
+        group.nucleus = math::Group{"(", ")", right};
+        altered.row.push_back(std::move(group));
+        all.push_back(std::move(altered));
+    }
+    return all;
+}
+
 Alterations g_for_l(const Row& right) { return exchange_letters(right, "G", "L"); }
 
+/// Once at each place, and one that stands at several places at all of them.
 Alterations lost_factor(const Row& right) {
-    return changed_once(right, [](Row& row, std::size_t k) {
-        auto* const sign = std::get_if<Sign>(&row[k].nucleus);
-        if (sign == nullptr || sign->kind != SignKind::number || sign->utf8 == "1" || sign->utf8 == "0") {
-            return false;
-        }
-        sign->utf8 = "1";
-        return true;
-    });
+    std::set<std::string> numbers;
+    const auto lose = [&](const std::string& only) {
+        return [&numbers, only](Row& row, std::size_t k) {
+            auto* const sign = std::get_if<Sign>(&row[k].nucleus);
+            if (sign == nullptr || sign->kind != SignKind::number || sign->utf8 == "1" || sign->utf8 == "0") {
+                return false;
+            }
+            if (!only.empty() && sign->utf8 != only) { return false; }
+            numbers.insert(sign->utf8);
+            sign->utf8 = "1";
+            return true;
+        };
+    };
+    Alterations all = changed_once(right, lose({}));
+    for (const std::string& number : std::set<std::string>(numbers)) {
+        std::ranges::move(changed_everywhere(right, lose(number)), std::back_inserter(all));
+    }
+    return all;
 }
 
 Alterations lost_square(const Row& right) {

@@ -20,6 +20,7 @@ Alterations global_for_local(const math::Row& right);
 Alterations forgotten_matrix(const math::Row& right);
 Alterations transposed_matrix(const math::Row& right);
 Alterations transposed(const math::Row& right);
+Alterations other_frame(const math::Row& right);
 Alterations g_for_l(const math::Row& right);
 Alterations lost_factor(const math::Row& right);
 Alterations lost_square(const math::Row& right);

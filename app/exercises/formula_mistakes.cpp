@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array kFormulaMistakes{
     FormulaMistake{
-        "sign", "wrong sign", "This is the right answer with the opposite sign.", "",
-        alterations::wrong_sign},
+        "sign", "wrong sign", "This is the right answer with the opposite sign.", "", alterations::wrong_sign,
+        "{} has the opposite sign."},
     FormulaMistake{
         "term-sign", "wrong sign of a term", "The term {} has the wrong sign.", "",
         alterations::sign_of_term},
@@ -41,13 +41,17 @@ constexpr std::array kFormulaMistakes{
         alterations::transposed_matrix},
     FormulaMistake{
         "transposed", "the answer transposed", "This is the transpose of the right answer.", "",
-        alterations::transposed},
+        alterations::transposed, "{} is transposed."},
+    FormulaMistake{
+        "frame", "components in the other frame",
+        "These are the components of the right vector in the other one of the frames: of the body and "
+        "global.",
+        "slide 3", alterations::other_frame, "{} has the components of the other frame."},
     FormulaMistake{
         "g-for-l", "G and L mixed up", "{} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ.", "slide 13",
         alterations::g_for_l},
     FormulaMistake{
-        "factor", "a factor is lost", "The factor {} of the formula is lost.", "slide 13",
-        alterations::lost_factor},
+        "factor", "a factor is lost", "The factor {} of the formula is lost.", "", alterations::lost_factor},
     FormulaMistake{"square", "a square is lost", "{} has lost its square.", "", alterations::lost_square},
     FormulaMistake{
         "dot", "a dot is lost", "{} has lost its dot: the derivative is needed, not the vector.",

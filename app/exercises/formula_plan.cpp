@@ -27,8 +27,10 @@ void plan_in_definition(const FormulaMistake& mistake, std::size_t k, FormulaPla
         where[k].insert(where[k].end(), equals.begin(), equals.end());
         where[k].insert(where[k].end(), altered.row.begin(), altered.row.end());
         const std::string shown = math::write_latex(where[k]);
-        plan.mistakes.push_back(
-            {&mistake, said(mistake.says, altered.what), shown, plan.found, std::move(where)});
+        const std::string says = mistake.of_definition != nullptr
+                                     ? said(mistake.of_definition, math::write_plain(sides.front()))
+                                     : said(mistake.says, altered.what);
+        plan.mistakes.push_back({&mistake, says, shown, plan.found, std::move(where)});
     }
 }
 

@@ -18,6 +18,8 @@ struct FormulaMistake {
     const char* says;   ///< feedback; {} is the thing in the formula
     const char* slide;  ///< where it is explained, may be empty
     std::vector<Altered> (*alter)(const math::Row& right);
+    /// feedback where the whole of a definition is mistaken; {} is what it defines; null: `says` fits
+    const char* of_definition = nullptr;
 };
 std::span<const FormulaMistake> formula_mistakes();
 

@@ -149,6 +149,7 @@ TEST_CASE("A mistake changes a formula in one thing", "[exercises]") {
     CHECK(first("order-of-product", "\\tilde{s}_i s_j") == plain("\\tilde{s}_j s_i"));
     CHECK(first("other-function", "\\sin \\theta") == plain("\\cos \\theta"));
     CHECK(first("square", "e_0^2") == plain("e_0"));
+    CHECK(first("frame", "s + d") == plain("A (s + d)"));
     CHECK(first("inverse", "J'^{-1} n'") == plain("n'"));
     CHECK(first("component", "s_{zi} + d") == plain("s_{xi} + d"));
     CHECK(first("tilde", "a + b").empty());
