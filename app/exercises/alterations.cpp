@@ -167,11 +167,15 @@ Alterations sign_of_term(const Row& right) {
         term_at);
 }
 
+/// Once at each place, and one that stands at several places at all of them.
 Alterations dropped_term(const Row& right) {
-    return changed_once(
-        right,
-        [](Row& row, std::size_t k) {
+    std::set<std::string> terms;
+    const auto drop = [&](const std::string& only) {
+        return [&terms, only](Row& row, std::size_t k) {
             if (!begins_one_of_terms(row, k)) { return false; }
+            const std::string term = term_at(row, k);
+            if (!only.empty() && term != only) { return false; }
+            terms.insert(term);
             const bool first = begins_sum(row, k);
             row.erase(
                 row.begin() + static_cast<std::ptrdiff_t>(k),
@@ -179,8 +183,15 @@ Alterations dropped_term(const Row& right) {
             // no plus is left over at the front
             if (first && is_sign(row[k], "+")) { row.erase(row.begin() + static_cast<std::ptrdiff_t>(k)); }
             return true;
-        },
-        term_at);
+        };
+    };
+    Alterations all = changed_once(right, drop({}), term_at);
+    for (const std::string& term : std::set<std::string>(terms)) {
+        for (Altered& altered : changed_everywhere(right, drop(term))) {
+            all.push_back({std::move(altered.row), term});
+        }
+    }
+    return all;
 }
 
 Alterations exchanged_bodies(const Row& right) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "app/exercises/given_value.hpp"
 #include "app/exercises/kinds.hpp"
@@ -42,12 +43,20 @@ MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
     return both_vectors && turned ? MatrixX(given.transpose()) : given;
 }
 
+/// A mistaken answer that is larger than the right one is rounded to as many digits, so more coarsely.
+double tolerance_near(const KnownMistake& mistake, const Asked& asked) {
+    if (is_exact(asked)) { return 1e-9; }
+    const double right = asked.right.cwiseAbs().maxCoeff();
+    const double mistaken = mistake.answer.cwiseAbs().maxCoeff();
+    return asked.tolerance * (right > 0.0 ? std::max(1.0, mistaken / right) : 1.0);
+}
+
 const KnownMistake* known_mistake(const Asked& asked, const MatrixX& given) {
     const KnownMistake* nearest = nullptr;
-    double least = is_exact(asked) ? 1e-9 : asked.tolerance;
+    double least = std::numeric_limits<double>::infinity();
     for (const KnownMistake& mistake : asked.mistakes) {
         const double apart = difference_from(mistake.answer, given, asked);
-        if (apart > least) { continue; }
+        if (apart > tolerance_near(mistake, asked) || apart > least) { continue; }
         least = apart;
         nearest = &mistake;
     }

@@ -149,10 +149,25 @@ TEST_CASE("A mistake changes a formula in one thing", "[exercises]") {
     CHECK(first("order-of-product", "\\tilde{s}_i s_j") == plain("\\tilde{s}_j s_i"));
     CHECK(first("other-function", "\\sin \\theta") == plain("\\cos \\theta"));
     CHECK(first("square", "e_0^2") == plain("e_0"));
-    CHECK(first("frame", "s + d") == plain("A (s + d)"));
+    CHECK(first("frame", "s + d") == "A (s + d)");
     CHECK(first("inverse", "J'^{-1} n'") == plain("n'"));
     CHECK(first("component", "s_{zi} + d") == plain("s_{xi} + d"));
     CHECK(first("tilde", "a + b").empty());
+}
+
+TEST_CASE("A term or a number that stands at several places is lost at all of them, too", "[exercises]") {
+    const auto last = [](const std::string& name, const std::string& formula) -> std::string {
+        for (const FormulaMistake& mistake : formula_mistakes()) {
+            if (mistake.name == name) {
+                return math::write_plain(mistake.alter(math::own_math(formula)).back().row);
+            }
+        }
+        return "no such mistake";
+    };
+    const auto plain = [](const std::string& formula) { return math::write_plain(math::own_math(formula)); };
+    CHECK(last("term-dropped", "(a + m) b - (c + m)") == plain("(a) b - (c)"));
+    CHECK(last("factor", "2 a + 2 b + 3 c") == plain("1 a + 1 b + 3 c"));
+    CHECK(last("factor", "2 a + 3 c") == plain("2 a + 1 c"));
 }
 
 TEST_CASE(

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/kinds.hpp"
@@ -106,6 +107,22 @@ TEST_CASE(
         CHECK(judge_value(task, {text, {}}).right);
     }
     CHECK_FALSE(judge_value(task, {"X Z Y", {}}).right);
+}
+
+TEST_CASE(
+    "A mistake is named in as many digits as the sheet asks for, however large its answer", "[exercises]") {
+    Exercise exercise;
+    exercise.kind = ExerciseKind::number;
+    Task task;
+    task.variant.exercise = &exercise;
+    task.asked.right = MatrixX::Constant(1, 1, 1.130079);
+    task.asked.tolerance = 1e-3 * 1.130079;
+    const double in_degrees = 1.130079 * 180.0 / std::numbers::pi;
+    task.asked.mistakes.push_back({"degrees", "", "Degrees.", "", MatrixX::Constant(1, 1, in_degrees), {}});
+    const Judged judged = judge_value(task, {written(task.asked.mistakes.front().answer, 4), {}});
+    CHECK_FALSE(judged.right);
+    CHECK(judged.mistake == "degrees");
+    CHECK(judge_value(task, {"65.1", {}}).mistake.empty());
 }
 
 TEST_CASE("An answer that is rounded as its sheet says is right, whatever its numbers", "[exercises]") {
