@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
 
 #include <toml++/toml.h>
+
+#include "lessons/language_tag.hpp"
 
 namespace jw {
 
@@ -273,6 +276,18 @@ private:
     }
 };
 
+/// Lines of the texts of a table, the translated ones too.
+void collect_texts(const toml::table& table, std::map<std::size_t, std::size_t>& lines) {
+    for (const auto& [key, value] : table) {
+        const toml::table* const inner = value.as_table();
+        if (key == "text" || key == "summary") {
+            lines[key.source().begin.line] = value.source().end.line;
+        } else if (inner != nullptr && is_language_tag(key.str())) {
+            collect_texts(*inner, lines);
+        }
+    }
+}
+
 }  // namespace
 
 EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits) {
@@ -294,6 +309,28 @@ std::string without_tables(const std::string& scene, const std::vector<std::stri
         if (const toml::node* const node = root->get(name)) { collect_headers(*node, lines); }
     }
     return without_headers(scene, headers_of(*root), lines);
+}
+
+std::string without_texts(const std::string& scene) {
+    const std::optional<toml::table> root = parsed(scene);
+    if (!root) { return scene; }
+    std::map<std::size_t, std::size_t> lines;
+    collect_texts(*root, lines);
+    for (const char* name : {"joint", "driver"}) {
+        const toml::array* const list = (*root)[name].as_array();
+        if (list == nullptr) { continue; }
+        for (const toml::node& entry : *list) {
+            if (const toml::table* const table = entry.as_table()) { collect_texts(*table, lines); }
+        }
+    }
+    const Places places(scene);
+    std::string kept;
+    std::size_t from = 0;
+    for (const auto& [first, last] : lines) {
+        kept += scene.substr(from, places.line(first) - from);
+        from = places.line(last + 1);
+    }
+    return kept + scene.substr(from);
 }
 
 std::string value_in(const std::string& scene, const std::string& key) {

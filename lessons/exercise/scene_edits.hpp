@@ -24,6 +24,10 @@ EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits);
 /// of the first one of a block of them.
 std::string without_tables(const std::string& scene, const std::vector<std::string>& names);
 
+/// The scene without `text` and `summary` of its own, and without those of its joints and drivers, in all
+/// languages.
+std::string without_texts(const std::string& scene);
+
 /// Value of a key as TOML; empty if there is none.
 std::string value_in(const std::string& scene, const std::string& key);
 

@@ -67,6 +67,36 @@ TEST_CASE("A table or a key can be taken out", "[exercises]") {
     CHECK(value_in(silent, "motion.to_s") == "2");
 }
 
+TEST_CASE("Texts are taken out in every language, and nothing else", "[exercises]") {
+    const std::string scene = R"(format = 1
+title = "T"
+text = """
+The rank is 16.
+"""
+summary = "16"
+[zh-Hant]
+title = "T2"
+text = "16"
+
+[[joint]]
+name = "A"
+text = '''
+Rank 5.
+'''
+zh-Hant.text = "5"
+axis = [0, 0, 1]  # up
+
+[[driver]]
+text = "5"
+name = "text"
+)";
+    CHECK(
+        without_texts(scene) ==
+        "format = 1\ntitle = \"T\"\n[zh-Hant]\ntitle = \"T2\"\n\n[[joint]]\nname = \"A\"\n"
+        "axis = [0, 0, 1]  # up\n\n[[driver]]\nname = \"text\"\n");
+    CHECK(without_texts(kScene) == kScene);
+}
+
 TEST_CASE("What is not there cannot be changed", "[exercises]") {
     for (const char* key : {"joint.C.axis", "joint.A.axis.7", "nothing", "body.crank.rotation.x.y", ""}) {
         CAPTURE(key);
