@@ -7,6 +7,7 @@
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
@@ -81,6 +82,18 @@ TEST_CASE(
     }
     CHECK(count >= 60);
     CHECK(kinds.size() == kExerciseKinds.size());
+}
+
+TEST_CASE("Every lesson of the catalogue has an exercise", "[exercises]") {
+    std::set<std::string> lessons;
+    for (const IndexedExercise& exercise :
+         exercises_of_course(fs::path(JW_EXERCISES_FOLDER).parent_path() / "catalogue")) {
+        lessons.insert(exercise.lesson);
+    }
+    for (const std::string& lesson : names_of_lessons()) {
+        CAPTURE(lesson);
+        CHECK(lessons.contains(lesson));
+    }
 }
 
 TEST_CASE("The same student, key and exercise give the same variant, others another one", "[exercises]") {
