@@ -227,7 +227,10 @@ double tolerance_of(const Exercise& exercise, const Asked& asked) {
 std::optional<Instant> instant_of(const Variant& variant, const Pose& pose) {
     const Claim& claim = variant.lesson.claims.front();
     if (!std::holds_alternative<AnyState>(claim.when)) { return pose.instant; }
-    return formula::arbitrary_instant(pose.instant.system, static_cast<unsigned>(variant.seed & 0x7FFFFFFFU));
+    Instant instant =
+        formula::arbitrary_instant(pose.instant.system, static_cast<unsigned>(variant.seed & 0x7FFFFFFFU));
+    instant.scene = pose.instant.scene;
+    return instant;
 }
 
 }  // namespace

@@ -44,14 +44,19 @@ Instant hard_instant(std::shared_ptr<const System> system, unsigned seed, std::s
 std::vector<CodeCase> cases_of(const Task& task) {
     const Lesson& lesson = task.variant.lesson;
     const auto system = std::make_shared<const System>(lesson.mechanism, everything(lesson.mechanism));
+    std::shared_ptr<const Centroidal> scene;
+    if (lesson.dynamics) {
+        scene = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
+    }
     std::vector<CodeCase> cases;
     const auto seed = static_cast<unsigned>(task.variant.seed & 0x3FFFFFFFU);
     for (int k = 0; k < task.exercise().cases; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const unsigned of_case = seed + static_cast<unsigned>(k);
         const bool hard = at < kHardStates.size();
-        const Instant instant =
+        Instant instant =
             hard ? hard_instant(system, of_case, at) : formula::arbitrary_instant(system, of_case);
+        instant.scene = scene;
         Asked asked = asked_at(task.variant, instant);
         // a formula may have no value in a special state
         if (!asked.problem.empty() || !asked.right.allFinite()) { continue; }
