@@ -234,19 +234,23 @@ Alterations other_jacobian(const Row& right) {
     });
 }
 
+/// A quotient by a length loses its denominator.
 Alterations not_normalised(const Row& right) {
-    return changed_once(right, [](Row& row, std::size_t k) {
+    const auto is_length = [](const Node& n) {
+        const auto* const group = std::get_if<math::Group>(&n.nucleus);
+        return is_kind(n, SignKind::fence) ||
+               (group != nullptr && (group->open == "|" || group->open == "‖"));
+    };
+    const auto undivided = [&](Row& row, std::size_t k) {
         auto* const fraction = std::get_if<math::Fraction>(&row[k].nucleus);
-        const auto is_length = [](const Node& n) {
-            const auto* const group = std::get_if<math::Group>(&n.nucleus);
-            return is_kind(n, SignKind::fence) ||
-                   (group != nullptr && (group->open == "|" || group->open == "‖"));
-        };
         if (fraction == nullptr || std::ranges::none_of(fraction->below, is_length)) { return false; }
         Node group;
         group.nucleus = math::Group{"", "", fraction->above};
         row[k] = std::move(group);
         return true;
+    };
+    return changed_once(right, undivided, [](const Row& row, std::size_t k) {
+        return math::write_plain(std::get<math::Fraction>(row[k].nucleus).below);
     });
 }
 

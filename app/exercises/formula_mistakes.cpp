@@ -72,7 +72,7 @@ constexpr std::array kFormulaMistakes{
         "This is the other one of the true and the modified Jacobian: they differ by c pᵀ.", "slides 21-22",
         alterations::other_jacobian},
     FormulaMistake{
-        "not-normalised", "not normalised", "The result has to be divided by its length.", "slide 23",
+        "not-normalised", "not normalised", "The division by the length {} is missing.", "",
         alterations::not_normalised},
     FormulaMistake{
         "other-function", "the other function", "{} is the wrong function here.", "slide 5",

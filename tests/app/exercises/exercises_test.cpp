@@ -181,6 +181,7 @@ TEST_CASE("A term or a number that stands at several places is lost at all of th
     CHECK(last("term-dropped", "(a + m) b - (c + m)") == plain("(a) b - (c)"));
     CHECK(last("factor", "2 a + 2 b + 3 c") == plain("1 a + 1 b + 3 c"));
     CHECK(last("factor", "2 a + 3 c") == plain("2 a + 1 c"));
+    CHECK(last("not-normalised", "\\frac{y}{|y|}") == plain("y"));
 }
 
 TEST_CASE(
