@@ -102,13 +102,21 @@ Judged refused(std::string why) {
 /// Numbers, of which one is NaN or infinite.
 bool is_without_value(const MatrixX& given) { return given.size() > 0 && !given.allFinite(); }
 
+/// There is an answer in a random state: in special ones mistakes may agree with each other.
+bool can_tell_mistakes(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        if (cases[k].name.empty() && !is_without_value(given[k])) { return true; }
+    }
+    return false;
+}
+
 /// The known mistake that gives all these answers; those without a value tell nothing.
 const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
-    if (std::ranges::all_of(given, is_without_value)) { return nullptr; }
+    if (!can_tell_mistakes(cases, given)) { return nullptr; }
     const std::size_t count = cases.front().asked.mistakes.size();
     for (std::size_t m = 0; m < count; ++m) {
         bool all = true;
-        for (std::size_t k = 0; all && k < cases.size(); ++k) {
+        for (std::size_t k = 0; all && k < given.size(); ++k) {
             if (is_without_value(given[k])) { continue; }
             all = m < cases[k].asked.mistakes.size() &&
                   fits_answer(cases[k].asked.mistakes[m].answer, given[k], cases[k].asked);
@@ -121,6 +129,11 @@ const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::ve
 std::string entry_text(double entry) { return std::isfinite(entry) ? number_text(entry, 6) : "NaN"; }
 
 std::string marked_entries(const MatrixX& right, const MatrixX& given) {
+    if (given.size() == 0) {
+        return "it is neither a number nor a list of numbers nor a list of rows of the same length; "
+               "expected " +
+               std::to_string(right.rows()) + " × " + std::to_string(right.cols()) + " numbers";
+    }
     if (given.rows() != right.rows() || given.cols() != right.cols()) {
         return "it has " + std::to_string(given.rows()) + " × " + std::to_string(given.cols()) +
                " numbers; expected " + std::to_string(right.rows()) + " × " + std::to_string(right.cols());
@@ -157,12 +170,26 @@ void tell_missing_values(
         "range.");
 }
 
+/// Too many answers or too few: they are taken in order, as far as there are states, and not for all points.
+void tell_number_of_answers(std::size_t answers, std::size_t cases, Judged& judged) {
+    const std::string there_are =
+        answers == 1 ? "There is 1 answer" : "There are " + std::to_string(answers) + " answers";
+    const std::string taken = answers > cases ? "The first " + std::to_string(cases) + " are judged."
+                                              : "Those that are missing count as wrong.";
+    judged.feedback.insert(
+        judged.feedback.begin(),
+        there_are + "; expected " + std::to_string(cases) + ", one for each case. " + taken);
+    judged.right = false;
+    judged.share = std::min(judged.share, kWorthOfCases);
+}
+
+/// @param given  answers of the first cases; those of the others are missing
 void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given, Judged& judged) {
     int right = 0;
     int wrong_and_random = 0;
     const CodeCase* first = nullptr;
     std::size_t at = 0;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
+    for (std::size_t k = 0; k < given.size(); ++k) {
         if (fits_answer(cases[k].asked.right, given[k], cases[k].asked)) {
             ++right;
             continue;
@@ -178,10 +205,11 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.share = judged.right ? 1.0 : kWorthOfCases * right / count;
     if (judged.right) { return; }
     judged.feedback.push_back(std::to_string(right) + " of " + std::to_string(count) + " states are right.");
+    if (first == nullptr) { return; }
     judged.feedback.push_back(
         "In " + state_of(cases, at) + " " + marked_entries(first->asked.right, given[at]) + ".");
     tell_missing_values(cases, given, judged);
-    if (wrong_and_random == 0) {
+    if (wrong_and_random == 0 && given.size() == cases.size()) {
         judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions.");
     }
 }
@@ -284,18 +312,14 @@ Judged judge_output(const Task& task, const Handed& handed) {
     const ProgramOutput output = read_program_output(handed.text);
     if (!output.problem.empty()) { return refused(output.problem); }
     const std::vector<CodeCase> cases = cases_of(task);
-    const std::vector<MatrixX>& answers = output.answers;
-    if (answers.size() != cases.size()) {
-        return refused(
-            "There are " + std::to_string(answers.size()) + " answers; expected " +
-            std::to_string(cases.size()) + ", one for each case.");
-    }
+    const std::size_t answered = output.answers.size();
     std::vector<MatrixX> given;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
-        given.push_back(turned_to(cases[k].asked.right, answers[k]));
+    for (std::size_t k = 0; k < std::min(answered, cases.size()); ++k) {
+        given.push_back(turned_to(cases[k].asked.right, output.answers[k]));
     }
     Judged judged;
     tell_cases(cases, given, judged);
+    if (answered != cases.size()) { tell_number_of_answers(answered, cases.size(), judged); }
     if (judged.right) { return judged; }
     if (const KnownMistake* const mistake = mistake_of(cases, given)) {
         judged.mistake = mistake->name;

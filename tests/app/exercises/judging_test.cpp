@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <numbers>
 
+#include <nlohmann/json.hpp>
+
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/read_output.hpp"
@@ -32,6 +34,15 @@ std::string with_last_number(const std::string& output, const std::string& word)
     const std::size_t end = output.find_last_of("0123456789") + 1;
     const std::size_t begin = output.find_last_of("[,", end) + 1;
     return output.substr(0, begin) + word + output.substr(end);
+}
+
+/// An output with so many answers: cut, or the last one repeated.
+std::string with_answers(const std::string& output, std::size_t count) {
+    nlohmann::json json = nlohmann::json::parse(output);
+    nlohmann::json& answers = json["answers"];
+    while (answers.size() > count) { answers.erase(answers.size() - 1); }
+    while (answers.size() < count) { answers.push_back(answers.back()); }
+    return json.dump();
 }
 
 Exercise letters() {
@@ -67,6 +78,43 @@ TEST_CASE("A known mistake is named although a state has no value", "[exercises]
     const HandedMistake mistake = mistaken_outputs(shipped.task).front();
     const std::string output = with_last_number(mistake.handed.text, "NaN");
     CHECK(judge_output(shipped.task, {output, {}}).mistake == mistake.name);
+}
+
+TEST_CASE("Too few or too many answers cost a program only the states without one", "[exercises]") {
+    const Shipped shipped("jacobians.toml", "n1-row-code");
+    REQUIRE(shipped.task.problem.empty());
+    const std::string right = right_output(shipped.task).text;
+    const Judged fewer = judge_output(shipped.task, {with_answers(right, 21), {}});
+    CAPTURE(fewer.feedback);
+    CHECK(fewer.understood);
+    CHECK_FALSE(fewer.right);
+    CHECK(fewer.share == Approx(0.5 * 21 / 24));
+    CHECK(fewer.mistake.empty());
+    CHECK(fewer.feedback.front().starts_with("There are 21 answers; expected 24"));
+    CHECK(fewer.feedback.back() == "21 of 24 states are right.");
+
+    const Judged more = judge_output(shipped.task, {with_answers(right, 26), {}});
+    CAPTURE(more.feedback);
+    CHECK_FALSE(more.right);
+    CHECK(more.share == Approx(0.5));
+    CHECK(more.feedback.front().starts_with("There are 26 answers; expected 24"));
+
+    const Judged none = judge_output(shipped.task, {with_answers(right, 0), {}});
+    CHECK(none.share == 0.0);
+    CHECK(none.feedback.front().starts_with("There are 0 answers; expected 24"));
+}
+
+TEST_CASE("A known mistake is named although answers are missing, if a random state has one", "[exercises]") {
+    const Shipped shipped("jacobians.toml", "n1-row-code");
+    const HandedMistake mistake = mistaken_outputs(shipped.task).front();
+    // the first four states are special: there mistakes may agree
+    CHECK(judge_output(shipped.task, {with_answers(mistake.handed.text, 3), {}}).mistake.empty());
+    for (const std::size_t count : {5U, 23U, 25U}) {
+        CAPTURE(count);
+        const Judged judged = judge_output(shipped.task, {with_answers(mistake.handed.text, count), {}});
+        CHECK(judged.mistake == mistake.name);
+        CHECK(judged.share == 0.0);
+    }
 }
 
 TEST_CASE("Words within strings and half an output are no numbers", "[exercises]") {
