@@ -9,6 +9,7 @@
 #include "app/exercises/grading/plain_file.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/languages.hpp"
+#include "app/exercises/run/safe_text.hpp"
 #include "app/exercises/run/student_file.hpp"
 
 namespace jw {
@@ -41,6 +42,16 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
     return {not_judged(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
+/// What a program wrote in place of its answers: often a number that it prints in passing.
+std::string beginning_of(const std::string& out) {
+    const std::string text = exercises::printable(out.substr(0, 1000));
+    const std::size_t first = text.find_first_not_of(" \n\t");
+    if (first == std::string::npos) { return "It wrote nothing to standard output."; }
+    return "What it wrote begins with \"" +
+           exercises::first_lines(text.substr(first, text.find('\n', first) - first), 1, 60) +
+           "\". Nothing but the answers may be written to standard output.";
+}
+
 /// Runs the program of the student and judges what it writes.
 ProgramVerdict judge_program(const Task& task, const exercises::StudentProgram& program) {
     const exercises::ReadyProgram ready = exercises::make_ready(program);
@@ -54,7 +65,9 @@ ProgramVerdict judge_program(const Task& task, const exercises::StudentProgram& 
     }
     const std::string fault = exercises::fault_of(result.run, limits);
     if (!fault.empty()) { return {not_judged("The program " + fault)}; }
-    return {kind_of(task.exercise().kind).judge(task, {result.run.out, {}})};
+    ProgramVerdict verdict{kind_of(task.exercise().kind).judge(task, {result.run.out, {}})};
+    if (!verdict.judged.understood) { verdict.judged.feedback.push_back(beginning_of(result.run.out)); }
+    return verdict;
 }
 
 void grade_program(const Task& task, const fs::path& folder, ExerciseGrade& grade) {

@@ -20,13 +20,16 @@ std::string in_seconds(double seconds) {
     return text;
 }
 
-/// The last line that the program wrote about itself, which in most languages names the error.
+/// What the program wrote about its end: the last line that calls itself an error ("NameError: ...",
+/// "error: ..."), since Octave and JavaScript write where it happened behind it, or else the last line.
 std::string last_words(const std::string& err) {
     std::string text = printable(err);
     while (text.ends_with('\n') || text.ends_with(' ')) { text.pop_back(); }
-    const std::size_t line = text.rfind('\n');
+    constexpr std::string_view kOctavesPlace = "\nerror: called from";
+    text = text.substr(0, text.find(kOctavesPlace));
+    const std::size_t line = text.rfind('\n', text.rfind("rror: "));
     const std::string last = line == std::string::npos ? text : text.substr(line + 1);
-    return last.empty() ? last : ": " + first_lines(last, 1, 200);
+    return last.empty() ? last : ": " + first_lines(last.substr(0, last.find('\n')), 1, 200);
 }
 
 }  // namespace
