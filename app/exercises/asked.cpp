@@ -118,7 +118,9 @@ void add_mixed_units(Asked& asked) {
     add_answer(asked, kMixedUnits, asked.right * (in_degrees ? unit->factor : kDegreesPerRadian));
 }
 
-void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instant& instant, Asked& asked) {
+void ask_formula(
+    const Variant& variant, const FormulaClaim& claim, const Instant& instant, KnownMistakes mistakes,
+    Asked& asked) {
     const FormulaPlan& plan = *variant.plan;
     const AskedFormula f(plan, claim, instant);
     try {
@@ -132,7 +134,7 @@ void ask_formula(const Variant& variant, const FormulaClaim& claim, const Instan
         return;
     }
     asked.latex = math::write_latex(plan.found);
-    asked.mistakes = f.mistakes();
+    if (mistakes == KnownMistakes::answered) { asked.mistakes = f.mistakes(); }
     for (const Row& symbol : plan.given) {
         asked.given.push_back({math::write_latex(symbol), f.value_or_empty(symbol)});
         if (asked.given.back().value.size() == 0) {
@@ -250,7 +252,7 @@ Asked asked_in(const Variant& variant) {
     const std::optional<Instant> instant = instant_of(variant, pose);
     std::visit(
         Overloaded{
-            [&](const FormulaClaim& c) { ask_formula(variant, c, *instant, asked); },
+            [&](const FormulaClaim& c) { ask_formula(variant, c, *instant, KnownMistakes::answered, asked); },
             [&](const CountClaim& c) { ask_count(c, *instant, asked); },
             [&](const DroppedClaim& c) { ask_dropped(c, *instant, asked); },
             [&](const QuantityClaim& c) { ask_quantity(variant, c, pose, asked); },
@@ -268,7 +270,7 @@ Asked asked_in(const Variant& variant) {
     return asked;
 }
 
-Asked asked_at(const Variant& variant, const Instant& instant) {
+Asked asked_at(const Variant& variant, const Instant& instant, KnownMistakes mistakes) {
     Asked asked;
     const Claim& claim = variant.lesson.claims.front();
     const auto* const formula = std::get_if<FormulaClaim>(&claim.fact);
@@ -276,7 +278,7 @@ Asked asked_at(const Variant& variant, const Instant& instant) {
         asked.problem = "no formula is asked for";
         return asked;
     }
-    ask_formula(variant, *formula, instant, asked);
+    ask_formula(variant, *formula, instant, mistakes, asked);
     filter_mistakes(*variant.exercise, asked);
     asked.tolerance = tolerance_of(*variant.exercise, asked);
     return asked;

@@ -42,8 +42,11 @@ struct Asked {
 /// The answer of a number, vector, matrix or pose, and of a choice among formulas or components.
 Asked asked_in(const Variant& variant);
 
+/// Whether the answers of known mistakes are computed: there are many of them.
+enum class KnownMistakes { answered, left_out };
+
 /// The same of a formula at any instant of the scene's mechanism.
-Asked asked_at(const Variant& variant, const Instant& instant);
+Asked asked_at(const Variant& variant, const Instant& instant, KnownMistakes mistakes);
 
 /// Largest difference of an entry from `right`, turns and the sign of p taken into account; infinity if the
 /// shapes differ.

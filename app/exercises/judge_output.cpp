@@ -41,7 +41,7 @@ Instant hard_instant(std::shared_ptr<const System> system, unsigned seed, std::s
     return instant;
 }
 
-std::vector<CodeCase> cases_of(const Task& task) {
+std::vector<CodeCase> cases_of(const Task& task, KnownMistakes mistakes) {
     const Lesson& lesson = task.variant.lesson;
     const auto system = std::make_shared<const System>(lesson.mechanism, everything(lesson.mechanism));
     std::shared_ptr<const Centroidal> scene;
@@ -57,7 +57,7 @@ std::vector<CodeCase> cases_of(const Task& task) {
         Instant instant =
             hard ? hard_instant(system, of_case, at) : formula::arbitrary_instant(system, of_case);
         instant.scene = scene;
-        Asked asked = asked_at(task.variant, instant);
+        Asked asked = asked_at(task.variant, instant, mistakes);
         // a formula may have no value in a special state
         if (!asked.problem.empty() || !asked.right.allFinite()) { continue; }
         cases.push_back({hard ? kHardStates[at] : "", std::move(asked)});
@@ -270,7 +270,7 @@ std::vector<std::string> input_names(const Exercise& exercise) {
 std::string program_input(const Task& task) {
     const std::vector<std::string> names = input_names(task.exercise());
     Json cases = Json::array();
-    for (const CodeCase& c : cases_of(task)) {
+    for (const CodeCase& c : cases_of(task, KnownMistakes::left_out)) {
         Json inputs = Json::object();
         for (std::size_t k = 0; k < names.size(); ++k) { inputs[names[k]] = json_of(c.asked.given[k].value); }
         cases.push_back(std::move(inputs));
@@ -281,20 +281,23 @@ std::string program_input(const Task& task) {
 std::string judging_of_programs(const Task& task) {
     std::string special;
     for (const char* state : kHardStates) { special += (special.empty() ? "" : "; ") + std::string(state); }
-    return "It is tried in " + std::to_string(cases_of(task).size()) + " states, the first ones special (" +
-           special + "). Each entry has to agree with the formula within " + number_text(kTolerance, 1) +
+    return "It is tried in " + std::to_string(cases_of(task, KnownMistakes::left_out).size()) +
+           " states, the first ones special (" + special +
+           "). Each entry has to agree with the formula within " + number_text(kTolerance, 1) +
            " of the largest one.";
 }
 
 Handed right_output(const Task& task) {
     Json answers = Json::array();
-    for (const CodeCase& c : cases_of(task)) { answers.push_back(json_of(c.asked.right)); }
+    for (const CodeCase& c : cases_of(task, KnownMistakes::left_out)) {
+        answers.push_back(json_of(c.asked.right));
+    }
     return output_of(answers);
 }
 
 std::vector<HandedMistake> mistaken_outputs(const Task& task) {
     std::vector<HandedMistake> all;
-    const std::vector<CodeCase> cases = cases_of(task);
+    const std::vector<CodeCase> cases = cases_of(task, KnownMistakes::answered);
     for (const KnownMistake& known : task.asked.mistakes) {
         Json answers = Json::array();
         for (const CodeCase& c : cases) {
@@ -311,7 +314,7 @@ std::vector<HandedMistake> mistaken_outputs(const Task& task) {
 Judged judge_output(const Task& task, const Handed& handed) {
     const ProgramOutput output = read_program_output(handed.text);
     if (!output.problem.empty()) { return refused(output.problem); }
-    const std::vector<CodeCase> cases = cases_of(task);
+    const std::vector<CodeCase> cases = cases_of(task, KnownMistakes::answered);
     const std::size_t answered = output.answers.size();
     std::vector<MatrixX> given;
     for (std::size_t k = 0; k < std::min(answered, cases.size()); ++k) {
