@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from formats import check_gradescope, check_junit, check_prairielearn
+from formats import check_gradescope, check_junit, check_moodle, check_prairielearn
 
 program, project = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 docs = project / "docs" / "grading"
@@ -69,6 +69,24 @@ with tempfile.TemporaryDirectory() as folder:
     result = json.loads((root / "grade" / "results" / "results.json").read_text())
     check_prairielearn(result)
     assert 0.5 < result["score"] <= 1.0, result["score"]
+
+    # one that nobody can read does not count as an attempt
+    (root / "grade" / "student" / "answers.toml").write_bytes(b"\xff\xfe\x00<>")
+    run(docs / "prairielearn" / "grade.sh", GRADE=str(root / "grade"), JOINTWISE_SOURCE=str(root / "grade" / "tests" / "jointwise"))
+    result = json.loads((root / "grade" / "results" / "results.json").read_text())
+    check_prairielearn(result)
+    assert not result["gradable"], result
+
+    # quizzes of all exercises, with a figure in some of them
+    files = sorted((project / "lessons" / "exercises").glob("*.toml"))
+    run(program, "sheet", *files, "--variants", "2", "--key", root / "grade" / "tests" / "key.toml", "--out", root / "quiz",
+        "--format", "moodle", "--no-figures")
+    counts = check_moodle((root / "quiz" / "moodle.xml").read_text())
+    assert all(counts[kind] >= 2 for kind in ("cloze", "numerical", "multichoice", "shortanswer")), counts
+    run(program, "sheet", files[0], "--student", "ann", "--key", root / "grade" / "tests" / "key.toml", "--out", root / "drawn",
+        "--format", "moodle")
+    assert "@@PLUGINFILE@@" in (root / "drawn" / "moodle.xml").read_text()
+    check_moodle((root / "drawn" / "moodle.xml").read_text())
 
     # wrong, missing, hostile and unreadable ones in every format
     key, class_of = root / "grade" / "tests" / "key.toml", root / "class"

@@ -47,6 +47,14 @@ std::string question_text(const SheetEntry& entry, const std::string& more) {
     return "<questiontext format=\"html\">" + cdata(html + more) + file + "</questiontext>\n";
 }
 
+/// A slash would begin another category: Moodle takes two for one of the name (qformat_default,
+/// question/format.php).
+std::string category_name(const std::string& name) {
+    std::string doubled;
+    for (const char c : name) { doubled += c == '/' ? std::string("//") : std::string(1, c); }
+    return markup_text(doubled);
+}
+
 std::string feedback_of(const KnownMistake& mistake) {
     return mistake.says + (mistake.slide.empty() ? "" : " Look at " + mistake.slide + ".");
 }
@@ -200,8 +208,8 @@ std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& cate
         const std::string name = sheets.front().entries[k].task.exercise().name;
         if (!is_for_quizzes(sheets.front().entries[k].task.exercise())) { continue; }
         // a category for each exercise: a quiz takes one of it at random
-        xml += "<question type=\"category\"><category><text>$course$/top/" + markup_text(category) + "/" +
-               markup_text(name) + "</text></category></question>\n";
+        xml += "<question type=\"category\"><category><text>$course$/top/" + category_name(category) + "/" +
+               category_name(name) + "</text></category></question>\n";
         for (const Sheet& sheet : sheets) {
             const auto entry = std::ranges::find_if(
                 sheet.entries, [&](const SheetEntry& e) { return e.task.exercise().name == name; });

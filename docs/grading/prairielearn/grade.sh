@@ -15,6 +15,10 @@ def test_of(t):
     verdict, _, feedback = t["output"].partition("\n")
     return {"name": t["name"], "points": t["score"], "max_points": t["max_score"], "message": verdict, "output": feedback}
 tests = [test_of(t) for t in graded["tests"]]
-json.dump({"gradable": True, "score": graded["score"] / points if points else 0, "tests": tests}, sys.stdout)
+if "output" in graded:
+    # nothing could be read: the attempt does not count
+    json.dump({"gradable": False, "format_errors": [graded["output"]]}, sys.stdout)
+else:
+    json.dump({"gradable": True, "score": graded["score"] / points if points else 0, "tests": tests}, sys.stdout)
 ' >"$grade/results/results.json.part"
 mv "$grade/results/results.json.part" "$grade/results/results.json"
