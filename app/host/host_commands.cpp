@@ -25,6 +25,9 @@ constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
 constexpr float kPage = 0.5F;  // of what is seen, by one command
 
+/// Commands of the timeline: a figure has none, and a lesson that nobody sees stays where it is.
+bool is_of_story(Command command) { return command <= Command::slower; }
+
 bool needs_lesson(Command command) {
     constexpr std::array always{Command::dark,     Command::larger_text, Command::smaller_text,
                                 Command::language, Command::lessons,     Command::help,
@@ -120,6 +123,7 @@ void Host::go_to(int step) {
 void Host::carry_out(Command command) {
     rouse();
     if (needs_lesson(command) && !shows_lesson()) { return; }
+    if (is_of_story(command) && shows_figure()) { return; }
     switch (command) {
         case Command::next: state_.playback.pause(); return go_to(session_->index() + 1);
         case Command::back: state_.playback.pause(); return go_to(session_->index() - 1);

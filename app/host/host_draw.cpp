@@ -59,7 +59,11 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
         draw_step(ui, view);
     }
     side_column(ui, layout_, tabs_, desk_.practice(), desk_.work());
-    timeline_bar(ui, layout_.bar);
+    if (figure) {
+        bar_of_figure(ui, layout_.bar);
+    } else {
+        timeline_bar(ui, layout_.bar);
+    }
 
     // the thing under the pointer lights up in the next frame
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -98,14 +98,12 @@ void Host::note_experiment(const Experiment& experiment, const std::string& word
     desk_.note_experiment(words);
 }
 
-/// The words around the figure of an exercise, in place of those of a step.
+/// The words around the figure of an exercise, in place of those of a step: it is no step of a story.
 void Host::draw_figure(const Ui& ui) {
     View view;
     view.lesson_title = session_->lesson().title;
     view.title = desk_.practice().exercise()->title;
     view.source = desk_.practice().exercise()->source;
-    view.step = 0;
-    view.steps = 1;
     view.sentence = tr("The scene of the exercise. It can be turned; what is asked cannot be read off it.");
     panels::draw_title(ui.canvas, layout_.title, view);
     panels::draw_caption(ui.canvas, layout_.caption, view);

@@ -53,13 +53,14 @@ std::string beginning_of(const std::string& out) {
 }
 
 /// Runs the program of the student and judges what it writes.
-ProgramVerdict judge_program(const Task& task, const exercises::StudentProgram& program) {
-    const exercises::ReadyProgram ready = exercises::make_ready(program);
+ProgramVerdict judge_program(
+    const Task& task, const exercises::StudentProgram& program, const std::stop_token& stop = {}) {
+    const exercises::ReadyProgram ready = exercises::make_ready(program, stop);
     if (ready.outcome != exercises::ProgramResult::Outcome::ran) {
         return not_run(ready.outcome, ready.message);
     }
     const exercises::SandboxLimits limits;
-    const exercises::ProgramResult result = exercises::run_ready(ready, program_input(task), limits);
+    const exercises::ProgramResult result = exercises::run_ready(ready, program_input(task), limits, stop);
     if (result.outcome != exercises::ProgramResult::Outcome::ran) {
         return not_run(result.outcome, result.message);
     }
@@ -163,10 +164,10 @@ std::string means_of_running() {
 
 }  // namespace
 
-Judged judge_program_file(const Task& task, const fs::path& file) {
+Judged judge_program_file(const Task& task, const fs::path& file, const std::stop_token& stop) {
     const exercises::ProgramSearch found = exercises::read_program(file.string());
     if (found.outcome == exercises::ProgramSearch::Outcome::found) {
-        return judge_program(task, found.program).judged;
+        return judge_program(task, found.program, stop).judged;
     }
     return not_judged(
         found.reason.empty() ? "There is no file '" + file.string() + "'; expected a program."

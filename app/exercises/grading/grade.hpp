@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,9 @@ ExerciseGrade grade_exercise(
 double longest_grading(const Exercise& exercise);
 
 /// Runs a program in the sandbox and judges what it writes; why it was not run is said in the feedback.
-Judged judge_program_file(const Task& task, const std::filesystem::path& file);
+/// @param stop  kills the program: its answers are not wanted any more
+Judged judge_program_file(
+    const Task& task, const std::filesystem::path& file, const std::stop_token& stop = {});
 
 /// Digest of all that a folder hands in; empty if it cannot be read.
 std::string digest_of(const std::filesystem::path& folder);

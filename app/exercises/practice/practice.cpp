@@ -210,7 +210,9 @@ void Practice::show_solution() {
 void Practice::check(const Handed& handed) {
     if (!task_ || !task_->problem.empty() || judging_) { return; }
     if (!is_judged_at_once(task_->exercise().kind)) {
-        return judge_in_thread([task = *task_, held = held_, handed] { return verdict_on(task, handed); });
+        return judge_in_thread([task = *task_, held = held_, handed](const std::stop_token&) {
+            return verdict_on(task, handed);
+        });
     }
     verdict_ = verdict_on(*task_, handed);
     keep_result();
@@ -222,14 +224,14 @@ void Practice::check_program(const std::filesystem::path& file) {
         verdict_ = could_not_judge(tr("programs of students run in a sandbox only, and there is none here."));
         return;
     }
-    judge_in_thread([task = *task_, held = held_, file, judge = setup_.judge_program] {
-        return verdict_of(task, {}, judge(task, file));
-    });
+    judge_in_thread(
+        [task = *task_, held = held_, file, judge = setup_.judge_program](const std::stop_token& stop) {
+            return verdict_of(task, {}, judge(task, file, stop));
+        });
 }
 
-void Practice::judge_in_thread(std::function<AnswerVerdict()> judge) {
-    judging_ = std::make_unique<Background<AnswerVerdict>>(
-        [judge = std::move(judge)](const std::stop_token&) { return judge(); });
+void Practice::judge_in_thread(std::function<AnswerVerdict(const std::stop_token& stop)> judge) {
+    judging_ = std::make_unique<Background<AnswerVerdict>>(std::move(judge));
 }
 
 void Practice::take_verdict() {

@@ -16,8 +16,9 @@
 /// Practising the exercises of a lesson, without drawing.
 namespace jw {
 
-/// Runs the program of a file and judges what it writes; may take seconds.
-using ProgramJudge = std::function<Judged(const Task& task, const std::filesystem::path& file)>;
+/// Runs the program of a file and judges what it writes; may take seconds, unless it is told to stop.
+using ProgramJudge =
+    std::function<Judged(const Task& task, const std::filesystem::path& file, const std::stop_token& stop)>;
 
 struct PracticeSetup {
     std::filesystem::path lessons;   ///< folder of the course
@@ -106,7 +107,7 @@ private:
     void draw();
     void forget_task();
     void give_up(std::unique_ptr<BackgroundWork> work);
-    void judge_in_thread(std::function<AnswerVerdict()> judge);
+    void judge_in_thread(std::function<AnswerVerdict(const std::stop_token& stop)> judge);
     void take_found();
     void take_drawn();
     void take_verdict();

@@ -41,8 +41,9 @@ std::vector<std::string> arguments_of(const Language& language, const std::strin
     return arguments;
 }
 
-ReadyProgram compile(const StudentProgram& program) {
+ReadyProgram compile(const StudentProgram& program, const std::stop_token& stop) {
     SandboxJob job;
+    job.stop = stop;
     job.limits = compiler_limits();
     job.command = {
         "/bin/sh", "-c", "\"$@\" 1>&2 && cat /tmp/program", "sh", std::string(program.language->tool)};
@@ -101,19 +102,21 @@ double longest_program_seconds() {
     return 2.0 * kLongestSetUp + compiler_limits().wall_seconds + SandboxLimits{}.wall_seconds;
 }
 
-ReadyProgram make_ready(const StudentProgram& program) {
+ReadyProgram make_ready(const StudentProgram& program, const std::stop_token& stop) {
     if (!sandbox_availability().available) {
         return none(Outcome::no_sandbox, sandbox_availability().reason);
     }
     if (std::string missing = missing_tool(*program.language); !missing.empty()) {
         return none(Outcome::no_tool, std::move(missing));
     }
-    ReadyProgram ready = program.language->compiled ? compile(program) : interpreted(program);
+    ReadyProgram ready = program.language->compiled ? compile(program, stop) : interpreted(program);
     ready.address_bytes = program.language->address_bytes;
     return ready;
 }
 
-ProgramResult run_ready(const ReadyProgram& program, const std::string& input_json, SandboxLimits limits) {
+ProgramResult run_ready(
+    const ReadyProgram& program, const std::string& input_json, SandboxLimits limits,
+    const std::stop_token& stop) {
     if (program.outcome != Outcome::ran) { return {program.outcome, program.message, {}}; }
     limits.address_bytes = program.address_bytes;
     SandboxJob job;
@@ -122,6 +125,7 @@ ProgramResult run_ready(const ReadyProgram& program, const std::string& input_js
     job.files = {program.file};
     job.input = input_json;
     job.limits = limits;
+    job.stop = stop;
     ProgramResult result{Outcome::ran, {}, run_in_sandbox(job)};
     if (!result.run.could_not_run.empty()) {
         result.outcome = Outcome::no_sandbox;

@@ -77,11 +77,14 @@ double longest_program_seconds();
 
 /// Compiles in the sandbox, with limits of its own, if needed. Takes about a second for C++ and no time
 /// otherwise.
-ReadyProgram make_ready(const StudentProgram& program);
+/// @param stop  gives up a compiler that runs: there is no program then
+ReadyProgram make_ready(const StudentProgram& program, const std::stop_token& stop = {});
 
 /// Runs a program that is ready; `limits.address_bytes` is replaced by that of its language.
+/// @param stop  kills it: the result is none then
 ProgramResult run_ready(
-    const ReadyProgram& program, const std::string& input_json, SandboxLimits limits = {});
+    const ReadyProgram& program, const std::string& input_json, SandboxLimits limits = {},
+    const std::stop_token& stop = {});
 
 /// Reads, compiles if needed, and runs the program of a file.
 ProgramResult run_program(

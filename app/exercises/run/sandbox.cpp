@@ -171,6 +171,7 @@ void SandboxRun::on_start() {
 }
 
 void SandboxRun::check_limits() {
+    if (job_.stop.stop_requested()) { return cannot("it was given up"); }
     if (!runs_) {
         if (since(begin_) > kLongestSetUp) { cannot("the sandbox was not set up within 20 s"); }
         return;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct SandboxJob {
     std::string input;  ///< standard input: a file that ends where this text ends
     SandboxLimits limits;
     std::string bwrap = kBwrap;  ///< another one only in tests
+    std::stop_token stop;        ///< where nobody wants the result any more: the command is killed
 };
 
 struct SandboxResult {

@@ -148,6 +148,24 @@ void play_button(const LessonUi& ui) {
         {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * width, ui.px(3.0F)}, theme::kAccent);
 }
 
+/// What the buttons at the right end need, and a gap.
+constexpr float kRightButtons = 178.0F;
+
+void right_buttons(const LessonUi& ui, const Box& box, float top) {
+    ImGui::SetCursorScreenPos({box.right() - ui.px(kRightButtons - 10.0F), box.y + top});
+    command_button(ui, Command::lessons, tr("Lessons"), ui.px(74.0F));
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    if (ImGui::Button(tr("Menu"), {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
+    ImGui::SameLine(0.0F, ui.px(4.0F));
+    command_button(ui, Command::help, "?", ui.px(26.0F));
+    menu(ui);
+}
+
+void draw_bar(const Canvas& canvas, const Box& box) {
+    canvas.fill(box, theme::kPaper);
+    canvas.fill({box.x, box.y, box.width, 1.0F}, theme::kLine);
+}
+
 }  // namespace
 
 std::string play_label(bool plays, std::optional<double> seconds_left) {
@@ -209,8 +227,7 @@ int TimelineScale::step_at(float x) const {
 
 void timeline_bar(const LessonUi& ui, const Box& box) {
     const Canvas& canvas = ui.canvas;
-    canvas.fill(box, theme::kPaper);
-    canvas.fill({box.x, box.y, box.width, 1.0F}, theme::kLine);
+    draw_bar(canvas, box);
     Area area(ui, "timeline bar", box);
     const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
     ImGui::SetCursorPosY(top);
@@ -228,7 +245,7 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     ImGui::SameLine(0.0F, ui.px(12.0F));
 
     const float left = ImGui::GetCursorScreenPos().x;
-    const float right = box.right() - ui.px(178.0F);
+    const float right = box.right() - ui.px(kRightButtons);
     const Box line{left, box.y + ui.px(6.0F), std::max(10.0F, right - left), box.height - ui.px(12.0F)};
     const std::vector<Stretch> stretches = stretches_of(ui.session.story());
     const TimelineScale scale(stretches, line.x, line.width);
@@ -237,13 +254,22 @@ void timeline_bar(const LessonUi& ui, const Box& box) {
     }
     scrub(ui, line, stretches, scale);
 
-    ImGui::SetCursorScreenPos({right + ui.px(10.0F), box.y + top});
-    command_button(ui, Command::lessons, tr("Lessons"), ui.px(74.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    if (ImGui::Button(tr("Menu"), {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::help, "?", ui.px(26.0F));
-    menu(ui);
+    right_buttons(ui, box, top);
+}
+
+void bar_of_figure(const LessonUi& ui, const Box& box) {
+    draw_bar(ui.canvas, box);
+    Area area(ui, "timeline bar", box);
+    const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
+    const ImFont* const small = ui.canvas.fonts().small;
+    const std::string words =
+        tr("The lesson waits at step {0} of {1}: any other tab shows it.", ui.session.index() + 1,
+           ui.session.story().steps().size());
+    const float left = box.x + ui.px(theme::kMargin);
+    const float room = box.right() - ui.px(kRightButtons) - left;
+    const float y = box.y + 0.5F * (box.height - ui.canvas.line_height(small));
+    ui.canvas.text({left, y}, small, theme::kSoft, panels::shortened(*small, words, room));
+    right_buttons(ui, box, top);
 }
 
 }  // namespace jw::host

@@ -27,7 +27,7 @@ void draw_progress(const Canvas& canvas, const Box& box, const View& view) {
 /// @return left edge of what was drawn
 float draw_position(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
-    std::string text = tr("step {0} of {1}", view.step + 1, view.steps);
+    std::string text = view.steps > 0 ? tr("step {0} of {1}", view.step + 1, view.steps) : "";
     if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
     const float source_room = 0.4F * box.width;
     const std::string source = shortened(*fonts.small, view.source, source_room);
@@ -113,7 +113,7 @@ std::string run_on(std::string_view text) {
 void draw_title(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     canvas.fill(box, theme::kPaper);
-    draw_progress(canvas, box, view);
+    if (view.steps > 0) { draw_progress(canvas, box, view); }
     const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(8.0F));
     const float right = draw_position(canvas, inner, view) - canvas.px(20.0F);
     const float room = right - inner.x;

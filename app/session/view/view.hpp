@@ -86,7 +86,7 @@ struct BodyMotion {
 struct View {
     Step::Kind kind = Step::Kind::bodies;
     int step = 0;   ///< index into the story
-    int steps = 0;  ///< how many the story has
+    int steps = 0;  ///< how many the story has; 0: this is no step of one
     double t = 0.0;
     std::string lesson_title;
     std::string source;                    ///< of the joint's type where there is one, else of the lesson

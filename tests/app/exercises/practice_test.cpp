@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "app/exercises/practice/practice.hpp"
 #include "app/exercises/practice/starter.hpp"
@@ -223,6 +225,30 @@ TEST_CASE("A lesson finds its exercises: its own, and those of the course that n
     REQUIRE(practice.lesson_about("slide 3") != nullptr);
     CHECK(practice.lesson_about("slide 3")->title == "L");
     CHECK(practice.lesson_about("slide 4") == nullptr);
+}
+
+TEST_CASE("Who leaves an exercise, or everything, stops the program that is judged", "[practice]") {
+    std::atomic<int> begun = 0;
+    std::atomic<int> stopped = 0;
+    const auto judge = [&](const Task&, const fs::path&, const std::stop_token& stop) {
+        ++begun;
+        while (!stop.stop_requested()) { std::this_thread::yield(); }
+        ++stopped;
+        return Judged();
+    };
+    {
+        Practice practice({.lessons = {}, .progress = {}, .judge_program = judge});
+        practice.offer(shipped_of(ExerciseKind::code));
+        for (const bool leaves : {true, false}) {
+            begin(practice, 0);
+            const int before = begun;
+            practice.check_program("mine.py");
+            while (begun == before) { std::this_thread::yield(); }
+            CHECK(practice.is_busy());
+            if (leaves) { practice.leave(); }
+        }
+    }
+    CHECK(stopped == 2);
 }
 
 TEST_CASE(

@@ -117,8 +117,14 @@ TEST_CASE("A figure takes the place of the lesson's picture while its exercise i
     REQUIRE(student.person.host().exercises().figure() != nullptr);
     CHECK(&student.person.host().picture() == &student.person.host().shown().picture());
     CHECK(student.person.host().picture().annotations.size() > names);
+    // a figure has no steps, and the lesson that nobody sees stays where it is
+    const int step = student.person.session().index();
+    for (const Key key : {Key::right, Key::end, Key::space}) { student.person.press(key); }
+    CHECK(student.person.session().index() == step);
     student.person.ask(Command::tab_step);
     CHECK(student.person.host().picture().annotations.size() == names);
+    student.person.press(Key::right);
+    CHECK(student.person.session().index() == step + 1);
     CHECK(fault_of(student.person.host()) == "");
 }
 

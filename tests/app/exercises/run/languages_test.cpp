@@ -1,5 +1,8 @@
 #include "tests/app/exercises/run/run_support.hpp"
 
+#include <stop_token>
+#include <thread>
+
 namespace jw::exercises::test {
 namespace {
 
@@ -83,6 +86,21 @@ TEST_CASE("A compiled program runs many times", "[run]") {
     for (const int n : {1, 7, 50}) {
         CHECK(run_ready(program, std::to_string(n)).run.out == std::to_string(2 * n));
     }
+}
+
+TEST_CASE("A program and a compiler that nobody waits for any more are killed", "[run]") {
+    if (no_sandbox_here()) { return; }
+    const Scratch folder;
+    SandboxLimits limits;
+    limits.wall_seconds = limits.cpu_seconds = 600.0;
+    std::stop_source source;
+    const ProgramSearch search = read_program(folder.file("task.py", "while True: pass\n"));
+    std::jthread impatient([&source] { source.request_stop(); });
+    const ProgramResult result = run_ready(make_ready(search.program), "{}", limits, source.get_token());
+    CHECK(result.outcome == Outcome::no_sandbox);
+    CHECK_FALSE(result.run.timed_out);
+    const ProgramSearch compiled = read_program(folder.file("task.cpp", "int main() {}\n"));
+    CHECK(make_ready(compiled.program, source.get_token()).outcome == Outcome::no_sandbox);
 }
 
 TEST_CASE("A missing tool is named with its package", "[run]") {
