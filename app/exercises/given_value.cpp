@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "app/exercises/units.hpp"
@@ -28,12 +29,13 @@ public:
 constexpr std::string_view kFullWidth = "\uFF01";
 
 /// Signs of Unicode that stand for those of a keyboard.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kSigns{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
     {{"−", "-"},
      {"–", "-"},
      {"—", "-"},
      {"‐", "-"},
      {"×", "*"},
+     {"**", "^"},
      {"·", "*"},
      {"⋅", "*"},
      {"÷", "/"},
@@ -84,7 +86,7 @@ public:
     /// Rows of numbers; what stands behind them is left.
     std::vector<std::vector<double>> rows() {
         skip();
-        if (peek() == '[' || (peek() == '(' && is_list())) { return list(); }
+        if (peek() == '[' || (peek() == '(' && (is_list(at_) || is_whole_answer()))) { return list(); }
         return loose_rows();
     }
     std::string_view rest() {
@@ -99,11 +101,13 @@ private:
     void skip() {
         while (peek() == ' ' || peek() == '\n' || peek() == '\r') { ++at_; }
     }
+    /// Blanks before something else stay: in a list they tell where a number ends.
     bool take(char c) {
+        const std::size_t before = at_;
         skip();
-        if (peek() != c) { return false; }
-        ++at_;
-        return true;
+        const bool there = peek() == c;
+        at_ = there ? at_ + 1 : before;
+        return there;
     }
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string_view rest = std::string_view(text_).substr(std::min(at_, text_.size()));
@@ -111,10 +115,14 @@ private:
             "cannot read " + (rest.empty() ? "the end" : in_quotes(rest)) + "; expected " + expected);
     }
 
-    /// A parenthesis with a comma at its own depth is a list.
-    bool is_list() const {
+    /// A parenthesis with a comma at its own depth is a list, and one that begins with a list.
+    bool is_list(std::size_t from, int deep = 0) const {
+        if (deep > kDeepest) { return false; }
+        const std::size_t first = text_.find_first_not_of(" \n\r", from + 1);
+        if (first == std::string::npos) { return false; }
+        if (text_[first] == '[' || (text_[first] == '(' && is_list(first, deep + 1))) { return true; }
         int depth = 0;
-        for (std::size_t k = at_; k < text_.size(); ++k) {
+        for (std::size_t k = from; k < text_.size(); ++k) {
             if (text_[k] == '(' || text_[k] == '[') { ++depth; }
             if (text_[k] == ')' || text_[k] == ']') {
                 if (--depth == 0) { return false; }
@@ -124,12 +132,29 @@ private:
         return false;
     }
 
+    /// Where several numbers are expected, a parenthesis behind which nothing is computed: "(1 2 3) m".
+    bool is_whole_answer() {
+        int depth = 0;
+        std::size_t k = at_;
+        for (; k < text_.size(); ++k) {
+            if (text_[k] == '(') { ++depth; }
+            if (text_[k] == ')' && --depth == 0) { break; }
+        }
+        const std::size_t behind = text_.find_first_not_of(" \n\r", k + 1);
+        if (single_ || behind == std::string::npos) { return !single_; }
+        const std::size_t here = std::exchange(at_, behind);
+        const bool unit = is_letter(peek()) && !starts_word();
+        at_ = here;
+        return unit;
+    }
+
     /// [1, 2, 3], [[1, 2], [3, 4]], [1 2; 3 4]
     Rows list() {
+        if (++depth_ > kDeepest) { fail("fewer brackets"); }
         const char close = text_[at_++] == '[' ? ']' : ')';
         Rows rows;
         skip();
-        if (peek() == '[' || (peek() == '(' && is_list())) {
+        if (peek() == '[' || (peek() == '(' && is_list(at_))) {
             while (!take(close)) {
                 Rows inner = list();
                 if (inner.size() != 1) { fail("rows of numbers"); }
@@ -139,10 +164,12 @@ private:
                 if (peek() == '\0') { fail("a bracket that closes the list"); }
                 if (peek() != close && peek() != '[' && peek() != '(') { fail("the next row in brackets"); }
             }
+            --depth_;
             return rows;
         }
         rows = separated(close);
         if (!take(close)) { fail(std::string("'") + close + "'"); }
+        --depth_;
         return rows;
     }
 

@@ -43,24 +43,37 @@ MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
     return both_vectors && turned ? MatrixX(given.transpose()) : given;
 }
 
-/// A mistaken answer that is larger than the right one is rounded to as many digits, so more coarsely.
-double tolerance_near(const KnownMistake& mistake, const Asked& asked) {
+/// How far a mistaken answer is written off: its digits are as many as those of the right answer, and it may
+/// be much larger.
+double tolerance_of(const KnownMistake& mistake, const Task& task) {
+    const Asked& asked = task.asked;
     if (is_exact(asked)) { return 1e-9; }
     const double right = asked.right.cwiseAbs().maxCoeff();
-    const double mistaken = mistake.answer.cwiseAbs().maxCoeff();
-    return asked.tolerance * (right > 0.0 ? std::max(1.0, mistaken / right) : 1.0);
+    if (task.exercise().absolute || right == 0.0 || mistake.answer.size() == 0) { return asked.tolerance; }
+    return asked.tolerance * std::max(1.0, mistake.answer.cwiseAbs().maxCoeff() / right);
 }
 
-const KnownMistake* known_mistake(const Asked& asked, const MatrixX& given) {
+/// The nearest known mistake, if the answer is as near as its digits say, and clearly nearer to it than to
+/// any other answer.
+const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
+    constexpr double kClearly = 3.0;
+    const Asked& asked = task.asked;
     const KnownMistake* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const KnownMistake& mistake : asked.mistakes) {
         const double apart = difference_from(mistake.answer, given, asked);
-        if (apart > tolerance_near(mistake, asked) || apart > least) { continue; }
+        if (apart > tolerance_of(mistake, task) || apart >= least) { continue; }
         least = apart;
         nearest = &mistake;
     }
-    return nearest;
+    if (nearest == nullptr || least <= asked.tolerance) { return nearest; }
+    const auto is_other = [&](const MatrixX& answer) {
+        return difference_from(answer, given, asked) < kClearly * least &&
+               difference_from(answer, nearest->answer, asked) > asked.tolerance;
+    };
+    const bool unclear =
+        is_other(asked.right) || std::ranges::any_of(asked.mistakes, is_other, &KnownMistake::answer);
+    return unclear ? nullptr : nearest;
 }
 
 std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
@@ -227,7 +240,7 @@ Judged judge_value(const Task& task, const Handed& handed) {
     judged.right = is_right(asked.right, given, asked);
     if (judged.right) {
         judged.share = 1.0;
-    } else if (const KnownMistake* const mistake = known_mistake(asked, given)) {
+    } else if (const KnownMistake* const mistake = known_mistake(task, given)) {
         tell_mistake(*mistake, asked, given, judged);
     } else if (is_exact(asked)) {
         tell_what_differs(task, given, judged);

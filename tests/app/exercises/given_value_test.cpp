@@ -96,7 +96,16 @@ TEST_CASE("A comma is decimal where so many numbers are expected", "[exercises]"
           {"[1, 2; 3, 4]", 4, 1.0, 4.0},
           {"1/2, sqrt(3)/2", 2, 0.5, std::numbers::sqrt3 / 2.0},
           {"1/2, (1+2)/4", 2, 0.5, 0.75},
-          {"[1 2pi]", 2, 1.0, 2.0 * std::numbers::pi}}) {
+          {"[1 2pi]", 2, 1.0, 2.0 * std::numbers::pi},
+          {"(1 2 -3)", 3, 1.0, -3.0},
+          {"[1 sqrt(9) 3]", 3, 1.0, 3.0},
+          {"1  2*2  √(16)", 3, 1.0, 4.0},
+          {"((1, 2), (3, 4))", 4, 1.0, 4.0},
+          {"(((1), 2, 3))", 3, 1.0, 3.0},
+          {"((1), 2, (3))", 3, 1.0, 3.0},
+          {"(1 + 2) (3 + 4)", 2, 3.0, 7.0},
+          {"(1+2)/4 1", 2, 0.75, 1.0},
+          {"2**0.5, 3 ** 2", 2, std::numbers::sqrt2, 9.0}}) {
         CAPTURE(text);
         const GivenValue given = read_given_value(text, "", entries);
         REQUIRE(given.problem.empty());
@@ -111,6 +120,7 @@ TEST_CASE("A comma is decimal where so many numbers are expected", "[exercises]"
 TEST_CASE("What cannot be read is refused with the reason, and nothing crashes", "[exercises]") {
     const std::string deep(5000, '(');
     const std::string minus(5000, '-');
+    const std::string deep_list(19000, '[');
     const std::string list = "[" + std::string(30000, '1') + "]";
     for (const std::string& text :
          {std::string(),
@@ -124,6 +134,8 @@ TEST_CASE("What cannot be read is refused with the reason, and nothing crashes",
           std::string("[[1, 2], [3]]"),
           std::string("1e999"),
           deep,
+          deep_list,
+          deep + "1,2",
           minus,
           list,
           std::string("5 furlongs"),

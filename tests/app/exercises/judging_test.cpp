@@ -117,6 +117,33 @@ TEST_CASE("A known mistake is named although answers are missing, if a random st
     }
 }
 
+TEST_CASE("A mistake much larger than the right answer is named from as many digits", "[exercises]") {
+    Exercise exercise;
+    exercise.kind = ExerciseKind::number;
+    Task task;
+    task.variant.exercise = &exercise;
+    task.asked.right = MatrixX::Constant(1, 1, 2.32);
+    task.asked.tolerance = 0.00232;
+    const auto known = [&](double answer) {
+        KnownMistake mistake;
+        mistake.name = std::to_string(answer);
+        mistake.title = "known";
+        mistake.answer = MatrixX::Constant(1, 1, answer);
+        return mistake;
+    };
+    task.asked.mistakes = {known(-198.7031), known(300.0), known(300.1)};
+    for (const char* text : {"-198.7", "-198.70", "-198.6", "-198.703"}) {
+        CAPTURE(text);
+        CHECK(judge_value(task, {text, {}}).title == "known");
+    }
+    CHECK(judge_value(task, {"300.1", {}}).mistake == std::to_string(300.1));
+    // as far from one as from the other
+    for (const char* text : {"-190", "300.05", "2.4"}) {
+        CAPTURE(text);
+        CHECK(judge_value(task, {text, {}}).mistake.empty());
+    }
+}
+
 TEST_CASE("Words within strings and half an output are no numbers", "[exercises]") {
     CHECK(
         read_program_output(R"({"nan \" inf": "NaN", "answers": [1, [NaN, 2], "nan", {}, [[1], 2]]})")
