@@ -4,6 +4,7 @@
 #include "app/exercises/kinds.hpp"
 #include "app/session/claims/checks.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
@@ -20,6 +21,18 @@ const std::vector<std::string> kNotHandedOut{"expect", "question", "try", "exerc
 
 std::string expected_of(const Exercise& exercise) {
     return exercise.expect.empty() ? claims_in(exercise.scene) : exercise.expect;
+}
+
+/// What a claim found in place of what it expects. Why a pose does not close tells by itself.
+std::string not_reached(const ClaimResult& result) {
+    const std::string why = result.why.empty() ? "" : " " + result.why;
+    if (result.found.ends_with('.')) {
+        const std::string no = tr("no: {0}", "");
+        const std::string failure = result.found.substr(result.found.starts_with(no) ? no.size() : 0);
+        return "Not reached " + result.moment + ": " + failure + why;
+    }
+    return "Not reached: " + result.subject + " " + result.moment + " is " + result.found + ", expected " +
+           result.expected + "." + why;
 }
 
 /// Claims of a lesson file that somebody else wrote, one share each.
@@ -47,9 +60,11 @@ void judge_claims(const std::string& file, const Exercise& exercise, Judged& jud
     judged.right = !results.empty() && holding == static_cast<std::ptrdiff_t>(results.size());
     for (const ClaimResult& result : results) {
         if (result.holds) { continue; }
-        judged.feedback.push_back(
-            "Not reached: " + result.subject + " " + result.moment + " is " + result.found + ", expected " +
-            result.expected + "." + (result.why.empty() ? "" : " " + result.why));
+        // of a pose that is not reached every claim says the same
+        std::string said = not_reached(result);
+        if (std::ranges::find(judged.feedback, said) == judged.feedback.end()) {
+            judged.feedback.push_back(std::move(said));
+        }
     }
 }
 

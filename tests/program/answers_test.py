@@ -151,10 +151,15 @@ def number_of(latex):
 
 
 def value_of(latex):
-    inside = re.fullmatch(r"\\begin\{bmatrix\}(.*)\\end\{bmatrix\}", latex.strip())
+    """A number, a fraction, or a matrix with a common denominator before it."""
+    fraction = re.fullmatch(r"(-?) ?\\frac\{(\d+)\}\{(\d+)\}", latex.strip())
+    if fraction:
+        return float(fraction.group(1) + "1") * int(fraction.group(2)) / int(fraction.group(3))
+    inside = re.fullmatch(r"(?:\\frac\{1\}\{(\d+)\} ?)?\\begin\{bmatrix\}(.*)\\end\{bmatrix\}", latex.strip())
     if not inside:
         return number_of(latex)
-    rows = [[number_of(entry) for entry in row.split("&")] for row in inside.group(1).split(r"\\")]
+    by = int(inside.group(1) or 1)
+    rows = [[number_of(entry) / by for entry in row.split("&")] for row in inside.group(2).split(r"\\")]
     if len(rows) == 1:
         return rows[0]
     return [row[0] for row in rows] if len(rows[0]) == 1 else rows

@@ -3,6 +3,7 @@
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/grading/markup.hpp"
+#include "app/exercises/value_latex.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/exercise/handed_in.hpp"
@@ -10,37 +11,6 @@
 namespace jw {
 
 namespace {
-
-// more digits than the tightest tolerance asks for
-constexpr int kDigits = 6;
-
-std::string latex_of(const MatrixX& m) {
-    if (m.size() == 1) { return number_text(m(0, 0), kDigits); }
-    std::string text = "\\begin{bmatrix} ";
-    for (Eigen::Index r = 0; r < m.rows(); ++r) {
-        if (r > 0) { text += " \\\\ "; }
-        for (Eigen::Index c = 0; c < m.cols(); ++c) {
-            text += (c > 0 ? " & " : "") + number_text(m(r, c), kDigits);
-        }
-    }
-    return text + " \\end{bmatrix}";
-}
-
-/// "1e-05" in LaTeX would be 1 times e minus 05.
-std::string without_exponents(std::string text) {
-    for (std::size_t at = text.find('e'); at != std::string::npos; at = text.find('e', at + 1)) {
-        const bool digit = at > 0 && text[at - 1] >= '0' && text[at - 1] <= '9';
-        if (!digit) { continue; }
-        std::size_t end = at + 1;
-        while (end < text.size() &&
-               (text[end] == '-' || text[end] == '+' || (text[end] >= '0' && text[end] <= '9'))) {
-            ++end;
-        }
-        const int power = std::stoi(text.substr(at + 1, end - at - 1));
-        text.replace(at, end - at, " \\cdot 10^{" + std::to_string(power) + "}");
-    }
-    return text;
-}
 
 std::string line_of(const Exercise& exercise, const std::string& value) {
     return exercise.name + " = " + value;
@@ -65,8 +35,7 @@ SheetEntry entry_of(Task task, int number, const FigureOf& figure) {
     const Exercise& exercise = entry.task.exercise();
     if (exercise.kind != ExerciseKind::code) {
         for (const GivenSymbol& symbol : entry.task.asked.given) {
-            entry.given.push_back(
-                "$" + symbol.latex + " = " + without_exponents(latex_of(symbol.value)) + "$");
+            entry.given.push_back("$" + given_latex(symbol) + "$");
         }
     }
     if (hands_out_file(exercise)) {

@@ -214,15 +214,15 @@ void Practice::check(const Handed& handed) {
             return verdict_on(task, handed);
         });
     }
-    verdict_ = verdict_on(*task_, handed);
+    tell(verdict_on(*task_, handed));
     keep_result();
 }
 
 void Practice::check_program(const std::filesystem::path& file) {
     if (!task_ || !task_->problem.empty() || judging_) { return; }
     if (!setup_.judge_program) {
-        verdict_ = could_not_judge(tr("programs of students run in a sandbox only, and there is none here."));
-        return;
+        return tell(
+            could_not_judge(tr("programs of students run in a sandbox only, and there is none here.")));
     }
     judge_in_thread(
         [task = *task_, held = held_, file, judge = setup_.judge_program](const std::stop_token& stop) {
@@ -237,9 +237,14 @@ void Practice::judge_in_thread(std::function<AnswerVerdict(const std::stop_token
 void Practice::take_verdict() {
     const std::unique_ptr<Background<AnswerVerdict>> done = std::move(judging_);
     try {
-        verdict_ = done->take();
-    } catch (const std::exception& error) { verdict_ = could_not_judge(error.what()); }
+        tell(done->take());
+    } catch (const std::exception& error) { tell(could_not_judge(error.what())); }
     keep_result();
+}
+
+void Practice::tell(AnswerVerdict verdict) {
+    verdict_ = std::move(verdict);
+    ++verdicts_given_;
 }
 
 void Practice::keep_result() {

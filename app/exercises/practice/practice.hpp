@@ -91,6 +91,8 @@ public:
     void check_program(const std::filesystem::path& file);
     /// Nothing until an answer was judged.
     const AnswerVerdict* verdict() const { return verdict_ ? &*verdict_ : nullptr; }
+    /// Grows with every verdict.
+    int verdicts_given() const { return verdicts_given_; }
     bool is_solved() const { return solved_; }
 
 private:
@@ -111,6 +113,7 @@ private:
     void take_found();
     void take_drawn();
     void take_verdict();
+    void tell(AnswerVerdict verdict);
     void keep_result();
 
     PracticeSetup setup_;
@@ -129,6 +132,7 @@ private:
     bool solution_ = false;
     bool solved_ = false;
     std::optional<AnswerVerdict> verdict_;
+    int verdicts_given_ = 0;
 
     std::unique_ptr<Background<Found>> reading_;
     std::unique_ptr<Background<Drawn>> drawing_;

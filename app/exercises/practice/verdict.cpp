@@ -3,15 +3,13 @@
 #include <cmath>
 
 #include "app/exercises/given_value.hpp"
+#include "app/exercises/value_latex.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
 
 namespace {
-
-// more digits than the tightest tolerance asks for
-constexpr int kShownDigits = 6;
 
 bool is_value(ExerciseKind kind) {
     return kind == ExerciseKind::number || kind == ExerciseKind::vector || kind == ExerciseKind::matrix ||
@@ -65,30 +63,6 @@ AnswerVerdict verdict_of(const Task& task, const Handed& handed, Judged judged) 
 
 AnswerVerdict verdict_on(const Task& task, const Handed& handed) {
     return verdict_of(task, handed, kind_of(task.exercise().kind).judge(task, handed));
-}
-
-/// "1e-05" in a formula would be 1 times e minus 05.
-std::string number_latex(double value) {
-    const std::string text = number_text(value, kShownDigits);
-    const std::size_t at = text.find('e');
-    if (at == std::string::npos) { return text; }
-    return text.substr(0, at) + " \\cdot 10^{" + std::to_string(std::stoi(text.substr(at + 1))) + "}";
-}
-
-std::string value_latex(const MatrixX& value) {
-    if (value.size() == 1) { return number_latex(value(0, 0)); }
-    std::string text = "\\begin{bmatrix} ";
-    for (Eigen::Index r = 0; r < value.rows(); ++r) {
-        if (r > 0) { text += " \\\\ "; }
-        for (Eigen::Index c = 0; c < value.cols(); ++c) {
-            text += (c > 0 ? " & " : "") + number_latex(value(r, c));
-        }
-    }
-    return text + " \\end{bmatrix}";
-}
-
-std::string given_latex(const GivenSymbol& symbol) {
-    return symbol.latex + " = " + value_latex(symbol.value);
 }
 
 std::string solution_words(const Task& task) {

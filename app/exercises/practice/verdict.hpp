@@ -19,13 +19,6 @@ AnswerVerdict verdict_on(const Task& task, const Handed& handed);
 /// The verdict on an answer that was judged already.
 AnswerVerdict verdict_of(const Task& task, const Handed& handed, Judged judged);
 
-/// A number as a formula: "3 \\cdot 10^{-5}".
-std::string number_latex(double value);
-/// A value as a formula: a number, or a matrix in brackets.
-std::string value_latex(const MatrixX& value);
-/// A symbol that is told: "\mathbf{s}_i = [...]".
-std::string given_latex(const GivenSymbol& symbol);
-
 /// The right answer for people, with formulas between dollar signs; code in lines of its own.
 std::string solution_words(const Task& task);
 

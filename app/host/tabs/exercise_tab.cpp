@@ -1,6 +1,7 @@
 #include "app/host/tabs/exercise_tab.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <imgui.h>
 
@@ -53,6 +54,7 @@ void draw_mark(const Canvas& canvas, panels::Point at, const ExerciseRecord& rec
 void ExerciseTab::draw(
     const LessonUi& ui, const Box& box, const Practice& practice, const ExerciseWork& work) {
     const Area area(ui, "exercises", box, true);
+    if (std::exchange(wants_top_, false)) { ImGui::SetScrollY(0.0F); }
     if (practice.chosen() < 0) { return list(ui, practice); }
     task(ui, practice, work);
 }
@@ -142,6 +144,7 @@ void ExerciseTab::follow(const Practice& practice) {
     if (now == answers_) { return; }
     if (!answers_.empty()) { drafts_[answers_] = answer_; }
     answers_ = now;
+    wants_top_ = true;
     answer_ = now.empty() ? std::string() : drafts_[now];
 }
 

@@ -43,7 +43,19 @@ private:
     void hints(const LessonUi& ui, const Practice& practice);
     void solution(const LessonUi& ui, const Practice& practice);
 
-    int row_ = 0;  ///< chosen in the list
+    /// What the student has been shown of the exercise begun: what is new comes into sight.
+    struct Told {
+        int verdicts = 0;
+        int hints = 0;
+        bool solution = false;
+
+        bool operator==(const Told&) const = default;
+    };
+    void tell(const LessonUi& ui, const Practice& practice);
+
+    Told told_;
+    bool wants_top_ = false;  ///< another exercise, or other numbers: from the beginning
+    int row_ = 0;             ///< chosen in the list
     bool wants_focus_ = false;
     bool wants_row_ = false;  ///< the chosen row comes into sight
     std::string answer_;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/exercises/figure_scene.hpp"
+#include "app/exercises/value_latex.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
 #include "app/host/tabs/exercise_words.hpp"
 #include "app/host/ui/widgets.hpp"
@@ -63,6 +64,15 @@ void bold_words(const LessonUi& ui, const std::string& text, const render::Colou
     rich_words(ui, text, ui.canvas.fonts().bold, colour);
 }
 
+/// Scrolls the column to what was drawn since `top`: to its beginning if it is higher than the column.
+void bring_into_sight(const LessonUi& ui, float top) {
+    const float height = ImGui::GetWindowHeight() - ui.px(8.0F);
+    const float bottom = ImGui::GetCursorPosY();
+    const float seen = ImGui::GetScrollY();
+    if (top >= seen && bottom <= seen + height) { return; }
+    ImGui::SetScrollY(std::max(0.0F, std::min(top, bottom - height)));
+}
+
 }  // namespace
 
 void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const ExerciseWork& work) {
@@ -75,9 +85,22 @@ void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const Exerc
     question(ui, *task);
     answer_field(ui, *task, work);
     buttons(ui, practice);
+    tell(ui, practice);
+}
+
+/// What was said of the answer, and what was asked for: the last of it that is new comes into sight.
+void ExerciseTab::tell(const LessonUi& ui, const Practice& practice) {
+    const Told now{practice.verdicts_given(), practice.hints_given(), practice.shows_solution()};
+    const float at_verdict = ImGui::GetCursorPosY();
     verdict(ui, practice);
+    if (now.verdicts != told_.verdicts) { bring_into_sight(ui, at_verdict); }
+    const float at_hints = ImGui::GetCursorPosY();
     hints(ui, practice);
+    if (now.hints > told_.hints) { bring_into_sight(ui, at_hints); }
+    const float at_solution = ImGui::GetCursorPosY();
     solution(ui, practice);
+    if (now.solution && !told_.solution) { bring_into_sight(ui, at_solution); }
+    told_ = now;
 }
 
 void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
@@ -237,7 +260,7 @@ void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
 void ExerciseTab::solution(const LessonUi& ui, const Practice& practice) {
     if (!practice.shows_solution()) { return; }
     section(ui, tr("Solution"));
-    note(ui, tr("This variant does not count as solved."));
+    if (!practice.is_solved()) { note(ui, tr("This variant does not count as solved.")); }
     const Task& task = *practice.task();
     const render::Fonts& fonts = ui.canvas.fonts();
     if (task.exercise().kind == ExerciseKind::build) {

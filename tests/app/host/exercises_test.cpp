@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include <imgui_internal.h>
+
 #include "app/exercises/kinds.hpp"
 #include "lessons/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
@@ -97,6 +99,28 @@ TEST_CASE("Nonsense is refused, and what was typed stays, even when Escape leave
     // "nonsense7": it was kept
     CHECK_FALSE(student.practice().verdict()->judged.understood);
     CHECK(student.practice().verdict()->judged.feedback.front().find("nonsense") != std::string::npos);
+}
+
+TEST_CASE("What is said of an answer comes into sight, however large the letters", "[exercises]") {
+    Student student(1280, 720, 1.5F);
+    for (const char* const name : {"number", "matrix", "pose"}) {
+        CAPTURE(name);
+        student.begin(name);
+        student.answer(kind_of(student.practice().exercise()->kind)
+                           .mistakes(*student.practice().task())
+                           .front()
+                           .handed.text);
+        REQUIRE(student.practice().verdict() != nullptr);
+        student.person.rest();
+        const ImGuiWindow* const column = ImGui::FindWindowByName("exercises");
+        REQUIRE(column != nullptr);
+        CHECK(column->Scroll.y > 0.0F);
+        // other numbers are read from their beginning
+        student.person.ask(Command::exercise_anew);
+        student.wait();
+        student.person.rest();
+        CHECK(column->Scroll.y == 0.0F);
+    }
 }
 
 TEST_CASE("Hints and the solution come by keys", "[exercises]") {
