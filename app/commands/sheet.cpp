@@ -134,6 +134,10 @@ Exit make_sheets(const SheetOptions& options, const Streams& streams) {
     }
     if (options.format == "moodle") { write_quiz(sheets, set.title, options.out, streams); }
     if (!problems.empty()) { throw CommandError(Exit::numerics, problems); }
+    const std::string what = options.format == "moodle" ? "moodle.xml is"
+                             : students.size() == 1     ? "1 sheet is"
+                                                        : std::to_string(students.size()) + " sheets are";
+    streams.out << what << " in '" << options.out << "'\n";
     return Exit::done;
 }
 
