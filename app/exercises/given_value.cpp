@@ -1,7 +1,6 @@
 #include "app/exercises/given_value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/exercises/spelt_answer.hpp"
 #include "app/exercises/units.hpp"
 #include "lessons/diagnostics.hpp"
 
@@ -25,58 +25,6 @@ class NotRead : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
-
-constexpr std::string_view kFullWidth = "\uFF01";
-
-/// Signs of Unicode that stand for those of a keyboard.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
-    {{"−", "-"},
-     {"–", "-"},
-     {"—", "-"},
-     {"‐", "-"},
-     {"×", "*"},
-     {"**", "^"},
-     {"·", "*"},
-     {"⋅", "*"},
-     {"÷", "/"},
-     {"π", "pi"},
-     {"√", "sqrt"},
-     {"º", "°"},
-     {"˚", "°"},
-     {"、", ","},
-     {"\u00A0", " "},
-     {"\u2009", " "},
-     {"\u202F", " "},
-     {"\u3000", " "},
-     {"\t", " "}}};
-
-/// "０" is 0: what East Asian keyboards write for a sign of ASCII; 0 for anything else.
-char of_full_width(std::string_view text) {
-    if (text.size() < kFullWidth.size() || text[0] != kFullWidth[0]) { return '\0'; }
-    const auto page = static_cast<unsigned char>(text[1]);
-    const auto last = static_cast<unsigned char>(text[2]);
-    const int code = page == 0xBCU ? last - 0x60 : page == 0xBDU ? last - 0x20 : 0;
-    return code > ' ' && code <= '~' ? static_cast<char>(code) : '\0';
-}
-
-std::string plain(std::string_view text) {
-    std::string found;
-    while (!text.empty()) {
-        const auto* const sign =
-            std::ranges::find_if(kSigns, [&](const auto& s) { return text.starts_with(s.first); });
-        if (sign != kSigns.end()) {
-            found += sign->second;
-            text.remove_prefix(sign->first.size());
-        } else if (const char c = of_full_width(text); c != '\0') {
-            found += c;
-            text.remove_prefix(kFullWidth.size());
-        } else {
-            found += text.front();
-            text.remove_prefix(1);
-        }
-    }
-    return found;
-}
 
 class GivenReader {
 public:
@@ -366,24 +314,6 @@ MatrixX matrix_of(const std::vector<std::vector<double>>& rows) {
     return m;
 }
 
-/// "0,5236" is 0.5236 and "0,5; 1,25" is 0.5 and 1.25: commas between digits, at most one in each of the
-/// numbers that are expected.
-std::string with_decimal_points(std::string text, std::ptrdiff_t entries) {
-    if (std::ranges::count(text, ';') + 1 != entries || text.find_first_of(".(") != std::string::npos) {
-        return text;
-    }
-    const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
-    bool before = false;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        if (text[k] == ';') { before = false; }
-        if (text[k] != ',') { continue; }
-        if (before || k == 0 || !is_digit(k - 1) || !is_digit(k + 1)) { return text; }
-        before = true;
-    }
-    std::ranges::replace(text, ',', '.');
-    return text;
-}
-
 double factor_between(std::string_view given, std::string_view asked) {
     const std::optional<WrittenUnit> unit = read_unit(given);
     const std::optional<WrittenUnit> wanted = read_unit(asked);
@@ -407,7 +337,7 @@ GivenValue read_given_value(std::string_view text, std::string_view unit, std::p
     GivenValue given;
     try {
         if (text.size() > kLongest) { throw NotRead("it is longer than 20000 bytes"); }
-        std::string spelt = plain(text);
+        std::string spelt = with_signs_of_keyboard(text);
         if (spelt.find_first_not_of(" \n\r") == std::string::npos) { throw NotRead("there is no answer"); }
         GivenReader reader(with_decimal_points(std::move(spelt), entries), entries == 1);
         given.value = matrix_of(reader.rows());

@@ -1,0 +1,81 @@
+#include "app/exercises/spelt_answer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace jw {
+
+namespace {
+
+constexpr std::string_view kFullWidth = "\uFF01";
+
+/// Signs of Unicode that stand for those of a keyboard.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
+    {{"−", "-"},
+     {"–", "-"},
+     {"—", "-"},
+     {"‐", "-"},
+     {"×", "*"},
+     {"**", "^"},
+     {"·", "*"},
+     {"⋅", "*"},
+     {"÷", "/"},
+     {"π", "pi"},
+     {"√", "sqrt"},
+     {"º", "°"},
+     {"˚", "°"},
+     {"、", ","},
+     {"\u00A0", " "},
+     {"\u2009", " "},
+     {"\u202F", " "},
+     {"\u3000", " "},
+     {"\t", " "}}};
+
+/// "０" is 0: what East Asian keyboards write for a sign of ASCII; 0 for anything else.
+char of_full_width(std::string_view text) {
+    if (text.size() < kFullWidth.size() || text[0] != kFullWidth[0]) { return '\0'; }
+    const auto page = static_cast<unsigned char>(text[1]);
+    const auto last = static_cast<unsigned char>(text[2]);
+    const int code = page == 0xBCU ? last - 0x60 : page == 0xBDU ? last - 0x20 : 0;
+    return code > ' ' && code <= '~' ? static_cast<char>(code) : '\0';
+}
+
+}  // namespace
+
+std::string with_signs_of_keyboard(std::string_view text) {
+    std::string found;
+    while (!text.empty()) {
+        const auto* const sign =
+            std::ranges::find_if(kSigns, [&](const auto& s) { return text.starts_with(s.first); });
+        if (sign != kSigns.end()) {
+            found += sign->second;
+            text.remove_prefix(sign->first.size());
+        } else if (const char c = of_full_width(text); c != '\0') {
+            found += c;
+            text.remove_prefix(kFullWidth.size());
+        } else {
+            found += text.front();
+            text.remove_prefix(1);
+        }
+    }
+    return found;
+}
+
+std::string with_decimal_points(std::string text, std::ptrdiff_t entries) {
+    if (std::ranges::count(text, ';') + 1 != entries || text.find_first_of(".(") != std::string::npos) {
+        return text;
+    }
+    const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
+    bool before = false;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == ';') { before = false; }
+        if (text[k] != ',') { continue; }
+        if (before || k == 0 || !is_digit(k - 1) || !is_digit(k + 1)) { return text; }
+        before = true;
+    }
+    std::ranges::replace(text, ',', '.');
+    return text;
+}
+
+}  // namespace jw

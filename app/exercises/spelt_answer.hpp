@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// What is typed on other keyboards and in other countries, as signs of ASCII and numbers with points.
+namespace jw {
+
+/// Signs of Unicode, full-width ones and powers of Python replaced: "−１／４" is "-1/4".
+std::string with_signs_of_keyboard(std::string_view text);
+
+/// "0,5236" is 0.5236 and "0,5; 1,25" is 0.5 and 1.25: commas between digits, at most one in each of the
+/// numbers that are expected.
+std::string with_decimal_points(std::string text, std::ptrdiff_t entries);
+
+}  // namespace jw
