@@ -134,7 +134,7 @@ struct StepTexts {
 struct Lesson {
     std::string file_name;  ///< as it was given to the reader
     Text title;
-    Text chapter;
+    std::string chapter;
     std::string source;  ///< slides or book pages
     Text text;
     Text summary;  ///< what to remember, in two lines; shown at the end

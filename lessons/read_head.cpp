@@ -15,12 +15,12 @@ void read_head(Fields& root, Lesson& lesson) {
     root.require("title", "the title of the lesson");
     if (const auto chapter = root.text("chapter")) { lesson.chapter = chapter->value; }
     if (const auto source = root.text("source")) { lesson.source = source->value; }
-    while (lesson.source.ends_with('\n')) { lesson.source.pop_back(); }
+    for (std::string* text : {&lesson.chapter, &lesson.source}) {
+        while (text->ends_with('\n')) { text->pop_back(); }
+    }
     if (const auto words = root.words("text")) { lesson.text = words->value; }
     if (const auto words = root.words("summary")) { lesson.summary = words->value; }
-    for (Text* text : {&lesson.title, &lesson.chapter, &lesson.text, &lesson.summary}) {
-        text->drop_line_feeds();
-    }
+    for (Text* text : {&lesson.title, &lesson.text, &lesson.summary}) { text->drop_line_feeds(); }
     lesson.coordinates = root.word("coordinates", kChoices).value_or(lesson.coordinates);
 }
 

@@ -126,7 +126,8 @@ std::vector<SlideRange> slides_in(std::string_view source) {
 
 Searchable searchable_of(const Lesson& lesson, const std::filesystem::path& file) {
     std::string words;
-    for (const Text* text : {&lesson.title, &lesson.chapter, &lesson.text}) { add(words, *text); }
+    for (const Text* text : {&lesson.title, &lesson.text}) { add(words, *text); }
+    add(words, std::string_view(lesson.chapter));
     add(words, std::string_view(lesson.source));
     add(words, std::string_view(file.stem().string()));
     for (const Joint& joint : lesson.mechanism.joints) {

@@ -33,7 +33,7 @@ void write_head(const Written& written, Lines& lines) {
     const Lesson& lesson = *written.lesson;
     lines.key("format", "1");
     lines.words("title", lesson.title);
-    if (!lesson.chapter.own().empty()) { lines.words("chapter", lesson.chapter); }
+    if (!lesson.chapter.empty()) { lines.key("chapter", words_text(lesson.chapter)); }
     if (!lesson.source.empty()) { lines.key("source", words_text(lesson.source)); }
     if (!lesson.text.own().empty()) { lines.words("text", lesson.text); }
     if (!lesson.summary.own().empty()) { lines.words("summary", lesson.summary); }

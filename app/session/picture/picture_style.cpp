@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/picture/picture_parts.hpp"
@@ -44,9 +45,15 @@ void set_shapes(const Story& story, PictureStyle& style) {
 /// Size of the bodies over the story, wherever iterations throw them in between.
 double size_of_bodies(const Story& story, const PictureStyle& style, const std::vector<int>& moments) {
     render::Bounds bounds;
+    const Step* before = nullptr;
     for (const int k : moments) {
         const Step& step = story.steps()[static_cast<std::size_t>(k)];
         if (step.kind == Step::Kind::iteration) { continue; }
+        // most steps of a large lesson add a joint and leave everything where it is
+        if (before != nullptr && step.state.r == before->state.r && step.state.p == before->state.p) {
+            continue;
+        }
+        before = &step;
         render::Scene scene;
         for (int b = 0; b < static_cast<int>(style.bodies.size()); ++b) {
             add_body(story.lesson(), style, step.state, b, 1.0F, scene);
@@ -108,12 +115,15 @@ JointStyle joint_style(
 render::Bounds bounds_of(
     const Story& story, const PictureStyle& style, const std::vector<int>& moments, bool iterations) {
     render::Bounds bounds;
+    render::Bounds before;
     for (const int k : moments) {
         if ((story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::iteration) != iterations) {
             continue;
         }
-        bounds.include(
-            render::bounds_of(compose(story, style, story.steps()[static_cast<std::size_t>(k)], k).scene));
+        render::Bounds now =
+            render::bounds_of(compose(story, style, story.steps()[static_cast<std::size_t>(k)], k).scene);
+        bounds.include(now, before);
+        before = std::move(now);
     }
     return bounds;
 }

@@ -151,6 +151,54 @@ TEST_CASE(
     CHECK(needed > 500);
 }
 
+TEST_CASE(
+    "rows that are right for 'dropped' lie along the largest component of the axis, in grown mechanisms",
+    "[app][questions]") {
+    int dropped = 0;
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        CAPTURE(seed);
+        Lesson lesson = lesson_of_mechanism(grown_mechanism(seed, 2 + static_cast<int>(seed % 5), 2));
+        const std::vector<Joint>& joints = lesson.mechanism.joints;
+        for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
+            lesson.questions.push_back(
+                {Question::Place::addition,
+                 {Addition::Kind::joint, k},
+                 {},
+                 PointedAnswer{Thing::Kind::row, {}, RowsFound::dropped},
+                 {},
+                 {}});
+        }
+        const Story story(lesson);
+        REQUIRE(story.failure() == nullptr);
+        for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
+            const Joint& joint = joints[static_cast<std::size_t>(k)];
+            if (joint.parallel_form != ParallelForm::rule || !joint.without.empty()) { continue; }
+            CAPTURE(joint.name);
+            const Step& step = story.steps()[static_cast<std::size_t>(step_of(story, Step::Kind::answer, k))];
+            const Vec4& p = step.state.p[static_cast<std::size_t>(joint.body_i)];
+            const Vec3 s_i =
+                Eigen::Quaterniond(p(0), p(1), p(2), p(3)) * joint.geometry.s_i_local.normalized();
+            std::set<Role> roles;
+            for (const Thing& row : things_of(lesson.mechanism, Thing::Kind::row)) {
+                if (!row.driven && row.index == k && is_parallel(row.equation.role)) {
+                    roles.insert(row.equation.role);
+                }
+            }
+            const RightAnswer right = right_answer(story, k);
+            CHECK(right.known == !roles.empty());
+            CHECK(right.things.size() == roles.size());
+            for (const Thing& row : right.things) {
+                CHECK(row.index == k);
+                CHECK(roles.erase(row.equation.role) == 1);
+                // an earlier choice is kept while its component is no smaller than 0.8 of the largest
+                CHECK(std::abs(s_i(row.equation.component)) >= 0.8 * s_i.cwiseAbs().maxCoeff() - 1e-12);
+                ++dropped;
+            }
+        }
+    }
+    CHECK(dropped > 300);
+}
+
 TEST_CASE("a turn is measured to its last digits, small or large, by p of either sign", "[app][questions]") {
     Random random(7);
     for (int k = 0; k < 1000; ++k) {
