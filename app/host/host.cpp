@@ -128,6 +128,20 @@ void Host::need_characters_of_shelf() {
     }
 }
 
+void Host::need_characters_of_exercises() {
+    const std::vector<PracticeExercise>& exercises = desk_.practice().exercises();
+    const std::shared_ptr<const Exercise> first = exercises.empty() ? nullptr : exercises.front().exercise;
+    if (first == std::exchange(known_exercise_, first)) { return; }
+    for (const PracticeExercise& practice : exercises) {
+        const Exercise& exercise = *practice.exercise;
+        std::string texts = exercise.title + exercise.ask + exercise.why;
+        for (const Text& hint : exercise.hints) { texts += hint; }
+        for (const Text& item : exercise.items) { texts += item; }
+        for (const ExerciseChoice& choice : exercise.choices) { texts += choice.text + choice.why; }
+        fonts_.need(panels::characters_in(texts));
+    }
+}
+
 void Host::resize(int width, int height) {
     width = std::max(kSmallestWidth, width);
     height = std::max(kSmallestHeight, height);
@@ -154,6 +168,7 @@ void Host::frame(double seconds) {
         act_on(event);
     }
     need_characters_of_shelf();
+    need_characters_of_exercises();
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
         resize(layout_.width, layout_.height);
     }

@@ -120,6 +120,7 @@ private:
     void advance(double seconds);
     void need_characters_of_lesson();
     void need_characters_of_shelf();
+    void need_characters_of_exercises();
 
     void carry_out(Requests requests);
     void carry_out(Command command);
@@ -172,9 +173,10 @@ private:
     bool shown_figure_ = false;  ///< in the frame before
 
     DrawingTask task_ = DrawingTask::none;
-    bool new_text_scale_ = false;  ///< fonts are loaded before the next frame begins
-    bool told_of_font_ = false;    ///< that one is missing
-    int shelf_version_ = 0;        ///< whose characters the fonts have
+    bool new_text_scale_ = false;                     ///< fonts are loaded before the next frame begins
+    bool told_of_font_ = false;                       ///< that one is missing
+    int shelf_version_ = 0;                           ///< whose characters the fonts have
+    std::shared_ptr<const Exercise> known_exercise_;  ///< the first of those whose characters are there
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames that ImGui needs to come to rest
     bool close_ = false;
