@@ -71,14 +71,14 @@ std::vector<Altered> changed_once(const Row& formula, const Change& change, cons
     }
 }
 
-std::vector<Altered> changed_everywhere(const Row& formula, const Change& change) {
+std::vector<Altered> changed_everywhere(const Row& formula, const Change& change, const Telling& what) {
     Altered altered{formula, {}};
     int places = 0;
     any_row(altered.row, [&](Row& row) {
         for (std::size_t k = 0; k < row.size(); ++k) {
-            const Node before = row[k];
+            const Row before = row;
             if (!change(row, k)) { continue; }
-            if (places++ == 0) { altered.what = math::write_plain({before}); }
+            if (places++ == 0) { altered.what = what ? what(before, k) : math::write_plain({before[k]}); }
         }
         return false;
     });

@@ -25,7 +25,8 @@ using Change = std::function<bool(math::Row& row, std::size_t k)>;
 using Telling = std::function<std::string(const math::Row& row, std::size_t k)>;
 std::vector<Altered> changed_once(const math::Row& formula, const Change& change, const Telling& what = {});
 /// The formula changed at all places at once; nothing if there are none.
-std::vector<Altered> changed_everywhere(const math::Row& formula, const Change& change);
+std::vector<Altered> changed_everywhere(
+    const math::Row& formula, const Change& change, const Telling& what = {});
 
 /// The letter that a node with its accents is about, with its scripts; nothing for others.
 struct Letter {

@@ -44,6 +44,28 @@ std::string term_at(const Row& row, std::size_t k) {
     return math::write_plain(Row(from, row.begin() + static_cast<std::ptrdiff_t>(end_of_term(row, k))));
 }
 
+/// The formula changed once at each place, and what stands at several places under one name at all of them.
+/// @param name_at  of what stands at a place; empty where there is nothing to change
+Alterations once_and_everywhere(
+    const Row& right, const Telling& name_at, const std::function<void(Row&, std::size_t)>& change,
+    const Telling& what = {}) {
+    std::set<std::string> names;
+    const auto changing = [&](const std::string& only) {
+        return [&, only](Row& row, std::size_t k) {
+            const std::string name = name_at(row, k);
+            if (name.empty() || (!only.empty() && name != only)) { return false; }
+            names.insert(name);
+            change(row, k);
+            return true;
+        };
+    };
+    Alterations all = changed_once(right, changing({}), what);
+    for (const std::string& name : std::set<std::string>(names)) {
+        std::ranges::move(changed_everywhere(right, changing(name), what), std::back_inserter(all));
+    }
+    return all;
+}
+
 }  // namespace
 
 Alterations wrong_sign(const Row& right) {
@@ -68,53 +90,30 @@ Alterations sign_of_term(const Row& right) {
         term_at);
 }
 
-/// Once at each place, and one that stands at several places at all of them.
 Alterations dropped_term(const Row& right) {
-    std::set<std::string> terms;
-    const auto drop = [&](const std::string& only) {
-        return [&terms, only](Row& row, std::size_t k) {
-            if (!begins_one_of_terms(row, k)) { return false; }
-            const std::string term = term_at(row, k);
-            if (!only.empty() && term != only) { return false; }
-            terms.insert(term);
-            const bool first = begins_sum(row, k);
-            row.erase(
-                row.begin() + static_cast<std::ptrdiff_t>(k),
-                row.begin() + static_cast<std::ptrdiff_t>(end_of_term(row, k)));
-            // no plus is left over at the front
-            if (first && is_sign(row[k], "+")) { row.erase(row.begin() + static_cast<std::ptrdiff_t>(k)); }
-            return true;
-        };
+    const auto name = [](const Row& row, std::size_t k) {
+        return begins_one_of_terms(row, k) ? term_at(row, k) : std::string();
     };
-    Alterations all = changed_once(right, drop({}), term_at);
-    for (const std::string& term : std::set<std::string>(terms)) {
-        for (Altered& altered : changed_everywhere(right, drop(term))) {
-            all.push_back({std::move(altered.row), term});
-        }
-    }
-    return all;
+    const auto drop = [](Row& row, std::size_t k) {
+        const bool first = begins_sum(row, k);
+        row.erase(
+            row.begin() + static_cast<std::ptrdiff_t>(k),
+            row.begin() + static_cast<std::ptrdiff_t>(end_of_term(row, k)));
+        // no plus is left over at the front
+        if (first && is_sign(row[k], "+")) { row.erase(row.begin() + static_cast<std::ptrdiff_t>(k)); }
+    };
+    return once_and_everywhere(right, name, drop, term_at);
 }
 
-/// Once at each place, and one that stands at several places at all of them.
 Alterations lost_factor(const Row& right) {
-    std::set<std::string> numbers;
-    const auto lose = [&](const std::string& only) {
-        return [&numbers, only](Row& row, std::size_t k) {
-            auto* const sign = std::get_if<Sign>(&row[k].nucleus);
-            if (sign == nullptr || sign->kind != SignKind::number || sign->utf8 == "1" || sign->utf8 == "0") {
-                return false;
-            }
-            if (!only.empty() && sign->utf8 != only) { return false; }
-            numbers.insert(sign->utf8);
-            sign->utf8 = "1";
-            return true;
-        };
+    const auto name = [](const Row& row, std::size_t k) {
+        const auto* const sign = std::get_if<Sign>(&row[k].nucleus);
+        const bool factor =
+            sign != nullptr && sign->kind == SignKind::number && sign->utf8 != "1" && sign->utf8 != "0";
+        return factor ? sign->utf8 : std::string();
     };
-    Alterations all = changed_once(right, lose({}));
-    for (const std::string& number : std::set<std::string>(numbers)) {
-        std::ranges::move(changed_everywhere(right, lose(number)), std::back_inserter(all));
-    }
-    return all;
+    const auto lose = [](Row& row, std::size_t k) { std::get<Sign>(row[k].nucleus).utf8 = "1"; };
+    return once_and_everywhere(right, name, lose);
 }
 
 }  // namespace jw::alterations

@@ -80,7 +80,7 @@ private:
         return false;
     }
 
-    /// Where several numbers are expected, a parenthesis behind which nothing is computed: "(1 2 3) m".
+    /// True for a parenthesis of several expected numbers, behind which nothing is computed: "(1 2 3) m".
     bool is_whole_answer() {
         int depth = 0;
         std::size_t k = at_;

@@ -23,7 +23,7 @@ std::string expected_of(const Exercise& exercise) {
     return exercise.expect.empty() ? claims_in(exercise.scene) : exercise.expect;
 }
 
-/// What a claim found in place of what it expects. Why a pose does not close tells by itself.
+/// Feedback on a claim that does not hold. The reason why a pose cannot be closed is a sentence already.
 std::string not_reached(const ClaimResult& result) {
     const std::string why = result.why.empty() ? "" : " " + result.why;
     if (result.found.ends_with('.')) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// What is typed on other keyboards and in other countries, as signs of ASCII and numbers with points.
+/// Spelling of answers: what is typed on other keyboards and in other countries becomes ASCII, with points.
 namespace jw {
 
 /// Signs of Unicode, full-width ones and powers of Python replaced: "−１／４" is "-1/4".

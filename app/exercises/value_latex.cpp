@@ -11,7 +11,7 @@ namespace {
 
 // more digits than the tightest tolerance asks for
 constexpr int kShownDigits = 6;
-/// Of a matrix A of nice Euler parameters with the denominator 15; larger ones are no nicer than decimals.
+/// Denominator of A where Euler parameters have the denominator 15; larger ones are no nicer than decimals.
 constexpr int kLargestDenominator = 225;
 /// Numbers are computed to some 1e-15; that decimals of no meaning come so near to a fraction is unlikely.
 constexpr double kRounding = 1e-10;

@@ -14,6 +14,7 @@
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
+#include "lessons/exercise/exercise_texts.hpp"
 
 namespace jw::host {
 
@@ -133,11 +134,8 @@ void Host::need_characters_of_exercises() {
     const std::shared_ptr<const Exercise> first = exercises.empty() ? nullptr : exercises.front().exercise;
     if (first == std::exchange(known_exercise_, first)) { return; }
     for (const PracticeExercise& practice : exercises) {
-        const Exercise& exercise = *practice.exercise;
-        std::string texts = exercise.title + exercise.ask + exercise.why;
-        for (const Text& hint : exercise.hints) { texts += hint; }
-        for (const Text& item : exercise.items) { texts += item; }
-        for (const ExerciseChoice& choice : exercise.choices) { texts += choice.text + choice.why; }
+        std::string texts;
+        for_each_text(*practice.exercise, [&](const Text& text) { texts += text; });
         fonts_.need(panels::characters_in(texts));
     }
 }

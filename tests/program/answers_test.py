@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+from course import write_course
+
 program, exercises = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
 count = int(sys.argv[3]) if len(sys.argv) > 3 else 10
 files = [exercises / (name + ".toml") for name in ("vectors", "orientation", "jacobians", "analysis")]
@@ -212,10 +214,7 @@ def grade(place, answers, verdict):
 def main():
     place = pathlib.Path(tempfile.mkdtemp(prefix="jw-answers-"))
     try:
-        listed = ", ".join(f'"{file}"' for file in files)
-        (place / "key.toml").write_text(f'format = 1\nsecret = "a secret for tests"\nexercises = [{listed}]\n')
-        students = [f"s{k}" for k in range(count)]
-        (place / "roster.csv").write_text("student\n" + "\n".join(students) + "\n")
+        students = write_course(place, files, "a secret for tests", count)
         run("sheet", *files, "--class", place / "roster.csv", "--key", place / "key.toml", "--out", place / "in", "--no-figures")
         right = {}
         for student in students:

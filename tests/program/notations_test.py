@@ -16,6 +16,8 @@ import sys
 import tempfile
 from fractions import Fraction
 
+from course import write_course
+
 program, exercises = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
 count = int(sys.argv[3]) if len(sys.argv) > 3 else 15
 seed = int(sys.argv[4]) if len(sys.argv) > 4 else 17
@@ -164,10 +166,7 @@ def grades(place, answers):
 def main():
     place = pathlib.Path(tempfile.mkdtemp(prefix="jw-notations-"))
     try:
-        listed = ", ".join(f'"{file}"' for file in files)
-        (place / "key.toml").write_text(f'format = 1\nsecret = "a secret for notations {seed}"\nexercises = [{listed}]\n')
-        students = [f"s{k}" for k in range(count)]
-        (place / "roster.csv").write_text("student\n" + "\n".join(students) + "\n")
+        students = write_course(place, files, f"a secret for notations {seed}", count)
         run("sheet", *files, "--class", place / "roster.csv", "--key", place / "key.toml", "--out", place / "in", "--solution",
             "--no-figures")
         keys = {student: right_of(place / "in" / student) for student in students}

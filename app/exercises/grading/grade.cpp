@@ -42,7 +42,7 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
     return {not_judged(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
-/// What a program wrote in place of its answers: often a number that it prints in passing.
+/// Beginning of the output of a program that gave no answers: often a number that it prints in passing.
 std::string beginning_of(const std::string& out) {
     const std::string text = exercises::printable(out.substr(0, 1000));
     const std::size_t first = text.find_first_not_of(" \n\t");

@@ -131,8 +131,8 @@ std::string grades_junit(const std::vector<Grade>& grades) {
            all.attributes() + ">\n" + suites + "</testsuites>\n";
 }
 
-/// By https://gradescope-autograders.readthedocs.io/en/latest/specs/: what is about the whole submission
-/// stands above the tests.
+/// Results in the format of https://gradescope-autograders.readthedocs.io/en/latest/specs/: what is about the
+/// whole submission stands above the tests.
 std::string gradescope_json(const Grade& grade) {
     Json tests = Json::array();
     for (const ExerciseGrade& e : grade.exercises) {

@@ -2,6 +2,7 @@
 
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"
+#include "lessons/exercise/exercise_texts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
 namespace jw {
@@ -9,18 +10,6 @@ namespace jw {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Shows its texts in the language of the reader, as far as it has them.
-Exercise shown_exercise(Exercise exercise) {
-    for (Text* text : {&exercise.title, &exercise.ask, &exercise.why}) { *text = shown_text(*text); }
-    for (Text& hint : exercise.hints) { hint = shown_text(hint); }
-    for (Text& item : exercise.items) { item = shown_text(item); }
-    for (ExerciseChoice& choice : exercise.choices) {
-        choice.text = shown_text(choice.text);
-        choice.why = shown_text(choice.why);
-    }
-    return exercise;
-}
 
 /// Adds the exercises of a file that belong to the lesson.
 void add_exercises_of(const fs::path& file, const std::string& lesson, LessonExercises& found) {
@@ -31,9 +20,9 @@ void add_exercises_of(const fs::path& file, const std::string& lesson, LessonExe
     }
     for (Exercise& exercise : read.exercises) {
         if (exercise.lesson != lesson) { continue; }
+        for_each_text(exercise, [](Text& text) { text = shown_text(text); });
         const std::string key = record_key(file, exercise.name);
-        found.exercises.push_back(
-            {std::make_shared<const Exercise>(shown_exercise(std::move(exercise))), key});
+        found.exercises.push_back({std::make_shared<const Exercise>(std::move(exercise)), key});
     }
 }
 

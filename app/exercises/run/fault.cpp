@@ -20,7 +20,7 @@ std::string in_seconds(double seconds) {
     return text;
 }
 
-/// What the program wrote about its end: the last line that calls itself an error ("NameError: ...",
+/// Error message of the program about its end: the last line that calls itself an error ("NameError: ...",
 /// "error: ..."), since Octave and JavaScript write where it happened behind it, or else the last line.
 std::string last_words(const std::string& err) {
     std::string text = printable(err);

@@ -148,7 +148,7 @@ void play_button(const LessonUi& ui) {
         {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * width, ui.px(3.0F)}, theme::kAccent);
 }
 
-/// What the buttons at the right end need, and a gap.
+/// Width of the buttons at the right end, and a gap.
 constexpr float kRightButtons = 178.0F;
 
 void right_buttons(const LessonUi& ui, const Box& box, float top) {

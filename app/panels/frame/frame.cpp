@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <imgui.h>
-
 #include "app/panels/column/column.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
@@ -53,12 +51,6 @@ void draw_frame(
     draw_title(canvas, layout.title, view);
     draw_caption(canvas, layout.caption, view);
     draw_column(canvas, layout.column, view);
-}
-
-void draw_frame(
-    const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
-    const render::Fonts& fonts) {
-    draw_frame(Canvas(ImGui::GetBackgroundDrawList(), fonts), view, picture, camera, layout);
 }
 
 }  // namespace jw::panels

@@ -30,14 +30,8 @@ FrameLayout layout_of(int width, int height);
 /// @param text  size of text beside that of a frame of this size: the caption grows with it
 FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float text = 1.0F);
 
-/// Issues everything but the 3D picture itself into the background draw list of the current ImGui context,
-/// between NewFrame and Render.
-/// @param fonts  loaded for scale_of(width, height)
-void draw_frame(
-    const View& view, const Picture& picture, const render::Camera& camera, const FrameLayout& layout,
-    const render::Fonts& fonts);
-
-/// Draws the frame on any canvas.
+/// Draws everything but the 3D picture itself.
+/// @param canvas  with fonts loaded for scale_of(width, height)
 void draw_frame(
     const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
     const FrameLayout& layout);

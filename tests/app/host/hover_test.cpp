@@ -4,41 +4,13 @@
 #include <set>
 
 #include "tests/app/host/checks.hpp"
+#include "tests/app/host/looking.hpp"
 #include "tests/app/host/person.hpp"
 
 namespace jw::test {
 namespace {
 
 using host::Key;
-
-/// Numbers of what is outlined in the picture.
-std::set<int> lit_in(const Picture& picture) {
-    std::set<int> ids;
-    const auto add = [&](const auto& parts) {
-        for (const auto& part : parts) {
-            if (part.highlighted && part.id != 0) { ids.insert(part.id); }
-        }
-    };
-    add(picture.scene.shapes);
-    add(picture.scene.arrows);
-    return ids;
-}
-
-/// Points at one place of the column after the other until `fits` holds of what is pointed at.
-template <class Fits>
-bool look_for(Person& person, const panels::Box& box, float step, const Fits& fits) {
-    for (float y = box.y + 4.0F; y < box.bottom(); y += step) {
-        for (float x = box.x + 4.0F; x < box.right(); x += step) {
-            person.host().push(host::InputEvent::pointer(x, y));
-            person.frame();
-            if (fits(person.host().state().pointed_at)) {
-                person.settle();
-                return true;
-            }
-        }
-    }
-    return false;
-}
 
 /// The four-bar where joint A shows its equations, drawn.
 std::unique_ptr<Person> at_equations() {

@@ -1,11 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <set>
 
 #include "lessons/formula/text_symbols.hpp"
 #include "lessons/math/read_math.hpp"
-#include "tests/app/host/person.hpp"
+#include "tests/app/host/looking.hpp"
 #include "tests/support/golden.hpp"
 
 /// Symbols of texts: what stands beside the pointer or, by the keyboard, beside the symbol.
@@ -14,15 +13,6 @@ namespace {
 
 /// The lesson on slide 3 where p1 stands, whose text names vectors of the joint.
 constexpr const char* kLesson = "parallel/parallel-vectors.toml";
-
-/// Numbers of what is outlined in the picture.
-std::set<int> lit_in(const Picture& picture) {
-    std::set<int> ids;
-    for (const auto& arrow : picture.scene.arrows) {
-        if (arrow.highlighted && arrow.id != 0) { ids.insert(arrow.id); }
-    }
-    return ids;
-}
 
 const std::vector<SymbolView>& symbols_of(const Person& person) { return person.view().symbols; }
 
@@ -41,19 +31,6 @@ int go_to_s_i(Person& person) {
     }
     FAIL("no text has it");
     return -1;
-}
-
-/// Moves the pointer over the caption until it is over the symbol.
-void point_at(Person& person, int symbol) {
-    const panels::Box caption = person.host().layout().caption;
-    for (float y = caption.y + 4.0F; y < caption.bottom(); y += 5.0F) {
-        for (float x = caption.x + 4.0F; x < caption.right(); x += 3.0F) {
-            person.host().push(host::InputEvent::pointer(x, y));
-            person.frame();
-            if (person.host().state().pointed_at == Pointable::symbol(symbol)) { return person.settle(); }
-        }
-    }
-    FAIL("the symbol is nowhere in the caption");
 }
 
 /// The part of the pixels that differ at all.
@@ -76,7 +53,9 @@ TEST_CASE("Pointing at a vector of a text outlines it in the picture and tells i
     person.point(2.0F, 2.0F);
     const render::Image before = person.picture();
     REQUIRE_FALSE(lit_in(person.host().picture()).contains(arrow));
-    point_at(person, symbol);
+    REQUIRE(look_for(person, person.host().layout().caption, 3.0F, 5.0F, [&](const Pointable& link) {
+        return link == Pointable::symbol(symbol);
+    }));
     CHECK(lit_in(person.host().picture()).contains(arrow));
     // a tip of three lines is more than a fiftieth of the window
     CHECK(changed(before, person.picture()) > 0.02);
