@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/session/wording/message_catalogue.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace jw::test {
 
@@ -20,16 +21,13 @@ std::vector<unsigned char> bytes_of(const std::filesystem::path& path) {
 
 /// The template, with the English sentences as their own translations, compiled.
 std::vector<unsigned char> compiled_template() {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "jointwise-messages";
-    std::filesystem::create_directories(folder);
-    const std::string base = folder / "sources";
+    const TemporaryFolder folder;  // other tests collect the messages at the same time
+    const std::string base = folder.path() / "sources";
     const std::string command = std::string(JW_SOURCE_ROOT "/dev messages --template ") + base + ".pot && " +
                                 "msgen --output-file=" + base + ".po " + base + ".pot && " +
                                 "msgfmt --endianness=little --output-file=" + base + ".mo " + base + ".po";
     if (std::system(command.c_str()) != 0) { throw std::runtime_error("cannot collect the messages"); }
-    std::vector<unsigned char> bytes = bytes_of(base + ".mo");
-    std::filesystem::remove_all(folder);
-    return bytes;
+    return bytes_of(base + ".mo");
 }
 
 }  // namespace
