@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
 namespace jw {
@@ -13,8 +14,9 @@ ExerciseSet exercises_of(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         ExercisesRead read = read_exercise_file(file);
         report += read.report();
-        if (set.title.empty()) { set.title = read.title; }
+        if (set.title.empty()) { set.title = shown_text(read.title); }
         for (Exercise& exercise : read.exercises) {
+            exercise = shown_exercise(std::move(exercise));
             if (std::ranges::find(set.exercises, exercise.name, &Exercise::name) != set.exercises.end()) {
                 report += file + ": error: there are two exercises '" + exercise.name +
                           "' in these files; expected each name once\n";

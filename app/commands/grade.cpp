@@ -15,6 +15,7 @@
 #include "app/exercises/grading/workers.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/safe_text.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
 #include "render/atomic_file.hpp"
 
@@ -176,7 +177,7 @@ private:
         return course_.exercises[static_cast<std::size_t>(part - 1)];
     }
     static std::string problem_of(const WorkDone& done) {
-        return done.problem.empty() ? "Grading failed." : done.problem;
+        return done.problem.empty() ? tr("Grading failed.") : done.problem;
     }
 
     const ReadyCourse& course_;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/translatable.hpp"
 
 namespace jw {
 
@@ -13,16 +14,23 @@ namespace {
 
 /// Significant digits of which the rounding is within the tolerance whatever the first digit is: of 1.0 it is
 /// half a unit of the last one.
-std::size_t digits_for(double relative_tolerance) {
-    return static_cast<std::size_t>(
-        std::max(1.0, std::ceil(1.0 - std::log10(2.0 * relative_tolerance) - 1e-9)));
+int digits_for(double relative_tolerance) {
+    return static_cast<int>(std::max(1.0, std::ceil(1.0 - std::log10(2.0 * relative_tolerance) - 1e-9)));
 }
 
 }  // namespace
 
 std::string accuracy_text(const Task& task) {
-    constexpr std::array<std::string_view, 9> kWords{"no",   "One", "Two",   "Three", "Four",
-                                                     "Five", "Six", "Seven", "Eight"};
+    constexpr std::array kWords{
+        "",
+        tr_later("One"),
+        tr_later("Two"),
+        tr_later("Three"),
+        tr_later("Four"),
+        tr_later("Five"),
+        tr_later("Six"),
+        tr_later("Seven"),
+        tr_later("Eight")};
     const Asked& asked = task.asked;
     const ExerciseKind kind = task.exercise().kind;
     const bool is_measured = kind == ExerciseKind::number || kind == ExerciseKind::vector ||
@@ -31,14 +39,19 @@ std::string accuracy_text(const Task& task) {
     const bool several = asked.right.size() > 1;
     if (task.exercise().absolute) {
         const std::string unit = asked.unit.empty() ? "" : " " + asked.unit;
-        return (several ? "Each number may be off by " : "It may be off by ") +
-               number_text(asked.tolerance, 3) + unit + ".";
+        const std::string off = number_text(asked.tolerance, 3) + unit;
+        return several ? tr("Each number may be off by {0}.", off) : tr("It may be off by {0}.", off);
     }
     // not the tolerance itself: it is a share of the answer
-    const std::size_t digits = digits_for(task.exercise().tolerance);
-    const std::string count = digits < kWords.size() ? std::string(kWords[digits]) : std::to_string(digits);
-    return count + (digits == 1 ? " significant digit" : " significant digits") +
-           (several ? " in each number" : "") + (digits == 1 ? " is enough." : " are enough.");
+    const int digits = digits_for(task.exercise().tolerance);
+    const auto k = static_cast<std::size_t>(digits);
+    const std::string count = k < kWords.size() ? tr(kWords[k]) : std::to_string(digits);
+    return several
+               ? tr_count(
+                     digits, "{1} significant digit in each number is enough.",
+                     "{1} significant digits in each number are enough.", count)
+               : tr_count(
+                     digits, "{1} significant digit is enough.", "{1} significant digits are enough.", count);
 }
 
 }  // namespace jw

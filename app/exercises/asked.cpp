@@ -44,8 +44,12 @@ public:
         for (const PlannedMistake& planned : plan_.mistakes) {
             const FormulaMistake& mistake = *planned.mistake;
             all.push_back(
-                {mistake.name, mistake.title, planned.says, mistake.slide,
-                 value_or_empty(planned.expression, planned.where), planned.shown});
+                {mistake.name,
+                 {{mistake.title, {}}},
+                 planned.says,
+                 mistake.slide,
+                 value_or_empty(planned.expression, planned.where),
+                 planned.shown});
         }
         return all;
     }
@@ -102,7 +106,12 @@ MatrixX as_matrix(double value) { return MatrixX::Constant(1, 1, value); }
 
 void add_answer(Asked& asked, const ValueMistake& mistake, MatrixX answer) {
     asked.mistakes.push_back(
-        {mistake.name, mistake.title, said(mistake.says, asked.unit), mistake.slide, std::move(answer), {}});
+        {mistake.name,
+         {{mistake.title, {}}},
+         {mistake.says, {asked.unit}},
+         mistake.slide,
+         std::move(answer),
+         {}});
 }
 
 void add_value(Asked& asked, const ValueMistake& mistake, double value) {
@@ -236,6 +245,14 @@ std::optional<Instant> instant_of(const Variant& variant, const Pose& pose) {
 }
 
 }  // namespace
+
+std::string title_of(const KnownMistake& mistake) {
+    std::string all;
+    for (const Message& title : mistake.titles) {
+        all = all.empty() ? tr(title) : tr("{0} or {1}", all, tr(title));
+    }
+    return all;
+}
 
 Asked asked_in(const Variant& variant) {
     Asked asked;

@@ -12,13 +12,16 @@ namespace jw {
 
 /// A mistake with the answer that it leads to.
 struct KnownMistake {
-    std::string name;   ///< "local-for-global"
-    std::string title;  ///< "components of the body for global ones"
-    std::string says;   ///< feedback, one or two sentences
-    std::string slide;  ///< may be empty
+    std::string name;  ///< "local-for-global"
+    /// "components of the body for global ones"; several where other mistakes give the same answer
+    std::vector<Message> titles;
+    Message says;       ///< feedback, one or two sentences
+    std::string slide;  ///< in English, may be empty
     MatrixX answer;
     std::string shown;  ///< of a formula: the mistaken formula in LaTeX
 };
+/// Title of a mistake in the language of the reader: "wrong sign or a term is missing".
+std::string title_of(const KnownMistake& mistake);
 
 /// A symbol whose value is told.
 struct GivenSymbol {

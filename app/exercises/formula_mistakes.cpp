@@ -3,6 +3,7 @@
 
 #include "app/exercises/alterations.hpp"
 #include "app/exercises/mistakes.hpp"
+#include "lessons/translatable.hpp"
 
 namespace jw {
 
@@ -10,83 +11,94 @@ namespace {
 
 constexpr std::array kFormulaMistakes{
     FormulaMistake{
-        "sign", "wrong sign", "This is the right answer with the opposite sign.", "", alterations::wrong_sign,
-        "{} has the opposite sign."},
+        "sign", tr_later("wrong sign"), tr_later("This is the right answer with the opposite sign."), "",
+        alterations::wrong_sign, tr_later("{0} has the opposite sign.")},
     FormulaMistake{
-        "term-sign", "wrong sign of a term", "The term {} has the wrong sign.", "",
+        "term-sign", tr_later("wrong sign of a term"), tr_later("The term {0} has the wrong sign."), "",
         alterations::sign_of_term},
     FormulaMistake{
-        "term-dropped", "a term is missing", "The term {} is missing.", "", alterations::dropped_term},
+        "term-dropped", tr_later("a term is missing"), tr_later("The term {0} is missing."), "",
+        alterations::dropped_term},
     FormulaMistake{
-        "bodies-exchanged", "i and j exchanged",
-        "The bodies i and j are exchanged: d points from i to j, and s_i belongs to body i.", "slide 2",
-        alterations::exchanged_bodies},
+        "bodies-exchanged", tr_later("i and j exchanged"),
+        tr_later("The bodies i and j are exchanged: d points from i to j, and s_i belongs to body i."),
+        "slide 2", alterations::exchanged_bodies},
     FormulaMistake{
-        "wrong-body", "a symbol of the other body",
-        "{} was taken from the other body: mind the index i or j.", "slide 2", alterations::wrong_body},
+        "wrong-body", tr_later("a symbol of the other body"),
+        tr_later("{0} was taken from the other body: mind the index i or j."), "slide 2",
+        alterations::wrong_body},
     FormulaMistake{
-        "local-for-global", "components of the body for global ones",
-        "{} is needed in the global frame; you have used its components in the frame of the body: s = A s′.",
+        "local-for-global", tr_later("components of the body for global ones"),
+        tr_later("{0} is needed in the global frame; you have used its components in the frame of the body: "
+                 "s = A s′."),
         "slide 2", alterations::local_for_global},
     FormulaMistake{
-        "global-for-local", "global components for those of the body",
-        "{} is needed in the frame of the body; you have used its global components: s′ = Aᵀ s.", "slide 2",
-        alterations::global_for_local},
+        "global-for-local", tr_later("global components for those of the body"),
+        tr_later("{0} is needed in the frame of the body; you have used its global components: s′ = Aᵀ s."),
+        "slide 2", alterations::global_for_local},
     FormulaMistake{
-        "matrix-forgotten", "rotation matrix forgotten", "The rotation matrix {} is missing.", "slide 3",
-        alterations::forgotten_matrix},
+        "matrix-forgotten", tr_later("rotation matrix forgotten"),
+        tr_later("The rotation matrix {0} is missing."), "slide 3", alterations::forgotten_matrix},
     FormulaMistake{
-        "matrix-transposed", "a matrix transposed",
-        "{} is transposed: A turns components of the body into global ones, Aᵀ the other way.", "slide 3",
-        alterations::transposed_matrix},
+        "matrix-transposed", tr_later("a matrix transposed"),
+        tr_later("{0} is transposed: A turns components of the body into global ones, Aᵀ the other way."),
+        "slide 3", alterations::transposed_matrix},
     FormulaMistake{
-        "transposed", "the answer transposed", "This is the transpose of the right answer.", "",
-        alterations::transposed, "{} is transposed."},
+        "transposed", tr_later("the answer transposed"),
+        tr_later("This is the transpose of the right answer."), "", alterations::transposed,
+        tr_later("{0} is transposed.")},
     FormulaMistake{
-        "frame", "components in the other frame",
-        "These are the components of the right vector in the other one of the frames: of the body and "
-        "global.",
-        "slide 3", alterations::other_frame, "{} has the components of the other frame."},
+        "frame", tr_later("components in the other frame"),
+        tr_later("These are the components of the right vector in the other one of the frames: of the body "
+                 "and global."),
+        "slide 3", alterations::other_frame, tr_later("{0} has the components of the other frame.")},
     FormulaMistake{
-        "g-for-l", "G and L mixed up", "{} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ.", "slide 13",
+        "g-for-l", tr_later("G and L mixed up"),
+        tr_later("{0} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
         alterations::g_for_l},
     FormulaMistake{
-        "factor", "a factor is lost", "The factor {} of the formula is lost.", "", alterations::lost_factor},
-    FormulaMistake{"square", "a square is lost", "{} has lost its square.", "", alterations::lost_square},
+        "factor", tr_later("a factor is lost"), tr_later("The factor {0} of the formula is lost."), "",
+        alterations::lost_factor},
     FormulaMistake{
-        "dot", "a dot is lost", "{} has lost its dot: the derivative is needed, not the vector.",
-        "slides 14-17", alterations::lost_dot},
+        "square", tr_later("a square is lost"), tr_later("{0} has lost its square."), "",
+        alterations::lost_square},
     FormulaMistake{
-        "tilde", "a tilde is lost", "{} has lost its tilde: it has to be the skew matrix.", "slide 3",
+        "dot", tr_later("a dot is lost"),
+        tr_later("{0} has lost its dot: the derivative is needed, not the vector."), "slides 14-17",
+        alterations::lost_dot},
+    FormulaMistake{
+        "tilde", tr_later("a tilde is lost"),
+        tr_later("{0} has lost its tilde: it has to be the skew matrix."), "slide 3",
         alterations::lost_tilde},
     FormulaMistake{
-        "order-of-product", "factors of a vector product exchanged",
-        "The factors of the vector product that begins with {} are exchanged: ã b = −b̃ a.", "slide 3",
-        alterations::exchanged_factors},
+        "order-of-product", tr_later("factors of a vector product exchanged"),
+        tr_later("The factors of the vector product that begins with {0} are exchanged: ã b = −b̃ a."),
+        "slide 3", alterations::exchanged_factors},
     FormulaMistake{
-        "axis-for-point", "the axis used for the point",
-        "{} is the vector to the point B; you have used the axis s instead.", "slide 2",
+        "axis-for-point", tr_later("the axis used for the point"),
+        tr_later("{0} is the vector to the point B; you have used the axis s instead."), "slide 2",
         alterations::other_point},
     FormulaMistake{
-        "other-jacobian", "true and modified Jacobian mixed up",
-        "This is the other one of the true and the modified Jacobian: they differ by c pᵀ.", "slides 21-22",
-        alterations::other_jacobian},
+        "other-jacobian", tr_later("true and modified Jacobian mixed up"),
+        tr_later("This is the other one of the true and the modified Jacobian: they differ by c pᵀ."),
+        "slides 21-22", alterations::other_jacobian},
     FormulaMistake{
-        "not-normalised", "not normalised", "The division by the length {} is missing.", "",
-        alterations::not_normalised},
+        "not-normalised", tr_later("not normalised"), tr_later("The division by the length {0} is missing."),
+        "", alterations::not_normalised},
     FormulaMistake{
-        "other-function", "the other function", "{} is the wrong function here.", "slide 5",
-        alterations::other_function},
+        "other-function", tr_later("the other function"), tr_later("{0} is the wrong function here."),
+        "slide 5", alterations::other_function},
     FormulaMistake{
-        "degrees-in-function", "degrees in a function", "The functions take radians, not degrees.", "",
-        alterations::degrees_in_function},
+        "degrees-in-function", tr_later("degrees in a function"),
+        tr_later("The functions take radians, not degrees."), "", alterations::degrees_in_function},
     FormulaMistake{
-        "inverse", "an inverse is forgotten",
-        "{} is missing: this is still the right side of the equations, not what they are solved for.", "",
-        alterations::forgotten_inverse},
+        "inverse", tr_later("an inverse is forgotten"),
+        tr_later(
+            "{0} is missing: this is still the right side of the equations, not what they are solved for."),
+        "", alterations::forgotten_inverse},
     FormulaMistake{
-        "component", "another component", "Another component was taken in place of {}.", "slide 5",
-        alterations::other_component}};
+        "component", tr_later("another component"), tr_later("Another component was taken in place of {0}."),
+        "slide 5", alterations::other_component}};
 
 }  // namespace
 

@@ -12,7 +12,10 @@ using math::Row;
 void plan_in_formula(const FormulaMistake& mistake, FormulaPlan& plan) {
     for (const Altered& altered : mistake.alter(plan.found)) {
         plan.mistakes.push_back(
-            {&mistake, said(mistake.says, altered.what), math::write_latex(altered.row), altered.row,
+            {&mistake,
+             {mistake.says, {altered.what}},
+             math::write_latex(altered.row),
+             altered.row,
              plan.where});
     }
 }
@@ -27,9 +30,9 @@ void plan_in_definition(const FormulaMistake& mistake, std::size_t k, FormulaPla
         where[k].insert(where[k].end(), equals.begin(), equals.end());
         where[k].insert(where[k].end(), altered.row.begin(), altered.row.end());
         const std::string shown = math::write_latex(where[k]);
-        const std::string says = mistake.of_definition != nullptr
-                                     ? said(mistake.of_definition, math::write_plain(sides.front()))
-                                     : said(mistake.says, altered.what);
+        const Message says = mistake.of_definition != nullptr
+                                 ? Message{mistake.of_definition, {math::write_plain(sides.front())}}
+                                 : Message{mistake.says, {altered.what}};
         plan.mistakes.push_back({&mistake, says, shown, plan.found, std::move(where)});
     }
 }
@@ -50,12 +53,6 @@ FormulaPlan formula_plan(const Exercise& exercise) {
         for (std::size_t k = 0; k < plan.where.size(); ++k) { plan_in_definition(mistake, k, plan); }
     }
     return plan;
-}
-
-std::string said(std::string_view says, const std::string& what) {
-    std::string text(says);
-    if (const std::size_t at = text.find("{}"); at != std::string::npos) { text.replace(at, 2, what); }
-    return text;
 }
 
 }  // namespace jw

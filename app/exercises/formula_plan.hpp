@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/exercises/mistakes.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/exercise/exercise.hpp"
 
 /// The formula of an exercise, read, with all that mistakes make of it: the same for all variants.
@@ -12,7 +13,7 @@ namespace jw {
 /// A mistake at one place of the formula.
 struct PlannedMistake {
     const FormulaMistake* mistake = nullptr;
-    std::string says;              ///< feedback with the thing that was changed
+    Message says;                  ///< feedback with the thing that was changed
     std::string shown;             ///< the altered formula, or definition, in LaTeX
     math::Row expression;          ///< what is evaluated
     std::vector<math::Row> where;  ///< definitions before it
@@ -28,8 +29,5 @@ struct FormulaPlan {
 
 /// @param exercise  with a formula that can be read
 FormulaPlan formula_plan(const Exercise& exercise);
-
-/// Feedback with the thing it is about in place of {}.
-std::string said(std::string_view says, const std::string& what);
 
 }  // namespace jw

@@ -10,6 +10,7 @@
 
 #include "app/exercises/spelt_answer.hpp"
 #include "app/exercises/units.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -60,7 +61,8 @@ private:
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string_view rest = std::string_view(text_).substr(std::min(at_, text_.size()));
         throw NotRead(
-            "cannot read " + (rest.empty() ? "the end" : in_quotes(rest)) + "; expected " + expected);
+            rest.empty() ? tr("cannot read the end; expected {0}", expected)
+                         : tr("cannot read {0}; expected {1}", in_quotes(rest), expected));
     }
 
     /// A parenthesis with a comma at its own depth is a list, and one that begins with a list.
@@ -98,19 +100,21 @@ private:
 
     /// [1, 2, 3], [[1, 2], [3, 4]], [1 2; 3 4]
     Rows list() {
-        if (++depth_ > kDeepest) { fail("fewer brackets"); }
+        if (++depth_ > kDeepest) { fail(tr("fewer brackets")); }
         const char close = text_[at_++] == '[' ? ']' : ')';
         Rows rows;
         skip();
         if (peek() == '[' || (peek() == '(' && is_list(at_))) {
             while (!take(close)) {
                 Rows inner = list();
-                if (inner.size() != 1) { fail("rows of numbers"); }
+                if (inner.size() != 1) { fail(tr("rows of numbers")); }
                 rows.push_back(std::move(inner.front()));
                 if (!take(',')) { take(';'); }
                 skip();
-                if (peek() == '\0') { fail("a bracket that closes the list"); }
-                if (peek() != close && peek() != '[' && peek() != '(') { fail("the next row in brackets"); }
+                if (peek() == '\0') { fail(tr("a bracket that closes the list")); }
+                if (peek() != close && peek() != '[' && peek() != '(') {
+                    fail(tr("the next row in brackets"));
+                }
             }
             --depth_;
             return rows;
@@ -126,10 +130,10 @@ private:
         Rows rows(1);
         while (skip(), peek() != close && peek() != '\0') {
             rows.back().push_back(sum());
-            if (++entries_ > kMostEntries) { fail("at most 4096 numbers"); }
+            if (++entries_ > kMostEntries) { fail(tr("at most {0} numbers", kMostEntries)); }
             skip();
             if (is_letter(peek()) && !starts_word()) {
-                fail("a comma or the closing bracket; a unit stands once, behind the list");
+                fail(tr("a comma or the closing bracket; a unit stands once, behind the list"));
             }
             if (take(',')) { continue; }
             if (take(';')) { rows.emplace_back(); }
@@ -150,11 +154,11 @@ private:
             const char c = peek();
             const bool number =
                 (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '+' || c == '(' || starts_word();
-            if (!number && (comma || semicolon)) { fail("a number"); }
+            if (!number && (comma || semicolon)) { fail(tr("a number")); }
             if (!number) { return rows; }
             if (semicolon) { rows.emplace_back(); }
             rows.back().push_back(sum());
-            if (++entries_ > kMostEntries) { fail("at most 4096 numbers"); }
+            if (++entries_ > kMostEntries) { fail(tr("at most {0} numbers", kMostEntries)); }
         }
     }
 
@@ -166,7 +170,7 @@ private:
     }
 
     double sum() {
-        if (++depth_ > kDeepest) { fail("fewer parentheses"); }
+        if (++depth_ > kDeepest) { fail(tr("fewer parentheses")); }
         double value = term();
         for (;;) {
             skip();
@@ -190,7 +194,7 @@ private:
                 ++at_;
                 value *= factor();
             } else if (starts_word() && (single_ || at_ == behind)) {
-                if (divided) { fail("a sign or parentheses: 1/2*pi or 1/(2*pi)"); }
+                if (divided) { fail(tr("a sign or parentheses: 1/2*pi or 1/(2*pi)")); }
                 value *= factor();
             } else if (peek() == '/') {
                 // "3 /s" is a unit
@@ -222,7 +226,7 @@ private:
     }
 
     double factor() {
-        if (++depth_ > kDeepest) { fail("fewer parentheses"); }
+        if (++depth_ > kDeepest) { fail(tr("fewer parentheses")); }
         skip();
         double value = 0.0;
         if (take('-')) {
@@ -254,7 +258,7 @@ private:
         double value = 0.0;
         const char* const begin = text_.data() + at_;
         const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-        if (error != std::errc()) { fail("a number, such as 0.5, 1/3 or sqrt(3)/2"); }
+        if (error != std::errc()) { fail(tr("a number, such as 0.5, 1/3 or sqrt(3)/2")); }
         at_ += static_cast<std::size_t>(end - begin);
         return value;
     }
@@ -270,7 +274,7 @@ private:
     double function() {
         const std::string name = word();
         if (name == "pi") { return std::numbers::pi; }
-        if (!take('(')) { fail("'(' after " + name); }
+        if (!take('(')) { fail(tr("'(' after {0}", name)); }
         ++inside_;
         const double x = sum();
         const double second = take(',') ? sum() : 0.0;
@@ -285,7 +289,7 @@ private:
         if (name == "atan") { return std::atan(x); }
         if (name == "atan2") { return std::atan2(x, second); }
         if (name == "exp") { return std::exp(x); }
-        fail("a function: sqrt, sin, cos, tan, asin, acos, atan, atan2 or exp");
+        fail(tr("a function: sqrt, sin, cos, tan, asin, acos, atan, atan2 or exp"));
     }
 
     std::string text_;
@@ -298,16 +302,18 @@ private:
 
 MatrixX matrix_of(const std::vector<std::vector<double>>& rows) {
     const std::size_t columns = rows.empty() ? 0 : rows.front().size();
-    if (columns == 0) { throw NotRead("there is no number in it; expected at least one"); }
+    if (columns == 0) { throw NotRead(tr("there is no number in it; expected at least one")); }
     MatrixX m(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
     for (std::size_t r = 0; r < rows.size(); ++r) {
         if (rows[r].size() != columns) {
             throw NotRead(
-                "row " + std::to_string(r + 1) + " has " + std::to_string(rows[r].size()) +
-                " numbers, the first has " + std::to_string(columns) + "; expected rows of the same length");
+                tr("row {0} has {1} numbers, the first has {2}; expected rows of the same length", r + 1,
+                   rows[r].size(), columns));
         }
         for (std::size_t c = 0; c < columns; ++c) {
-            if (!std::isfinite(rows[r][c])) { throw NotRead("it is not finite; expected finite numbers"); }
+            if (!std::isfinite(rows[r][c])) {
+                throw NotRead(tr("it is not finite; expected finite numbers"));
+            }
             m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = rows[r][c];
         }
     }
@@ -319,14 +325,14 @@ double factor_between(std::string_view given, std::string_view asked) {
     const std::optional<WrittenUnit> wanted = read_unit(asked);
     if (!unit) {
         throw NotRead(
-            "cannot read " + in_quotes(given) + "; expected " +
-            (asked.empty() ? "nothing behind the numbers" : "the unit " + std::string(asked)));
+            asked.empty() ? tr("cannot read {0}; expected nothing behind the numbers", in_quotes(given))
+                          : tr("cannot read {0}; expected the unit {1}", in_quotes(given), asked));
     }
     if (given.empty()) { return 1.0; }
     if (!wanted || unit->powers != wanted->powers) {
         throw NotRead(
-            "the answer is in " + (asked.empty() ? "numbers without a unit" : std::string(asked)) +
-            "; you wrote " + in_quotes(given));
+            asked.empty() ? tr("the answer is a number without a unit; you wrote {0}", in_quotes(given))
+                          : tr("the answer is in {0}; you wrote {1}", asked, in_quotes(given)));
     }
     return unit->factor / wanted->factor;
 }
@@ -336,9 +342,11 @@ double factor_between(std::string_view given, std::string_view asked) {
 GivenValue read_given_value(std::string_view text, std::string_view unit, std::ptrdiff_t entries) {
     GivenValue given;
     try {
-        if (text.size() > kLongest) { throw NotRead("it is longer than 20000 bytes"); }
+        if (text.size() > kLongest) { throw NotRead(tr("it is longer than {0} bytes", kLongest)); }
         std::string spelt = with_signs_of_keyboard(text);
-        if (spelt.find_first_not_of(" \n\r") == std::string::npos) { throw NotRead("there is no answer"); }
+        if (spelt.find_first_not_of(" \n\r") == std::string::npos) {
+            throw NotRead(tr("there is no answer"));
+        }
         GivenReader reader(with_decimal_points(std::move(spelt), entries), entries == 1);
         given.value = matrix_of(reader.rows());
         std::string_view rest = reader.rest();

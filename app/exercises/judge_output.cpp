@@ -5,6 +5,7 @@
 
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/read_output.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/symbol.hpp"
 #include "lessons/formula/symbol_values.hpp"
@@ -19,13 +20,15 @@ using Json = nlohmann::json;
 /// Programs compute with doubles: what they lose is far less, and what they get wrong far more.
 constexpr double kTolerance = 1e-6;
 constexpr double kWorthOfCases = 0.5;
+/// Entries of one answer that are told.
+constexpr int kMostEntriesTold = 4;
 constexpr std::array kHardStates{
-    "all orientations p = (1, 0, 0, 0)", "e0 = 0: half a turn", "a turn of almost 360 degrees",
-    "positions a thousand times as large"};
+    tr_later("all orientations p = (1, 0, 0, 0)"), tr_later("e0 = 0: half a turn"),
+    tr_later("a turn of almost 360 degrees"), tr_later("positions a thousand times as large")};
 
 /// A state of the bodies in which a program is tried.
 struct CodeCase {
-    std::string name;  ///< empty: a random state
+    const char* name = nullptr;  ///< message; null: a random state
     Asked asked;
 };
 
@@ -60,7 +63,7 @@ std::vector<CodeCase> cases_of(const Task& task, KnownMistakes mistakes) {
         Asked asked = asked_at(task.variant, instant, mistakes);
         // a formula may have no value in a special state
         if (!asked.problem.empty() || !asked.right.allFinite()) { continue; }
-        cases.push_back({hard ? kHardStates[at] : "", std::move(asked)});
+        cases.push_back({hard ? kHardStates[at] : nullptr, std::move(asked)});
     }
     return cases;
 }
@@ -102,10 +105,12 @@ Judged refused(std::string why) {
 /// Numbers, of which one is NaN or infinite.
 bool is_without_value(const MatrixX& given) { return given.size() > 0 && !given.allFinite(); }
 
+bool is_random(const CodeCase& c) { return c.name == nullptr; }
+
 /// There is an answer in a random state: in special ones mistakes may agree with each other.
 bool can_tell_mistakes(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
     for (std::size_t k = 0; k < given.size(); ++k) {
-        if (cases[k].name.empty() && !is_without_value(given[k])) { return true; }
+        if (is_random(cases[k]) && !is_without_value(given[k])) { return true; }
     }
     return false;
 }
@@ -128,57 +133,72 @@ const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::ve
 
 std::string entry_text(double entry) { return std::isfinite(entry) ? number_text(entry, 6) : "NaN"; }
 
-std::string marked_entries(const MatrixX& right, const MatrixX& given) {
+/// What is wrong with an answer in a state, which entries differ where it has the right shape.
+std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
     if (given.size() == 0) {
-        return "it is neither a number nor a list of numbers nor a list of rows of the same length; "
-               "expected " +
-               std::to_string(right.rows()) + " × " + std::to_string(right.cols()) + " numbers";
+        return tr(
+            "In {0} it is neither a number nor a list of numbers nor a list of rows of the same length; "
+            "expected {1} × {2} numbers.",
+            state, right.rows(), right.cols());
     }
     if (given.rows() != right.rows() || given.cols() != right.cols()) {
-        return "it has " + std::to_string(given.rows()) + " × " + std::to_string(given.cols()) +
-               " numbers; expected " + std::to_string(right.rows()) + " × " + std::to_string(right.cols());
+        return tr(
+            "In {0} it has {1} × {2} numbers; expected {3} × {4}.", state, given.rows(), given.cols(),
+            right.rows(), right.cols());
     }
     const double size = std::max(1.0, right.cwiseAbs().maxCoeff());
-    std::string text;
+    std::string entries;
     int wrong = 0;
     for (Eigen::Index r = 0; r < right.rows(); ++r) {
         for (Eigen::Index c = 0; c < right.cols(); ++c) {
             const double entry = given(r, c);
             if (std::abs(entry - right(r, c)) <= kTolerance * size) { continue; }
-            if (++wrong > 4) { continue; }
-            text += (wrong > 1 ? "; " : "") + ("entry (" + std::to_string(r + 1)) + ", " +
-                    std::to_string(c + 1) + ") is " + entry_text(entry) + ", expected " +
-                    number_text(right(r, c), 6);
+            if (++wrong > kMostEntriesTold) { continue; }
+            const std::string told =
+                tr("entry ({0}, {1}) is {2}, expected {3}", r + 1, c + 1, entry_text(entry),
+                   number_text(right(r, c), 6));
+            entries = entries.empty() ? told : tr("{0}; {1}", entries, told);
         }
     }
-    return text + (wrong > 4 ? "; and " + std::to_string(wrong - 4) + " more" : "");
+    return wrong > kMostEntriesTold
+               ? tr("In {0} {1}; and {2} more.", state, entries, wrong - kMostEntriesTold)
+               : tr("In {0} {1}.", state, entries);
 }
 
 std::string state_of(const std::vector<CodeCase>& cases, std::size_t k) {
-    return cases[k].name.empty() ? "case " + std::to_string(k) : cases[k].name;
+    return is_random(cases[k]) ? tr("case {0}", k) : tr(cases[k].name);
 }
 
 void tell_missing_values(
     const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given, Judged& judged) {
     const auto first = std::ranges::find_if(given, is_without_value);
     if (first == given.end()) { return; }
-    const auto count = std::ranges::count_if(given, is_without_value);
-    judged.feedback.push_back(
-        std::to_string(count) + (count == 1 ? " answer has" : " answers have") +
-        " NaN or infinity, the first in " + state_of(cases, static_cast<std::size_t>(first - given.begin())) +
-        ": mind divisions by zero, and roots and arc cosines of numbers that rounding put out of their "
-        "range.");
+    const auto count = static_cast<int>(std::ranges::count_if(given, is_without_value));
+    judged.feedback.push_back(tr_count(
+        count,
+        "{0} answer has NaN or infinity, the first in {1}: mind divisions by zero, and roots and arc cosines "
+        "of numbers that rounding put out of their range.",
+        "{0} answers have NaN or infinity, the first in {1}: mind divisions by zero, and roots and arc "
+        "cosines of numbers that rounding put out of their range.",
+        state_of(cases, static_cast<std::size_t>(first - given.begin()))));
 }
 
 /// Too many answers or too few: they are taken in order, as far as there are states, and not for all points.
 void tell_number_of_answers(std::size_t answers, std::size_t cases, Judged& judged) {
-    const std::string there_are =
-        answers == 1 ? "There is 1 answer" : "There are " + std::to_string(answers) + " answers";
-    const std::string taken = answers > cases ? "The first " + std::to_string(cases) + " are judged."
-                                              : "Those that are missing count as wrong.";
+    const auto count = static_cast<int>(answers);
     judged.feedback.insert(
         judged.feedback.begin(),
-        there_are + "; expected " + std::to_string(cases) + ", one for each case. " + taken);
+        answers > cases
+            ? tr_count(
+                  count, "There is {0} answer; expected {1}, one for each case. The first {1} are judged.",
+                  "There are {0} answers; expected {1}, one for each case. The first {1} are judged.", cases)
+            : tr_count(
+                  count,
+                  "There is {0} answer; expected {1}, one for each case. Those that are missing count as "
+                  "wrong.",
+                  "There are {0} answers; expected {1}, one for each case. Those that are missing count as "
+                  "wrong.",
+                  cases));
     judged.right = false;
     judged.share = std::min(judged.share, kWorthOfCases);
 }
@@ -194,8 +214,8 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
             ++right;
             continue;
         }
-        wrong_and_random += cases[k].name.empty() ? 1 : 0;
-        if (first == nullptr || (!first->name.empty() && cases[k].name.empty())) {
+        wrong_and_random += is_random(cases[k]) ? 1 : 0;
+        if (first == nullptr || (!is_random(*first) && is_random(cases[k]))) {
             first = &cases[k];
             at = k;
         }
@@ -204,13 +224,12 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.right = right == count;
     judged.share = judged.right ? 1.0 : kWorthOfCases * right / count;
     if (judged.right) { return; }
-    judged.feedback.push_back(std::to_string(right) + " of " + std::to_string(count) + " states are right.");
+    judged.feedback.push_back(tr("{0} of {1} states are right.", right, count));
     if (first == nullptr) { return; }
-    judged.feedback.push_back(
-        "In " + state_of(cases, at) + " " + marked_entries(first->asked.right, given[at]) + ".");
+    judged.feedback.push_back(told_answer(state_of(cases, at), first->asked.right, given[at]));
     tell_missing_values(cases, given, judged);
     if (wrong_and_random == 0 && given.size() == cases.size()) {
-        judged.feedback.emplace_back("Only special states are wrong: mind limits and divisions.");
+        judged.feedback.emplace_back(tr("Only special states are wrong: mind limits and divisions."));
     }
 }
 
@@ -280,11 +299,13 @@ std::string program_input(const Task& task) {
 
 std::string judging_of_programs(const Task& task) {
     std::string special;
-    for (const char* state : kHardStates) { special += (special.empty() ? "" : "; ") + std::string(state); }
-    return "It is tried in " + std::to_string(cases_of(task, KnownMistakes::left_out).size()) +
-           " states, the first ones special (" + special +
-           "). Each entry has to agree with the formula within " + number_text(kTolerance, 1) +
-           " of the largest one.";
+    for (const char* state : kHardStates) {
+        special = special.empty() ? std::string(tr(state)) : tr("{0}; {1}", special, tr(state));
+    }
+    return tr(
+        "It is tried in {0} states, the first ones special ({1}). Each entry has to agree with the formula "
+        "within {2} of the largest one.",
+        cases_of(task, KnownMistakes::left_out).size(), special, number_text(kTolerance, 1));
 }
 
 Handed right_output(const Task& task) {
@@ -326,10 +347,10 @@ Judged judge_output(const Task& task, const Handed& handed) {
     if (judged.right) { return judged; }
     if (const KnownMistake* const mistake = mistake_of(cases, given)) {
         judged.mistake = mistake->name;
-        judged.title = mistake->title;
+        judged.title = title_of(*mistake);
         judged.slide = mistake->slide;
         judged.share = 0.0;
-        judged.feedback.insert(judged.feedback.begin(), mistake->says);
+        judged.feedback.insert(judged.feedback.begin(), tr(mistake->says));
     }
     return judged;
 }

@@ -7,6 +7,7 @@
 #include "app/session/wording/messages.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/reader.hpp"
+#include "lessons/translatable.hpp"
 #include "lessons/writer.hpp"
 
 namespace jw {
@@ -23,23 +24,20 @@ std::string expected_of(const Exercise& exercise) {
     return exercise.expect.empty() ? claims_in(exercise.scene) : exercise.expect;
 }
 
-/// Feedback on a claim that does not hold. The reason why a pose cannot be closed is a sentence already.
+/// Feedback on a claim that does not hold.
 std::string not_reached(const ClaimResult& result) {
-    const std::string why = result.why.empty() ? "" : " " + result.why;
-    if (result.found.ends_with('.')) {
-        const std::string no = tr("no: {0}", "");
-        const std::string failure = result.found.substr(result.found.starts_with(no) ? no.size() : 0);
-        return "Not reached " + result.moment + ": " + failure + why;
-    }
-    return "Not reached: " + result.subject + " " + result.moment + " is " + result.found + ", expected " +
-           result.expected + "." + why;
+    const std::string told = result.failure.empty()
+                                 ? tr("Not reached: {0} {1} is {2}, expected {3}.", result.subject,
+                                      result.moment, result.found, result.expected)
+                                 : tr("Not reached {0}: {1}", result.moment, result.failure);
+    return result.why.empty() ? told : tr("{0} {1}", told, result.why);
 }
 
 /// Claims of a lesson file that somebody else wrote, one share each.
 void judge_claims(const std::string& file, const Exercise& exercise, Judged& judged) {
     if (file.size() > kLargestHandedFile) {
         judged.understood = false;
-        judged.feedback.emplace_back("The file is larger than 200 kB.");
+        judged.feedback.emplace_back(tr("The file is larger than 200 kB."));
         return;
     }
     const std::string name = exercise.name + ".toml";
@@ -50,8 +48,8 @@ void judge_claims(const std::string& file, const Exercise& exercise, Judged& jud
         const ReadResult alone = read_lesson_with_claims(file, name, "");
         judged.feedback.push_back(
             alone.lesson
-                ? "What is asked for cannot be found in the file: " + read.diagnostics.front().message + "."
-                : "The file is no lesson: " + to_string(alone.diagnostics.front(), alone.source));
+                ? tr("What is asked for cannot be found in the file: {0}.", read.diagnostics.front().message)
+                : tr("The file is no lesson: {0}", to_string(alone.diagnostics.front(), alone.source)));
         return;
     }
     const std::vector<ClaimResult> results = check_claims(*read.lesson);
@@ -74,28 +72,30 @@ std::string list_text_of(const std::vector<std::string>& names) {
     return text;
 }
 
-void name_mistake(Judged& judged, const char* name, const char* title, std::string says) {
+void name_mistake(Judged& judged, const char* name, std::string title, std::string says) {
     judged.right = false;
     judged.mistake = name;
-    judged.title = title;
+    judged.title = std::move(title);
     judged.feedback.insert(judged.feedback.begin(), std::move(says));
 }
 
 void name_missing_joint(Judged& judged, std::size_t joints, std::size_t needed) {
     name_mistake(
-        judged, "joint-missing", "a joint is missing",
-        std::to_string(joints) + (joints == 1 ? " joint was" : " joints were") + " added; " +
-            std::to_string(needed) + " are needed.");
+        judged, "joint-missing", tr("a joint is missing"),
+        tr_count(
+            static_cast<int>(joints), "{0} joint was added; {1} are needed.",
+            "{0} joints were added; {1} are needed.", needed));
 }
 
 /// More than is needed costs its share.
-void charge(Judged& judged, std::size_t used, std::size_t needed, const std::string& what) {
+/// @param says  message; {0} is what was used, {1} what is needed
+void charge(Judged& judged, std::size_t used, std::size_t needed, const char* says) {
     if (used <= needed || judged.share == 0.0) { return; }
     judged.share *= static_cast<double>(std::max<std::size_t>(1, needed)) / static_cast<double>(used);
     if (judged.right) {
         name_mistake(
-            judged, "more-than-needed", "more than needed",
-            std::to_string(used) + " " + what + "; " + std::to_string(needed) + " would do.");
+            judged, "more-than-needed", tr("more than needed"),
+            tr(Message{says, {std::to_string(used), std::to_string(needed)}}));
     }
 }
 
@@ -136,7 +136,7 @@ std::string state_after(const Task& task, const std::vector<std::string>& action
         const ExperimentResult result = carry_out(session, action);
         if (result.done) { continue; }
         judged.understood = false;
-        judged.feedback.push_back("'" + action + "' cannot be carried out: " + result.said);
+        judged.feedback.push_back(tr("'{0}' cannot be carried out: {1}", action, result.said));
         return {};
     }
     return lesson_text(session.lesson());
@@ -181,8 +181,8 @@ Judged judge_repair(const Task& task, const Handed& handed) {
     if (is_toml && difference.count() == 0) {
         judged.share = 0.0;
         name_mistake(
-            judged, "unchanged", "nothing was changed",
-            "Nothing that matters was changed: the file is as sick as before.");
+            judged, "unchanged", tr("nothing was changed"),
+            tr("Nothing that matters was changed: the file is as sick as before."));
     } else if (!judged.understood && removed == difference.removed.end()) {
         return judged;
     } else if (removed != difference.removed.end() && !judged.right) {
@@ -190,13 +190,13 @@ Judged judge_repair(const Task& task, const Handed& handed) {
         judged.share = 0.0;
         name_mistake(
             judged, joint ? "joint-removed" : "driver-removed",
-            joint ? "the joint was taken out" : "the driver was taken out",
-            "'" + *removed +
-                "' was taken out: the illness is gone with the patient. It has to stay, and to be mended.");
+            joint ? tr("the joint was taken out") : tr("the driver was taken out"),
+            tr("'{0}' was taken out: the illness is gone with the patient. It has to stay, and to be mended.",
+               *removed));
     } else {
         charge(
             judged, difference.count(), static_cast<std::size_t>(task.exercise().most),
-            "values were changed");
+            tr_later("{0} values were changed; {1} would do."));
     }
     return judged;
 }
@@ -220,7 +220,7 @@ Judged judge_build(const Task& task, const Handed& handed) {
     const std::string scene = healthy(task);
     const SceneDifference difference = difference_from_handed_out(scene, handed.text);
     if (difference.count() == 0) {
-        name_mistake(judged, "unchanged", "nothing was added", "Nothing was added to the file.");
+        name_mistake(judged, "unchanged", tr("nothing was added"), tr("Nothing was added to the file."));
         return judged;
     }
     judge_claims(handed.text, task.exercise(), judged);
@@ -232,15 +232,15 @@ Judged judge_build(const Task& task, const Handed& handed) {
     }
     if (!difference.changed.empty() || !difference.removed.empty()) {
         judged.share *= 0.5;
+        std::vector<std::string> touched = difference.changed;
+        touched.insert(touched.end(), difference.removed.begin(), difference.removed.end());
         name_mistake(
-            judged, "scene-changed", "given parts were changed",
-            "Given parts were changed: " + list_text_of(difference.changed) +
-                (difference.changed.empty() ? "" : " ") + list_text_of(difference.removed) +
-                ". Only add to the file.");
+            judged, "scene-changed", tr("given parts were changed"),
+            tr("Given parts were changed: {0}. Only add to the file.", list_text_of(touched)));
         return judged;
     }
     if (!judged.right && joints < needed) { name_missing_joint(judged, joints, needed); }
-    charge(judged, joints, needed, "joints were added");
+    charge(judged, joints, needed, tr_later("{0} joints were added; {1} would do."));
     return judged;
 }
 
@@ -259,12 +259,13 @@ std::vector<HandedMistake> mistaken_experiments(const Task& task) {
 Judged judge_experiment(const Task& task, const Handed& handed) {
     Judged judged;
     if (handed.list.empty()) {
-        name_mistake(judged, "nothing-done", "nothing was done", "There is no experiment in the list.");
+        name_mistake(
+            judged, "nothing-done", tr("nothing was done"), tr("There is no experiment in the list."));
         return judged;
     }
     if (handed.list.size() > kMostActions) {
         judged.understood = false;
-        judged.feedback.emplace_back("There are more than 20 experiments.");
+        judged.feedback.push_back(tr("There are more than {0} experiments.", kMostActions));
         return judged;
     }
     const std::string state = handed.text.empty() ? state_after(task, handed.list, judged) : handed.text;
@@ -273,11 +274,10 @@ Judged judge_experiment(const Task& task, const Handed& handed) {
     const auto needed = static_cast<std::size_t>(task.exercise().most);
     if (!judged.right && judged.understood && handed.list.size() < needed) {
         name_mistake(
-            judged, "unfinished", "not there yet",
-            "The state that is asked for is not reached yet; it takes " + std::to_string(needed) +
-                " experiments.");
+            judged, "unfinished", tr("not there yet"),
+            tr("The state that is asked for is not reached yet; it takes {0} experiments.", needed));
     }
-    charge(judged, handed.list.size(), needed, "experiments were made");
+    charge(judged, handed.list.size(), needed, tr_later("{0} experiments were made; {1} would do."));
     return judged;
 }
 

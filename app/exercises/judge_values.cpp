@@ -5,7 +5,9 @@
 
 #include "app/exercises/given_value.hpp"
 #include "app/exercises/kinds.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "app/session/wording/shown_slides.hpp"
 
 namespace jw {
 
@@ -30,9 +32,9 @@ Judged not_understood(std::string why) {
 }
 
 std::string shape_of(const MatrixX& m) {
-    if (m.size() == 1) { return "a number"; }
-    if (m.cols() == 1) { return "a vector of " + std::to_string(m.rows()) + " numbers"; }
-    return std::to_string(m.rows()) + " × " + std::to_string(m.cols()) + " numbers";
+    if (m.size() == 1) { return tr("a number"); }
+    if (m.cols() == 1) { return tr("a vector of {0} numbers", m.rows()); }
+    return tr("{0} × {1} numbers", m.rows(), m.cols());
 }
 
 /// A row where a column is meant, and the reverse; not for matrices.
@@ -98,32 +100,35 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
             }
         }
     }
-    judged.feedback.push_back(
-        std::to_string(wrong) + " of " + std::to_string(given.size()) + " entries differ: " + places + ".");
+    judged.feedback.push_back(tr("{0} of {1} entries differ: {2}.", wrong, given.size(), places));
     if (nonzero > 0) { judged.share = kWorthOfEntries * right_and_nonzero / nonzero; }
+}
+
+void tell_unknown(const std::string& apart, Judged& judged) {
+    judged.feedback.push_back(tr("No known mistake leads to this answer. It is off by {0}.", apart));
 }
 
 void tell_how_far(const Asked& asked, const MatrixX& given, Judged& judged) {
     const double apart = difference_from(asked.right, given, asked);
-    judged.feedback.push_back(
-        "No known mistake leads to this answer. It is off by " + number_text(apart, 3) + with_unit(asked) +
-        ".");
+    tell_unknown(number_text(apart, 3) + with_unit(asked), judged);
     if (apart <= kRoundedEarly * asked.tolerance) {
-        judged.feedback.emplace_back("That is near: was something rounded too early?");
+        judged.feedback.emplace_back(tr("That is near: was something rounded too early?"));
     }
     if (given.size() > 1 && !asked.sign_of_p) { tell_entries(asked, given, judged); }
 }
 
 void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX& given, Judged& judged) {
     judged.mistake = mistake.name;
-    judged.title = mistake.title;
+    judged.title = title_of(mistake);
     judged.slide = mistake.slide;
-    judged.feedback.push_back(mistake.says);
+    judged.feedback.push_back(tr(mistake.says));
     if (!is_exact(asked)) {
-        judged.feedback.push_back(
-            "Off by " + number_text(difference_from(asked.right, given, asked), 3) + with_unit(asked) + ".");
+        const std::string apart = number_text(difference_from(asked.right, given, asked), 3);
+        judged.feedback.push_back(tr("Off by {0}.", apart + with_unit(asked)));
     }
-    if (!mistake.slide.empty()) { judged.feedback.push_back("Look at " + mistake.slide + "."); }
+    if (!mistake.slide.empty()) {
+        judged.feedback.push_back(tr("Look at {0}.", shown_slides(mistake.slide)));
+    }
 }
 
 /// An order that is none of the known mistakes.
@@ -134,14 +139,14 @@ void tell_order(const Task& task, const MatrixX& given, Judged& judged) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (numbers[k] == static_cast<double>(k + 1)) { continue; }
         judged.feedback.push_back(
-            "Each of the numbers 1 to " + std::to_string(numbers.size()) + " has to stand there once.");
+            tr("Each of the numbers 1 to {0} has to stand there once.", numbers.size()));
         return;
     }
     Eigen::Index first = 0;
     while (first + 1 < right.rows() && given(first, 0) == right(first, 0)) { ++first; }
     judged.feedback.push_back(
-        "The first wrong one is at place " + std::to_string(first + 1) + ": number " +
-        number_text(given(first, 0), 3) + " does not belong there.");
+        tr("The first wrong one is at place {0}: number {1} does not belong there.", first + 1,
+           number_text(given(first, 0), 3)));
 }
 
 /// An answer that has to be exact, and is none of the known mistakes.
@@ -149,13 +154,10 @@ void tell_what_differs(const Task& task, const MatrixX& given, Judged& judged) {
     if (task.exercise().kind == ExerciseKind::order) { return tell_order(task, given, judged); }
     if (task.exercise().kind == ExerciseKind::choose) {
         judged.feedback.push_back(
-            "This is none of the choices; expected a number from 1 to " + std::to_string(task.shown.size()) +
-            ".");
+            tr("This is none of the choices; expected a number from 1 to {0}.", task.shown.size()));
         return;
     }
-    judged.feedback.push_back(
-        "No known mistake leads to this answer. It is off by " +
-        number_text(difference_from(task.asked.right, given, task.asked), 3) + ".");
+    tell_unknown(number_text(difference_from(task.asked.right, given, task.asked), 3), judged);
 }
 
 /// "Y " as "y"
@@ -230,10 +232,13 @@ Judged judge_value(const Task& task, const Handed& handed) {
     const MatrixX given = in_shape_of(asked.right, read.value);
     if (given.rows() != asked.right.rows() || given.cols() != asked.right.cols()) {
         const bool turned = given.rows() == asked.right.cols() && given.cols() == asked.right.rows();
+        if (!turned) {
+            return not_understood(tr("You wrote {0}; expected {1}.", shape_of(given), shape_of(asked.right)));
+        }
         Judged judged = not_understood(
-            "You wrote " + shape_of(given) + "; expected " + shape_of(asked.right) +
-            (turned ? ": transposed." : "."));
-        if (turned) { judged.mistake = judged.title = "transposed"; }
+            tr("You wrote {0}; expected {1}: transposed.", shape_of(given), shape_of(asked.right)));
+        judged.mistake = "transposed";
+        judged.title = tr("transposed");
         return judged;
     }
     Judged judged;

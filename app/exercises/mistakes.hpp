@@ -7,6 +7,7 @@
 
 #include "app/exercises/alter.hpp"
 #include "lessons/claims.hpp"
+#include "lessons/translatable.hpp"
 
 /// Mistakes that students make, each as a function of the right formula.
 namespace jw {
@@ -14,11 +15,11 @@ namespace jw {
 /// A mistake is an entry of kFormulaMistakes: what it makes of the right formula.
 struct FormulaMistake {
     const char* name;   ///< in exercise files and reports: "local-for-global"
-    const char* title;  ///< "a vector in the frame of the body"
-    const char* says;   ///< feedback; {} is the thing in the formula
+    const char* title;  ///< message: "a vector in the frame of the body"
+    const char* says;   ///< message, the feedback; {0} is the thing in the formula
     const char* slide;  ///< where it is explained, may be empty
     std::vector<Altered> (*alter)(const math::Row& right);
-    /// feedback where the whole of a definition is mistaken; {} is what it defines; null: `says` fits
+    /// feedback where the whole of a definition is mistaken; {0} is what it defines; null: `says` fits
     const char* of_definition = nullptr;
 };
 std::span<const FormulaMistake> formula_mistakes();
@@ -26,26 +27,26 @@ std::span<const FormulaMistake> formula_mistakes();
 /// A mistake in a value, whatever its formula: an entry of kValueMistakes.
 struct ValueMistake {
     const char* name;
-    const char* title;
-    const char* says;   ///< {} is the unit that is asked for
+    const char* title;  ///< message
+    const char* says;   ///< message; {0} is the unit that is asked for
     const char* slide;  ///< may be empty
 };
 
 inline constexpr ValueMistake kOppositeSign{
-    "sign", "wrong sign", "This is the right answer with the opposite sign.", ""};
+    "sign", tr_later("wrong sign"), tr_later("This is the right answer with the opposite sign."), ""};
 inline constexpr ValueMistake kMixedUnits{
-    "degrees", "degrees and radians mixed up",
-    "This is the answer with the other one of degrees and radians; it is asked for in {}.", ""};
+    "degrees", tr_later("degrees and radians mixed up"),
+    tr_later("This is the answer with the other one of degrees and radians; it is asked for in {0}."), ""};
 inline constexpr ValueMistake kFullTurn{
-    "two-pi", "off by a turn", "This is off by a full turn: this angle counts turns.", "slide 11"};
+    "two-pi", tr_later("off by a turn"), tr_later("This is off by a full turn: this angle counts turns."),
+    "slide 11"};
 inline constexpr ValueMistake kOtherBranch{
-    "branch", "the other branch", "This belongs to the other way in which the same joints can be assembled.",
-    "slide 23"};
+    "branch", tr_later("the other branch"),
+    tr_later("This belongs to the other way in which the same joints can be assembled."), "slide 23"};
 inline constexpr ValueMistake kWrongTwo{
-    "wrong-two", "the wrong two of three",
-    "The rule leaves out the equation of the largest global component of s_i, not this one. The two that are "
-    "left "
-    "would become dependent sooner.",
+    "wrong-two", tr_later("the wrong two of three"),
+    tr_later("The rule leaves out the equation of the largest global component of s_i, not this one. The two "
+             "that are left would become dependent sooner."),
     "slide 5"};
 inline constexpr std::array kValueMistakes{kOppositeSign, kMixedUnits, kFullTurn, kOtherBranch, kWrongTwo};
 
@@ -57,24 +58,29 @@ struct CountMistake {
 inline constexpr std::array kCountMistakes{
     CountMistake{
         Count::rows,
-        {"rows", "equations counted", "This is the number of equations; not all of them need be independent.",
-         "slide 5"}},
+        {"rows", tr_later("equations counted"),
+         tr_later("This is the number of equations; not all of them need be independent."), "slide 5"}},
     CountMistake{
         Count::rank,
-        {"rank", "the rank", "This is the rank: the number of independent equations.", "slide 5"}},
-    CountMistake{
-        Count::dof, {"dof", "the freedoms", "This is the number of freedoms: columns minus rank.", ""}},
-    CountMistake{
-        Count::redundant,
-        {"redundant", "the redundant equations", "This is the number of equations that are not independent.",
+        {"rank", tr_later("the rank"), tr_later("This is the rank: the number of independent equations."),
          "slide 5"}},
     CountMistake{
+        Count::dof,
+        {"dof", tr_later("the freedoms"), tr_later("This is the number of freedoms: columns minus rank."),
+         ""}},
+    CountMistake{
+        Count::redundant,
+        {"redundant", tr_later("the redundant equations"),
+         tr_later("This is the number of equations that are not independent."), "slide 5"}},
+    CountMistake{
         Count::columns,
-        {"columns", "the columns", "This is the number of columns: six for each moving body.", ""}},
+        {"columns", tr_later("the columns"),
+         tr_later("This is the number of columns: six for each moving body."), ""}},
     CountMistake{
         Count::mobility_by_counting,
-        {"counting", "Grübler's count",
-         "This is Grübler's count: it takes every equation of the joints for an independent one.", ""}}};
+        {"counting", tr_later("Grübler's count"),
+         tr_later("This is Grübler's count: it takes every equation of the joints for an independent one."),
+         ""}}};
 
 /// Names of all mistakes that an exercise can look for: of formulas, of values and of counts.
 std::vector<std::string> mistake_names();

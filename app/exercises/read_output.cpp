@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/wording/messages.hpp"
+
 namespace jw {
 
 namespace {
@@ -16,6 +18,7 @@ namespace {
 using ReadJson = nlohmann::json;
 
 constexpr std::size_t kMostRows = 1000;
+constexpr const char* kExpected = R"({"answers": [...]})";
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 bool is_word_sign(char c) {
@@ -82,9 +85,9 @@ MatrixX answer_in(const ReadJson& json) {
 
 ProgramOutput read_program_output(const std::string& text) {
     const ReadJson json = ReadJson::parse(with_nulls(text), nullptr, false);
-    if (json.is_discarded()) { return {{}, "The output is no JSON; expected {\"answers\": [...]}."}; }
+    if (json.is_discarded()) { return {{}, tr("The output is no JSON; expected {0}.", kExpected)}; }
     if (!json.is_object() || !json.contains("answers") || !json["answers"].is_array()) {
-        return {{}, "The output has no list \"answers\"; expected {\"answers\": [...]}."};
+        return {{}, tr("The output has no list \"answers\"; expected {0}.", kExpected)};
     }
     ProgramOutput output;
     for (const ReadJson& answer : json["answers"]) { output.answers.push_back(answer_in(answer)); }

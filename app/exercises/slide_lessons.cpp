@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/course.hpp"
 #include "lessons/reader.hpp"
 
@@ -31,7 +32,7 @@ std::vector<SlideLesson> lessons_of_slides(const fs::path& lessons_folder, const
         if (stop.stop_requested()) { break; }
         const ReadResult read = read_lesson_file(entry.file);
         if (!read.lesson) { continue; }
-        const Lesson& lesson = *read.lesson;
+        const Lesson lesson = shown_lesson(*read.lesson);
         found.push_back({entry.file, lesson.title, lesson.text, lesson.summary, slides_in(lesson.source)});
     }
     return found;

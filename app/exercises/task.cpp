@@ -8,6 +8,7 @@
 #include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/translatable.hpp"
 
 namespace jw {
 
@@ -21,6 +22,8 @@ constexpr int kMostDraws = 400;
 constexpr double kTolerancesApart = 10.0;
 constexpr std::size_t kMostChoices = 4;
 constexpr const char* kStopped = "nobody waits for this exercise any more";
+
+Message by_author(const std::string& words) { return {"{0}", {words}}; }
 
 bool is_computed(const Exercise& exercise) { return !exercise.asked.empty(); }
 
@@ -66,8 +69,8 @@ void show_choices(Task& task, Random& random) {
         } else {
             task.asked.mistakes.push_back(
                 {"choice-" + std::to_string(k + 1),
-                 exercise.choices[k].text,
-                 exercise.choices[k].why,
+                 {by_author(exercise.choices[k].text)},
+                 by_author(exercise.choices[k].why),
                  "",
                  number,
                  {}});
@@ -122,8 +125,9 @@ void show_items(Task& task, Random& random) {
         std::swap(swapped[k], swapped[k + 1]);
         task.asked.mistakes.push_back(
             {"order-" + std::to_string(k + 1),
-             "two neighbours exchanged",
-             "Two neighbours are exchanged: \"" + items[k] + "\" comes before \"" + items[k + 1] + "\".",
+             {{tr_later("two neighbours exchanged"), {}}},
+             {tr_later("Two neighbours are exchanged: \"{0}\" comes before \"{1}\"."),
+              {items[k], items[k + 1]}},
              "",
              numbers_in_order(task, swapped),
              {}});
@@ -131,8 +135,8 @@ void show_items(Task& task, Random& random) {
     std::ranges::reverse(order);
     task.asked.mistakes.push_back(
         {"reversed",
-         "the order reversed",
-         "This is the right order from its end to its beginning.",
+         {{tr_later("the order reversed"), {}}},
+         {tr_later("This is the right order from its end to its beginning."), {}},
          "",
          numbers_in_order(task, order),
          {}});
@@ -230,9 +234,9 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
             position[k] = apart.size();
             apart.push_back(asked.mistakes[k]);
         } else if (leader_[k] >= 0) {
-            std::string& title = apart[position[static_cast<std::size_t>(leader_[k])]].title;
-            const std::string& other = asked.mistakes[k].title;
-            if (title.find(other) == std::string::npos) { title += " or " + other; }
+            std::vector<Message>& titles = apart[position[static_cast<std::size_t>(leader_[k])]].titles;
+            const Message& other = asked.mistakes[k].titles.front();
+            if (std::ranges::find(titles, other) == titles.end()) { titles.push_back(other); }
         }
     }
     // programs are told apart by all of their cases (judge_output.cpp)
@@ -241,7 +245,7 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
         by_cases ? -1.0 : std::max(kTolerancesApart * asked.tolerance, smallest_difference(asked));
     for (std::size_t a = 0; a < apart.size(); ++a) {
         if (difference_from(asked.right, apart[a].answer, asked) <= least) {
-            why = "the mistake '" + apart[a].name + "' gives nearly the right answer: " + apart[a].says;
+            why = "the mistake '" + apart[a].name + "' gives nearly the right answer: " + tr(apart[a].says);
             return false;
         }
         for (std::size_t b = 0; b < a; ++b) {

@@ -160,7 +160,7 @@ bool read_exercise_head(Fields& root, ExercisesRead& read, Exercise& defaults) {
     root.require("format", "format = 1 as the first key");
     root.integer("format", 1, 1);
     root.require("title", "a title");
-    if (const auto title = root.text("title")) { read.title = title->value; }
+    if (const auto title = root.words("title")) { read.title = title->value; }
     if (const auto source = root.text("source")) { defaults.source = source->value; }
     return root.problems().errors_count() == 0;
 }

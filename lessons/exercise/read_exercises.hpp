@@ -30,7 +30,7 @@ ExerciseTables exercise_tables_in(const std::filesystem::path& path);
 
 /// The exercises of a file, or everything that is wrong with it: there are exercises only without errors.
 struct ExercisesRead {
-    std::string title;
+    Text title;
     std::vector<Exercise> exercises;
     std::vector<Diagnostic> diagnostics;  ///< by position
     std::string source;

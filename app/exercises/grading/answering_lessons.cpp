@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/exercises/grading/markup.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_slides.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 
 namespace jw {
@@ -29,7 +31,7 @@ const SlideLesson* AnsweringLessons::find(const std::string& exercise, const std
 
 std::string lesson_link(const SlideLesson& lesson, const std::string& slide) {
     return "<a href=\"#" + markup_text(anchor_of(lesson)) + "\">" +
-           (slide.empty() ? "" : markup_text(slide) + ": ") + html_words(lesson.title) + "</a>";
+           (slide.empty() ? "" : markup_text(shown_slides(slide)) + ": ") + html_words(lesson.title) + "</a>";
 }
 
 std::string lesson_section(const SlideLesson& lesson) {
@@ -38,8 +40,8 @@ std::string lesson_section(const SlideLesson& lesson) {
                        " <small>(" + markup_text(name) + ")</small></h3>\n<p>" + html_words(lesson.text) +
                        "</p>\n";
     if (!lesson.summary.empty()) { html += "<p><b>" + html_words(lesson.summary) + "</b></p>\n"; }
-    return html + "<p>In the program: <code>jointwise open lessons/catalogue/" + markup_text(name) +
-           ".toml</code></p>\n";
+    return html + "<p>" + markup_text(tr("In the program:")) + " <code>jointwise open lessons/catalogue/" +
+           markup_text(name) + ".toml</code></p>\n";
 }
 
 }  // namespace jw

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/exercises/grading/grade_reports.hpp"
 #include "app/exercises/grading/markup.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/translatable.hpp"
 
 namespace jw {
 
@@ -44,7 +47,8 @@ std::string histogram(const std::vector<Grade>& grades) {
         ++bins[static_cast<std::size_t>(std::min(kBins - 1, static_cast<int>(kBins * share)))];
     }
     const int most = std::max(1, *std::ranges::max_element(bins));
-    std::string html = "<div class=\"hist\" role=\"img\" aria-label=\"students by share of points\">";
+    std::string html = "<div class=\"hist\" role=\"img\" aria-label=\"" +
+                       markup_text(tr("students by share of points")) + "\">";
     for (const int count : bins) {
         html += "<div style=\"height:" + number_text(100.0 * count / most * 0.85, 4) + "%\"><b>" +
                 (count > 0 ? std::to_string(count) : "") + "</b></div>";
@@ -64,6 +68,20 @@ std::string count_bar(const ExerciseCount& c, int all) {
            "></i><i class=\"missing\" " + width_of(c.missing, all) + "></i></div>\n";
 }
 
+std::string key_of_bars() {
+    constexpr std::array<std::array<const char*, 2>, 5> kParts{
+        {{"right", tr_later("right")},
+         {"partly", tr_later("partly")},
+         {"wrong", tr_later("wrong")},
+         {"lost", tr_later("not understood or not run")},
+         {"missing", tr_later("not handed in")}}};
+    std::string html = "<p class=\"key\">";
+    for (const auto& [style, words] : kParts) {
+        html += std::string("<span><i class=\"") + style + "\"></i>" + markup_text(tr(words)) + "</span>";
+    }
+    return html + "</p>\n";
+}
+
 /// Lessons that were linked, each once.
 using LinkedLessons = std::vector<const SlideLesson*>;
 
@@ -72,7 +90,8 @@ std::string answer_cell(
     LinkedLessons& linked) {
     const SlideLesson* const lesson = lessons.find(c.name, mistake.slide);
     if (lesson == nullptr) {
-        return "<a href=\"#" + markup_text(c.name) + "\">the solution of the sheet</a>";
+        return "<a href=\"#" + markup_text(c.name) + "\">" + markup_text(tr("the solution of the sheet")) +
+               "</a>";
     }
     if (std::ranges::find(linked, lesson) == linked.end()) { linked.push_back(lesson); }
     return lesson_link(*lesson, mistake.slide);
@@ -80,21 +99,30 @@ std::string answer_cell(
 
 std::string about_lessons(const LinkedLessons& linked) {
     if (linked.empty()) { return {}; }
-    std::string html = "<h2>Where the answers are</h2>\n";
+    std::string html = "<h2>" + markup_text(tr("Where the answers are")) + "</h2>\n";
     for (const SlideLesson* lesson : linked) { html += lesson_section(*lesson); }
     return html;
+}
+
+std::string counts_text(const ExerciseCount& c) {
+    if (c.not_run == 0) {
+        return tr(
+            "{0} right, {1} partly, {2} wrong, {3} not understood, {4} not handed in.", c.right, c.partly,
+            c.wrong, c.not_understood, c.missing);
+    }
+    return tr(
+        "{0} right, {1} partly, {2} wrong, {3} not understood, {4} not run, {5} not handed in.", c.right,
+        c.partly, c.wrong, c.not_understood, c.not_run, c.missing);
 }
 
 std::string about_exercise(
     const ExerciseCount& c, int all, const AnsweringLessons& lessons, LinkedLessons& linked) {
     std::string html = "<h2 id=\"" + markup_text(c.name) + "\">" + html_words(c.title) + " <small>(" +
                        markup_text(c.name) + ")</small></h2>\n" + count_bar(c, all);
-    html += "<p>" + std::to_string(c.right) + " right, " + std::to_string(c.partly) + " partly, " +
-            std::to_string(c.wrong) + " wrong, " + std::to_string(c.not_understood) + " not understood, " +
-            (c.not_run > 0 ? std::to_string(c.not_run) + " not run, " : "") + std::to_string(c.missing) +
-            " not handed in.</p>\n";
+    html += "<p>" + markup_text(counts_text(c)) + "</p>\n";
     if (c.mistakes.empty()) { return html; }
-    html += "<table><tr><th>mistake</th><th class=\"n\">students</th><th>answered by</th></tr>\n";
+    html += "<table><tr><th>" + markup_text(tr("mistake")) + "</th><th class=\"n\">" +
+            markup_text(tr("students")) + "</th><th>" + markup_text(tr("answered by")) + "</th></tr>\n";
     for (const ExerciseCount::Mistake& m : c.mistakes) {
         html += "<tr><td>" + html_words(m.title) + "</td><td class=\"n\">" + std::to_string(m.count) +
                 "</td><td>" + answer_cell(c, m, lessons, linked) + "</td></tr>\n";
@@ -109,9 +137,10 @@ std::string about_refused(const std::vector<Grade>& grades) {
         rows += "<tr><td>" + markup_text(grade.submission) + "</td><td>" + markup_text(grade.problem) +
                 "</td></tr>\n";
     }
-    return rows.empty()
-               ? rows
-               : "<h2>Not graded</h2><table><tr><th>submission</th><th>why</th></tr>\n" + rows + "</table>\n";
+    return rows.empty() ? rows
+                        : "<h2>" + markup_text(tr("Not graded")) + "</h2><table><tr><th>" +
+                              markup_text(tr("submission")) + "</th><th>" + markup_text(tr("why")) +
+                              "</th></tr>\n" + rows + "</table>\n";
 }
 
 }  // namespace
@@ -127,17 +156,15 @@ std::string class_report_html(
     }
     const double mean = all > 0 ? sum / all : 0.0;
     std::string html =
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "<!doctype html>\n<html lang=\"" + std::string(language()) +
+        "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>" +
         markup_text(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + markup_text(title) +
-        "</h1>\n<p>" + std::to_string(all) + " submissions, " + number_text(mean, 3) + " of " +
-        number_text(points, 6) + " points in the mean.</p>\n" + histogram(grades);
-    html +=
-        "<p class=\"key\"><span><i class=\"right\"></i>right</span><span><i "
-        "class=\"partly\"></i>partly</span><span><i "
-        "class=\"wrong\"></i>wrong</span><span><i class=\"lost\"></i>not understood or not "
-        "run</span><span><i "
-        "class=\"missing\"></i>not handed in</span></p>\n";
+        "</h1>\n<p>" +
+        markup_text(tr_count(
+            all, "{0} submission, {1} of {2} points.", "{0} submissions, {1} of {2} points in the mean.",
+            number_text(mean, 3), number_text(points, 6))) +
+        "</p>\n" + histogram(grades) + key_of_bars();
     const ProgramsNotRun programs = programs_not_run(grades);
     if (programs.count > 0) { html += "<p><b>" + markup_text(programs.text()) + ".</b></p>\n"; }
     LinkedLessons linked;

@@ -6,11 +6,13 @@
 #include <sstream>
 #include <string_view>
 
+#include "app/exercises/grading/fault_text.hpp"
 #include "app/exercises/grading/plain_file.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/languages.hpp"
 #include "app/exercises/run/safe_text.hpp"
 #include "app/exercises/run/student_file.hpp"
+#include "app/session/wording/messages.hpp"
 
 namespace jw {
 
@@ -46,10 +48,10 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
 std::string beginning_of(const std::string& out) {
     const std::string text = exercises::printable(out.substr(0, 1000));
     const std::size_t first = text.find_first_not_of(" \n\t");
-    if (first == std::string::npos) { return "It wrote nothing to standard output."; }
-    return "What it wrote begins with \"" +
-           exercises::first_lines(text.substr(first, text.find('\n', first) - first), 1, 60) +
-           "\". Nothing but the answers may be written to standard output.";
+    if (first == std::string::npos) { return tr("It wrote nothing to standard output."); }
+    return tr(
+        "What it wrote begins with \"{0}\". Nothing but the answers may be written to standard output.",
+        exercises::first_lines(text.substr(first, text.find('\n', first) - first), 1, 60));
 }
 
 /// Runs the program of the student and judges what it writes.
@@ -57,15 +59,16 @@ ProgramVerdict judge_program(
     const Task& task, const exercises::StudentProgram& program, const std::stop_token& stop = {}) {
     const exercises::ReadyProgram ready = exercises::make_ready(program, stop);
     if (ready.outcome != exercises::ProgramResult::Outcome::ran) {
-        return not_run(ready.outcome, ready.message);
+        return not_run(ready.outcome, unready_text(ready, program.file));
     }
     const exercises::SandboxLimits limits;
     const exercises::ProgramResult result = exercises::run_ready(ready, program_input(task), limits, stop);
     if (result.outcome != exercises::ProgramResult::Outcome::ran) {
         return not_run(result.outcome, result.message);
     }
-    const std::string fault = exercises::fault_of(result.run, limits);
-    if (!fault.empty()) { return {not_judged("The program " + fault)}; }
+    if (std::string fault = program_fault(result.run, limits); !fault.empty()) {
+        return {not_judged(std::move(fault))};
+    }
     ProgramVerdict verdict{kind_of(task.exercise().kind).judge(task, {result.run.out, {}})};
     if (!verdict.judged.understood) { verdict.judged.feedback.push_back(beginning_of(result.run.out)); }
     return verdict;
@@ -170,14 +173,16 @@ Judged judge_program_file(const Task& task, const fs::path& file, const std::sto
         return judge_program(task, found.program, stop).judged;
     }
     return not_judged(
-        found.reason.empty() ? "There is no file '" + file.string() + "'; expected a program."
+        found.reason.empty() ? tr("There is no file '{0}'; expected a program.", file.string())
                              : found.reason);
 }
 
 ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises) {
     ReadyCourse course;
     course.secret = std::move(secret);
-    std::uint64_t digest = seed_of(means_of_running(), JW_VERSION, course.secret);
+    // feedback is kept in words
+    const std::string words = language() == "en" ? std::string() : std::string(language());
+    std::uint64_t digest = seed_of(means_of_running() + words, JW_VERSION, course.secret);
     for (const Exercise& exercise : exercises) {
         course.exercises.push_back({&exercise, TaskMaker(exercise)});
         const std::string& problem = course.exercises.back().maker.problem();
@@ -208,7 +213,7 @@ Submission read_submission(const fs::path& folder) {
     Submission submission{folder, {}};
     std::error_code error;
     if (fs::is_symlink(folder, error)) {
-        submission.handed.problem = "The submission is a symbolic link; expected a folder.";
+        submission.handed.problem = tr("The submission is a symbolic link; expected a folder.");
         return submission;
     }
     const PlainFile answers = read_plain_file(folder / kAnswersFile, kLargestHandedIn);
@@ -239,7 +244,7 @@ ExerciseGrade grade_exercise(
     if (task.problem.empty()) {
         grade_task(task, submission, grade);
     } else {
-        grade.judged = not_judged("The exercise cannot be set for this student: " + task.problem + ".");
+        grade.judged = not_judged(tr("The exercise cannot be set for this student: {0}.", task.problem));
     }
     grade.earned = std::round(grade.judged.share * grade.points / kFinest) * kFinest;
     return grade;

@@ -5,6 +5,7 @@
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/run/safe_text.hpp"
 #include "app/session/output/json.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/text_parts.hpp"
 
@@ -32,11 +33,11 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string verdict_of(const ExerciseGrade& e) {
-    if (!e.handed_in) { return "not handed in"; }
-    if (e.not_run) { return "not run"; }
-    if (!e.judged.understood) { return "not understood"; }
-    if (e.judged.right && e.judged.share >= 1.0) { return "right"; }
-    return e.judged.title.empty() ? "wrong" : "wrong: " + math::plain_words(e.judged.title);
+    if (!e.handed_in) { return tr("not handed in"); }
+    if (e.not_run) { return tr("not run"); }
+    if (!e.judged.understood) { return tr("not understood"); }
+    if (e.judged.right && e.judged.share >= 1.0) { return tr("right"); }
+    return e.judged.title.empty() ? tr("wrong") : tr("wrong: {0}", math::plain_words(e.judged.title));
 }
 
 std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
@@ -78,10 +79,11 @@ std::string junit_verdict(const Grade& grade, const ExerciseGrade& e, JunitCount
 
 std::string grade_text(const Grade& grade) {
     const std::string who = grade.student.empty() ? grade.submission : grade.student;
-    std::string text = in_a_line(who) + ": " + points_text(grade.earned()) + " of " +
-                       points_text(grade.points()) + " points\n";
+    std::string text = tr("{0}: {1} of {2} points", in_a_line(who), points_text(grade.earned()),
+                          points_text(grade.points())) +
+                       "\n";
     if (!grade.problem.empty()) {
-        return text + "  nothing could be graded: " + exercises::printable(grade.problem) + "\n";
+        return text + "  " + tr("nothing could be graded: {0}", exercises::printable(grade.problem)) + "\n";
     }
     for (const ExerciseGrade& e : grade.exercises) {
         text += "  " + points_text(e.earned) + "/" + points_text(e.points) + "  " + e.name + ": " +
@@ -140,7 +142,8 @@ std::string gradescope_json(const Grade& grade) {
             {{"name", e.title + " (" + e.name + ")"},
              {"score", e.earned},
              {"max_score", e.points},
-             {"output", grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "") : "not graded"},
+             {"output",
+              grade.problem.empty() ? verdict_of(e) + "\n" + feedback_text(e, "") : tr("not graded")},
              {"status", e.earned >= e.points ? "passed" : "failed"},
              {"visibility", "visible"}});
     }
@@ -170,8 +173,9 @@ ProgramsNotRun programs_not_run(const std::vector<Grade>& grades) {
 }
 
 std::string ProgramsNotRun::text() const {
-    return std::to_string(count) + (count == 1 ? " program was" : " programs were") +
-           " not run and got no points: " + reason + "; grade on a machine that can run them";
+    return tr_count(
+        count, "{0} program was not run and got no points: {1}; grade on a machine that can run them",
+        "{0} programs were not run and got no points: {1}; grade on a machine that can run them", reason);
 }
 
 std::vector<ExerciseCount> counts_of(const std::vector<Grade>& grades) {

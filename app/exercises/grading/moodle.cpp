@@ -4,7 +4,9 @@
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/grading/sheet.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "app/session/wording/shown_slides.hpp"
 
 namespace jw {
 
@@ -39,7 +41,8 @@ std::string question_text(const SheetEntry& entry, const std::string& more) {
     std::string file;
     if (!entry.figure.empty()) {
         const std::string name = exercise.name + ".png";
-        html += "<p><img src=\"@@PLUGINFILE@@/" + name + "\" alt=\"the scene\"></p>";
+        html +=
+            "<p><img src=\"@@PLUGINFILE@@/" + name + "\" alt=\"" + markup_text(tr("the scene")) + "\"></p>";
         file =
             "<file name=\"" + name + "\" path=\"/\" encoding=\"base64\">" + base64(entry.figure) + "</file>";
     }
@@ -56,7 +59,8 @@ std::string category_name(const std::string& name) {
 }
 
 std::string feedback_of(const KnownMistake& mistake) {
-    return mistake.says + (mistake.slide.empty() ? "" : " Look at " + mistake.slide + ".");
+    return sentences(
+        tr(mistake.says), mistake.slide.empty() ? "" : tr("Look at {0}.", shown_slides(mistake.slide)));
 }
 
 double tolerance_of_entry(const Asked& asked) { return asked.tolerance > 0.0 ? asked.tolerance : 1e-6; }
@@ -69,10 +73,10 @@ std::string numerical(const SheetEntry& entry) {
                number_text(tolerance_of_entry(asked), 6) + "</tolerance><feedback format=\"html\">" +
                cdata(markup_text(feedback)) + "</feedback></answer>\n";
     };
-    std::string xml = answer(asked.right(0, 0), 100, "Right.");
+    std::string xml = answer(asked.right(0, 0), 100, tr("Right."));
     if (asked.turn > 0.0) {
-        xml += answer(asked.right(0, 0) + asked.turn, 100, "Right.") +
-               answer(asked.right(0, 0) - asked.turn, 100, "Right.");
+        xml += answer(asked.right(0, 0) + asked.turn, 100, tr("Right.")) +
+               answer(asked.right(0, 0) - asked.turn, 100, tr("Right."));
     }
     for (const KnownMistake& mistake : asked.mistakes) {
         xml += answer(mistake.answer(0, 0), 0, feedback_of(mistake));
@@ -99,7 +103,8 @@ std::string gap(const Asked& asked, Eigen::Index r, Eigen::Index c) {
     const double tolerance = tolerance_of_entry(asked);
     std::vector<double> used{asked.right(r, c)};
     const std::string width = number_text(tolerance, 6);
-    std::string text = "{1:NUMERICAL:=" + number_text(used.front(), kMoodleDigits) + ":" + width + "#Right.";
+    std::string text = "{1:NUMERICAL:=" + number_text(used.front(), kMoodleDigits) + ":" + width + "#" +
+                       in_gap(tr("Right."));
     for (const KnownMistake& mistake : asked.mistakes) {
         const double value = mistake.answer(r, c);
         const bool is_new =
@@ -131,7 +136,7 @@ std::string choices_xml(const SheetEntry& entry) {
         const bool right = asked.right(0, 0) == number;
         const auto mistake = std::ranges::find_if(
             asked.mistakes, [&](const KnownMistake& m) { return m.answer(0, 0) == number; });
-        const std::string feedback = right                             ? "Right."
+        const std::string feedback = right                             ? tr("Right.")
                                      : mistake != asked.mistakes.end() ? feedback_of(*mistake)
                                                                        : "";
         xml += std::string("<answer fraction=\"") + (right ? "100" : "0") + "\" format=\"html\">" +
@@ -151,7 +156,7 @@ std::string short_answers(const SheetEntry& entry) {
                "</text><feedback format=\"html\">" + cdata(html_words(feedback)) + "</feedback></answer>\n";
     };
     // a star stands for whatever is written between the numbers
-    std::string xml = "<usecase>0</usecase>\n" + answer(entry.task.asked.right, 100, "Right.");
+    std::string xml = "<usecase>0</usecase>\n" + answer(entry.task.asked.right, 100, tr("Right."));
     for (const KnownMistake& mistake : entry.task.asked.mistakes) {
         xml += answer(mistake.answer, 0, feedback_of(mistake));
     }
@@ -167,9 +172,9 @@ std::string items_html(const SheetEntry& entry) {
 /// Moodle reads numbers alone: no fractions, no units.
 std::string unit_html(const SheetEntry& entry) {
     const std::string& unit = entry.task.asked.unit;
-    std::string words = unit.empty() ? "" : "The answer is in " + unit + ", as a number without the unit.";
-    const std::string accuracy = accuracy_text(entry.task);
-    if (!accuracy.empty()) { words += (words.empty() ? "" : " ") + accuracy; }
+    const std::string words = sentences(
+        unit.empty() ? "" : tr("The answer is in {0}, as a number without the unit.", unit),
+        accuracy_text(entry.task));
     return words.empty() ? words : "<p>" + markup_text(words) + "</p>";
 }
 

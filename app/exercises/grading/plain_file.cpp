@@ -7,6 +7,8 @@
 #include <array>
 #include <cerrno>
 
+#include "app/session/wording/messages.hpp"
+
 namespace jw {
 
 PlainFile read_plain_file(const std::filesystem::path& path, std::size_t most) {
@@ -16,15 +18,15 @@ PlainFile read_plain_file(const std::filesystem::path& path, std::size_t most) {
     const int handle = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (handle < 0) {
         file.absent = errno == ENOENT;
-        file.problem = file.absent ? "There is no file '" + name + "'."
-                                   : "'" + name + "' cannot be read; expected a plain file, no link.";
+        file.problem = file.absent ? tr("There is no file '{0}'.", name)
+                                   : tr("'{0}' cannot be read; expected a plain file, no link.", name);
         return file;
     }
     struct stat status {};
     if (fstat(handle, &status) != 0 || !S_ISREG(status.st_mode)) {
-        file.problem = "'" + name + "' is no plain file.";
+        file.problem = tr("'{0}' is no plain file.", name);
     } else if (static_cast<std::size_t>(status.st_size) > most) {
-        file.problem = "'" + name + "' is larger than " + std::to_string(most / 1000) + " kB.";
+        file.problem = tr("'{0}' is larger than {1} kB.", name, most / 1000);
     } else {
         std::array<char, 65536> part{};
         for (ssize_t count = 0;

@@ -4,7 +4,9 @@
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/value_latex.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "app/session/wording/shown_slides.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/exercise/handed_in.hpp"
 
@@ -68,21 +70,22 @@ std::string hints_markdown(const Sheet& sheet) {
     for (const SheetEntry& entry : sheet.entries) {
         const Exercise& exercise = entry.task.exercise();
         for (std::size_t k = 0; k < exercise.hints.size(); ++k) {
-            text += "- Exercise " + entry.number + ", hint " + std::to_string(k + 1) + ": " +
-                    markdown_words(exercise.hints[k]) + "\n";
+            text +=
+                "- " +
+                tr("Exercise {0}, hint {1}: {2}", entry.number, k + 1, markdown_words(exercise.hints[k])) +
+                "\n";
         }
     }
-    return text.empty() ? text : "## Hints\n\n" + text;
+    return text.empty() ? text : std::string("## ") + tr("Hints") + "\n\n" + text;
 }
 
 std::string solution_markdown(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
-    std::string text = "**Solution.** " + solution_text(entry) + "\n\n";
+    std::string text = std::string("**") + tr("Solution.") + "** " + solution_text(entry) + "\n\n";
     if (!entry.task.asked.latex.empty()) { text += "$$" + entry.task.asked.latex + "$$\n\n"; }
     if (!exercise.why.empty()) { text += markdown_words(exercise.why) + "\n\n"; }
     for (const KnownMistake& mistake : entry.task.asked.mistakes) {
-        text += "- " + written(mistake.answer, 5) + ": " + markdown_words(mistake.title) + ". " +
-                mistake.says + "\n";
+        text += "- " + written(mistake.answer, 5) + ": " + markdown_words(mistake_text(mistake)) + "\n";
     }
     return text + "\n";
 }
@@ -107,37 +110,63 @@ Sheet sheet_of(
     return sheet;
 }
 
+std::string sentences(const std::string& first, const std::string& second) {
+    return first.empty() || second.empty() ? first + second : tr("{0} {1}", first, second);
+}
+
+std::string student_text(const Sheet& sheet, bool solution) {
+    return solution ? tr("{0}, solutions", sheet.student) : sheet.student;
+}
+
+std::string mistake_text(const KnownMistake& mistake) {
+    return tr("{0}. {1}", title_of(mistake), tr(mistake.says));
+}
+
+std::string unit_text_of(const SheetEntry& entry) {
+    const std::string& unit = entry.task.asked.unit;
+    return unit.empty() ? unit : tr("The answer is in {0}.", unit);
+}
+
 std::string head_text(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
-    std::string text = number_text(exercise.points, 4) + (exercise.points == 1.0 ? " point" : " points");
-    if (!exercise.source.empty()) { text += ", " + exercise.source; }
-    return text +
-           (exercise.allowed == Allowed::paper ? ", without the program" : ", the program may be used");
+    const std::string points = number_text(exercise.points, 4);
+    const std::string worth = exercise.points == 1.0 ? tr("1 point") : tr("{0} points", points);
+    const bool on_paper = exercise.allowed == Allowed::paper;
+    if (exercise.source.empty()) {
+        return on_paper ? tr("{0}, without the program", worth) : tr("{0}, the program may be used", worth);
+    }
+    const std::string source = shown_slides(exercise.source);
+    return on_paper ? tr("{0}, {1}, without the program", worth, source)
+                    : tr("{0}, {1}, the program may be used", worth, source);
 }
 
 std::string hand_in_text(const SheetEntry& entry) {
     const bool counts = entry.task.asked.tolerance == 0.0;
     const std::string& name = entry.task.exercise().name;
     if (entry.task.exercise().kind == ExerciseKind::code) {
-        return "Hand in a program beside answers.toml: " + name + ".py, " + name + ".cpp, " + name +
-               ".m or " + name + ".js. It reads JSON and writes JSON; a starter in the folder " +
-               kStartersFolder + " does that already, and " + name + "-input.json there is an input to try.";
+        return tr(
+            "Hand in a program beside answers.toml: {0}.py, {0}.cpp, {0}.m or {0}.js. It reads JSON and "
+            "writes JSON; a starter in the folder {1} does that already, and {0}-input.json there is an "
+            "input "
+            "to try.",
+            name, kStartersFolder);
     }
-    if (entry.task.exercise().kind == ExerciseKind::number && counts) { return "Write a whole number."; }
-    const std::string accuracy = accuracy_text(entry.task);
-    return kind_of(entry.task.exercise().kind).hand_in + (accuracy.empty() ? "" : " " + accuracy);
+    if (entry.task.exercise().kind == ExerciseKind::number && counts) { return tr("Write a whole number."); }
+    return sentences(tr(kind_of(entry.task.exercise().kind).hand_in), accuracy_text(entry.task));
 }
 
 std::string solution_text(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     switch (exercise.kind) {
-        case ExerciseKind::code: return "A program for the formula. " + judging_of_programs(entry.task);
+        case ExerciseKind::code:
+            return sentences(tr("A program for the formula."), judging_of_programs(entry.task));
         case ExerciseKind::repair: {
             std::string text;
             for (const SceneEdit& edit : exercise.spoil) { text += (text.empty() ? "" : ", ") + edit.key; }
-            return "What was changed: " + text + ".";
+            return tr("What was changed: {0}.", text);
         }
-        case ExerciseKind::build: return "Added joints:\n\n```\n" + exercise.solution + "```";
+        case ExerciseKind::build:
+            return std::string(tr("Added joints:")) + "\n\n```\n" + exercise.solution + "```";
         case ExerciseKind::experiment: return list_in_toml(exercise.does);
         default:
             return written(entry.task.asked.right, 6) +
@@ -146,23 +175,26 @@ std::string solution_text(const SheetEntry& entry) {
 }
 
 std::string sheet_markdown(const Sheet& sheet, bool solution) {
-    std::string text = "# " + markdown_words(sheet.title) + "\n\n" + sheet.student +
-                       (solution ? ", solutions" : "") + "\n\n";
+    std::string text = "# " + markdown_words(sheet.title) + "\n\n" + student_text(sheet, solution) + "\n\n";
     for (const SheetEntry& entry : sheet.entries) {
         const Exercise& exercise = entry.task.exercise();
-        text += "## " + entry.number + ". " + markdown_words(exercise.title) + "\n\n*" + head_text(entry) +
-                "; answer `" + exercise.name + "`*\n\n" + markdown_words(exercise.ask) + "\n\n";
+        text += "## " + entry.number + ". " + markdown_words(exercise.title) + "\n\n*" +
+                tr("{0}; answer {1}", head_text(entry), "`" + exercise.name + "`") + "*\n\n" +
+                markdown_words(exercise.ask) + "\n\n";
         if (!entry.figure.empty()) {
-            text += "![the scene of " + exercise.name + "](figures/" + exercise.name + ".png)\n\n";
+            text += "![" + tr("the scene of {0}", exercise.name) + "](figures/" + exercise.name + ".png)\n\n";
         }
         text += given_markdown(entry) + shown_markdown(entry);
-        if (!entry.file.empty()) { text += "The scene is in the file `" + entry.file + "`. "; }
-        if (!entry.task.asked.unit.empty()) { text += "The answer is in " + entry.task.asked.unit + ". "; }
-        text += hand_in_text(entry) + "\n\n";
+        std::string how;
+        if (!entry.file.empty()) { how = tr("The scene is in the file {0}.", "`" + entry.file + "`"); }
+        how = sentences(how, sentences(unit_text_of(entry), hand_in_text(entry)));
+        text += how + "\n\n";
         if (exercise.kind == ExerciseKind::code) {
-            text += "Inputs of a case:";
-            for (const std::string& name : input_names(exercise)) { text += " `" + name + "`"; }
-            text += ".\n\n";
+            std::string names;
+            for (const std::string& name : input_names(exercise)) {
+                names += (names.empty() ? "`" : " `") + name + "`";
+            }
+            text += tr("Inputs of a case: {0}.", names) + "\n\n";
         }
         if (solution) { text += solution_markdown(entry); }
     }

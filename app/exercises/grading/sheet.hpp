@@ -50,6 +50,14 @@ std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& cate
 /// Names of exercises that no quiz can ask.
 std::vector<std::string> not_for_quizzes(const Sheet& sheet);
 
+/// Two sentences, either of which may be missing.
+std::string sentences(const std::string& first, const std::string& second);
+/// Whose sheet it is.
+std::string student_text(const Sheet& sheet, bool solution);
+/// Title and feedback of a mistake, for the sheet of solutions.
+std::string mistake_text(const KnownMistake& mistake);
+/// "The answer is in m."; empty if it has no unit.
+std::string unit_text_of(const SheetEntry& entry);
 /// How the exercise is handed in.
 std::string hand_in_text(const SheetEntry& entry);
 /// How a right answer is written on the sheet of solutions.

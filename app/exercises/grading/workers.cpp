@@ -15,6 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/wording/messages.hpp"
+#include "lessons/translatable.hpp"
+
 namespace jw {
 
 namespace {
@@ -22,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostResult = 4U << 20U;
-constexpr const char* kNoProcess = "No process could be started.";
+constexpr const char* kNoProcess = tr_later("No process could be started.");
 
 /// A process that does the parts of a piece from `done.size()` on.
 struct Worker {
@@ -114,12 +117,11 @@ bool start(Worker& worker, const Work& work, const WorkerLimits& limits) {
 std::string problem_of(int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        return signal == SIGXCPU || signal == SIGKILL
-                   ? "Grading took too long and was stopped."
-                   : "Grading ended with signal " + std::to_string(signal) + ".";
+        return signal == SIGXCPU || signal == SIGKILL ? tr("Grading took too long and was stopped.")
+                                                      : tr("Grading ended with signal {0}.", signal);
     }
-    if (WEXITSTATUS(status) == 3) { return "Grading took too much memory and was stopped."; }
-    return WEXITSTATUS(status) == 0 ? "" : "Grading failed.";
+    if (WEXITSTATUS(status) == 3) { return tr("Grading took too much memory and was stopped."); }
+    return WEXITSTATUS(status) == 0 ? "" : tr("Grading failed.");
 }
 
 /// Takes the results that are complete. @return false if one is larger than any may be
@@ -162,10 +164,10 @@ bool go_on(Worker& worker, const Work& work, const WorkerLimits& limits) {
     if (worker.done.size() < parts) { kill(-worker.process, SIGKILL); }
     const std::string problem = finished(worker);
     if (worker.done.size() >= parts) { return false; }
-    worker.done.push_back({{}, problem.empty() ? "Grading gave no result." : problem});
+    worker.done.push_back({{}, problem.empty() ? tr("Grading gave no result.") : problem});
     if (worker.done.size() == 1) { return false; }
     while (worker.done.size() < parts && !start(worker, work, limits)) {
-        worker.done.push_back({{}, kNoProcess});
+        worker.done.push_back({{}, tr(kNoProcess)});
     }
     return worker.done.size() < parts;
 }
@@ -201,7 +203,7 @@ void do_in_processes(const Work& work, int jobs, const WorkerLimits& limits) {
             if (start(worker, work, limits)) {
                 workers.push_back(std::move(worker));
             } else {
-                work.ended(worker.piece, {{{}, kNoProcess}});
+                work.ended(worker.piece, {{{}, tr(kNoProcess)}});
             }
         }
         wait_for_some(workers);

@@ -2,7 +2,6 @@
 
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/exercise/exercise_texts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
 namespace jw {
@@ -20,9 +19,9 @@ void add_exercises_of(const fs::path& file, const std::string& lesson, LessonExe
     }
     for (Exercise& exercise : read.exercises) {
         if (exercise.lesson != lesson) { continue; }
-        for_each_text(exercise, [](Text& text) { text = shown_text(text); });
         const std::string key = record_key(file, exercise.name);
-        found.exercises.push_back({std::make_shared<const Exercise>(std::move(exercise)), key});
+        found.exercises.push_back(
+            {std::make_shared<const Exercise>(shown_exercise(std::move(exercise))), key});
     }
 }
 

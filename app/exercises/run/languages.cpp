@@ -59,9 +59,9 @@ ReadyProgram compile(const StudentProgram& program, const std::stop_token& stop)
     } else if (!result.succeeded()) {
         const bool objects = result.exit_status == 1;
         ready.outcome = Outcome::not_compiled;
-        ready.message = "'" + program.file + "' cannot be compiled:\n";
-        ready.message += objects ? first_lines(printable(result.err), 12, 200)
-                                 : "the compiler " + fault_of(result, job.limits);
+        if (objects) { ready.message = first_lines(printable(result.err), 12, 200); }
+        ready.compiler = std::move(result);
+        ready.limits = job.limits;
     } else {
         ready.file = {kCompiledName, std::move(result.out), true};
         ready.command = path_in_sandbox(kCompiledName);

@@ -50,7 +50,7 @@ std::string missing_tool(const Language& language);
 
 struct ProgramResult {
     enum class Outcome {
-        ran,           ///< well or not: see `run` and fault_of
+        ran,           ///< well or not: see `run`
         not_found,     ///< there is no such file
         refused,       ///< the file is none that is run
         no_tool,       ///< this machine lacks the interpreter or compiler
@@ -65,7 +65,9 @@ struct ProgramResult {
 /// A program that can be run, once or many times: compiled if its language is.
 struct ReadyProgram {
     ProgramResult::Outcome outcome = ProgramResult::Outcome::ran;  ///< anything else: there is none
-    std::string message;
+    std::string message;     ///< why there is none; what the compiler objects to, empty if it failed itself
+    SandboxResult compiler;  ///< how it failed, with its limits
+    SandboxLimits limits;
     std::string command;  ///< the full path of what is started in the sandbox
     std::vector<std::string> arguments;
     SandboxFile file;

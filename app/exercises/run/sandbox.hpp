@@ -82,7 +82,4 @@ const SandboxAvailability& sandbox_availability();
 /// The same for another bubblewrap, tried at each call.
 SandboxAvailability try_sandbox(const std::string& bwrap);
 
-/// How a run ended if not well, as what follows "the program"; empty if it succeeded. Safe for a terminal.
-std::string fault_of(const SandboxResult& result, const SandboxLimits& limits);
-
 }  // namespace jw::exercises

@@ -12,6 +12,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_slides.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::host {
@@ -42,9 +43,9 @@ std::string exercises_text(const CatalogueEntry& e, const Progress& progress) {
 
 /// What a card says below the title: "slide 2 · 3 exercises".
 std::string origin_text(const CatalogueEntry& e, const Progress& progress) {
-    if (e.exercises.empty()) { return e.source; }
+    if (e.exercises.empty()) { return shown_slides(e.source); }
     const std::string exercises = exercises_text(e, progress);
-    return e.source.empty() ? exercises : e.source + "  ·  " + exercises;
+    return e.source.empty() ? exercises : shown_slides(e.source) + "  ·  " + exercises;
 }
 
 void draw_card(

@@ -11,6 +11,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_slides.hpp"
 
 namespace jw::host {
 
@@ -111,7 +112,7 @@ void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
     }
     const Exercise& exercise = *practice.exercise();
     section(ui, exercise.title.c_str());
-    const std::string where = exercise.source.empty() ? "" : exercise.source + "   ·   ";
+    const std::string where = exercise.source.empty() ? "" : shown_slides(exercise.source) + "   ·   ";
     note(
         ui,
         where + (exercise.allowed == Allowed::paper ? tr("on paper: what is asked cannot be read off here")
@@ -239,7 +240,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
     }
     if (judged.slide.empty()) { return; }
     if (const SlideLesson* const lesson = practice.lesson_about(judged.slide)) {
-        const std::string label = tr("Open the lesson of {0}", judged.slide);
+        const std::string label = tr("Open the lesson of {0}", shown_slides(judged.slide));
         if (ImGui::Button(label.c_str())) { ui.requests.open = lesson->file.string(); }
         if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", lesson->title.c_str()); }
     }

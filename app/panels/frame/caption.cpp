@@ -11,6 +11,7 @@
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "app/session/wording/shown_slides.hpp"
 
 namespace jw::panels {
 
@@ -30,7 +31,7 @@ float draw_position(const Canvas& canvas, const Box& box, const View& view) {
     std::string text = view.steps > 0 ? tr("step {0} of {1}", view.step + 1, view.steps) : "";
     if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
     const float source_room = 0.4F * box.width;
-    const std::string source = shortened(*fonts.small, view.source, source_room);
+    const std::string source = shortened(*fonts.small, shown_slides(view.source), source_room);
     canvas.text({box.right(), box.y}, fonts.small, theme::kSoft, source, Align::right);
     const float y = box.y + canvas.line_height(fonts.small) + canvas.px(6.0F);
     canvas.text({box.right(), y}, fonts.normal, theme::kInk, text, Align::right);

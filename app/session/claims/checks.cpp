@@ -13,6 +13,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
 #include "lessons/math/text_parts.hpp"
@@ -183,6 +184,7 @@ void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
 
 ClaimResult judged(const Claim& claim, const Pose& pose) {
     ClaimResult result;
+    result.failure = pose.failure;
     const auto* verdict = std::get_if<VerdictClaim>(&claim.fact);
     if (verdict != nullptr && verdict->verdict == Verdict::closes) {
         result.subject = tr("closes");
@@ -199,7 +201,7 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
         std::visit([&](const auto& fact) { judge(fact, pose, result); }, claim.fact);
     }
     result.span = claim.span;
-    result.why = math::plain_words(claim.why);
+    result.why = math::plain_words(shown_text(claim.why));
     return result;
 }
 
@@ -215,6 +217,7 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     result.moment = tr("at {0} s", number_text(plan.duration, 6));
     result.subject = "point_at_end";
     result.expected = vector_text(*plan.point_at_end, 10) + " m ± " + number_text(allowed, 3);
+    result.failure = pose.failure;
     if (!pose.failure.empty()) {
         result.found = pose.failure;
         return result;

@@ -16,6 +16,7 @@ struct ClaimResult {
     std::string subject;   ///< "rank", "slider.x", "condition"
     std::string expected;  ///< "17", "0.458257569496 m ± 1e-09 m", "below 1e-12"
     std::string found;     ///< "17", or why it could not be found
+    std::string failure;   ///< why the pose was not reached, a sentence; empty if it was
 };
 
 /// One result per claim, in the order of the file, and one more for the `point_at_end` of a lesson of

@@ -1,5 +1,6 @@
 #include "app/session/wording/messages.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,6 +41,12 @@ std::string_view language() { return present_language.load(std::memory_order_acq
 const char* tr(const char* english) {
     const char* const translated = translation_of(english, 1);
     return translated != nullptr ? translated : english;
+}
+
+std::string tr(const Message& message) {
+    fmt::dynamic_format_arg_store<fmt::format_context> arguments;
+    for (const std::string& argument : message.arguments) { arguments.push_back(argument); }
+    return messages::filled(message.english, message.english, 1, arguments);
 }
 
 std::string messages::filled(

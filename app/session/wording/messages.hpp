@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/session/wording/message_catalogue.hpp"
 #include "lessons/translatable.hpp"
@@ -37,6 +38,15 @@ std::string_view language();
 
 /// The message in the present language; lives as long as the program if `english` does.
 const char* tr(const char* english);
+
+/// A message that is put into words where it is read, since the language may change until then.
+struct Message {
+    std::string english;  ///< with {0}, {1} for its arguments; "{0}" around the words of an author
+    std::vector<std::string> arguments;  ///< as they are shown
+
+    friend bool operator==(const Message&, const Message&) = default;
+};
+std::string tr(const Message& message);
 
 namespace messages {
 

@@ -123,7 +123,7 @@ TEST_CASE("A right submission gets all points, a known mistake its name", "[exer
     CHECK_THAT(ran.out, Catch::Contains("ann,ann,3,3,2,,1,,\n"));
     CHECK_THAT(ran.out, Catch::Contains("bob,bob,0,3,0," + mistake.name + ",0,,\n"));
     const Ran text = c.grade({});
-    CHECK_THAT(text.out, Catch::Contains("wrong: " + mistake.title));
+    CHECK_THAT(text.out, Catch::Contains("wrong: " + title_of(mistake)));
     CHECK_THAT(text.out, Catch::Contains("sorted: not handed in"));
 }
 

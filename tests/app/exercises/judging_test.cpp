@@ -127,7 +127,7 @@ TEST_CASE("A mistake much larger than the right answer is named from as many dig
     const auto known = [&](double answer) {
         KnownMistake mistake;
         mistake.name = std::to_string(answer);
-        mistake.title = "known";
+        mistake.titles = {{"known", {}}};
         mistake.answer = MatrixX::Constant(1, 1, answer);
         return mistake;
     };
@@ -193,7 +193,8 @@ TEST_CASE(
     task.asked.right = MatrixX::Constant(1, 1, 1.130079);
     task.asked.tolerance = 1e-3 * 1.130079;
     const double in_degrees = 1.130079 * 180.0 / std::numbers::pi;
-    task.asked.mistakes.push_back({"degrees", "", "Degrees.", "", MatrixX::Constant(1, 1, in_degrees), {}});
+    task.asked.mistakes.push_back(
+        {"degrees", {}, {"Degrees.", {}}, "", MatrixX::Constant(1, 1, in_degrees), {}});
     const Judged judged = judge_value(task, {written(task.asked.mistakes.front().answer, 4), {}});
     CHECK_FALSE(judged.right);
     CHECK(judged.mistake == "degrees");

@@ -1,5 +1,3 @@
-#include <regex>
-
 #include <catch2/catch.hpp>
 
 #include "app/session/output/describe.hpp"
@@ -8,6 +6,7 @@
 #include "app/session/view/inspection.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/reader.hpp"
+#include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
 
 /// In Chinese no English sentence is left in what a step shows, but for names, formulas and the lesson's
@@ -52,13 +51,6 @@ std::string without_names(std::string text, const Mechanism& mechanism) {
     return text;
 }
 
-/// The first three words of English that stand after each other; empty if none do.
-std::string english_in(const std::string& text) {
-    static const std::regex words("[A-Za-z]{2,}[,;:]? [A-Za-z]{2,}[,;:]? [A-Za-z]{2,}");
-    std::smatch found;
-    return std::regex_search(text, found, words) ? found.str() : std::string();
-}
-
 std::vector<std::filesystem::path> files() {
     std::vector<std::filesystem::path> all;
     for (const char* folder : kFolders) {
@@ -95,7 +87,7 @@ TEST_CASE("No English sentence is left in the steps of a lesson told in Chinese"
         for (const int step : steps_of(story)) {
             const std::string text = without_names(describe(view_of(story, step)), lesson.mechanism);
             CAPTURE(file.string(), step, text);
-            CHECK(english_in(text) == "");
+            CHECK(test::english_in(text) == "");
             ++looked_at;
         }
     }
@@ -113,7 +105,7 @@ TEST_CASE("No English sentence is left in a step that is inspected in Chinese", 
             const Inspection inspection = inspect_step(story, step, lesson.coordinates);
             const std::string text = without_names(describe(inspection, lesson), lesson.mechanism);
             CAPTURE(name, step, text);
-            CHECK(english_in(text) == "");
+            CHECK(test::english_in(text) == "");
         }
     }
 }
@@ -137,8 +129,8 @@ TEST_CASE("A session tells its step in the language that was chosen since, and b
 }
 
 TEST_CASE("The finder of English sentences finds one", "[messages]") {
-    CHECK(english_in("θ = 1：the rank grows by 2") == "the rank grows");
-    CHECK(english_in("接頭 A · p1 · x 與 rad s") == "");
+    CHECK(test::english_in("θ = 1：the rank grows by 2") == "the rank grows");
+    CHECK(test::english_in("接頭 A · p1 · x 與 rad s") == "");
 }
 
 }  // namespace jw

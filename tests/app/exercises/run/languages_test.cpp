@@ -34,7 +34,7 @@ TEST_CASE("Every language whose tool is installed reads and writes JSON", "[run]
         SandboxLimits limits;
         limits.wall_seconds = 60.0;  // Octave takes long to start on a busy machine
         const ProgramResult result = run_program(file, R"({"x": [1, 2.5]})", limits);
-        CAPTURE(result.message, result.run.err, fault_of(result.run, limits));
+        CAPTURE(result.message, result.run.err, result.run.exit_status, result.run.timed_out);
         if (!missing_tool(*language).empty()) {
             WARN("not tested: " << missing_tool(*language));
             CHECK(result.outcome == Outcome::no_tool);

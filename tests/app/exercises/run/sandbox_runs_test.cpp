@@ -19,26 +19,6 @@ TEST_CASE("Input, output, errors and status of a program arrive as they are", "[
     CHECK(result.exit_status == 7);
     CHECK(result.signal == 0);
     CHECK_FALSE(result.succeeded());
-    CHECK(fault_of(result, {}) == "ended with status 7: no");
-}
-
-TEST_CASE("The error of a program is named, not the place that its language writes behind it", "[run]") {
-    SandboxResult result;
-    result.exit_status = 1;
-    const auto named = [&](const char* err) {
-        result.err = err;
-        return fault_of(result, {});
-    };
-    // as Octave, JavaScript, Python and a program in C++ end
-    CHECK(
-        named("error: 'f' undefined\nerror: called from\n    answer at line 5 column 7\n") ==
-        "ended with status 1: error: 'f' undefined");
-    CHECK(
-        named("/submission/a.js:3\n  f();\n  ^\n\nReferenceError: f is not defined\n    at a.js:3\n\nNode.js "
-              "v18\n") == "ended with status 1: ReferenceError: f is not defined");
-    CHECK(named("Traceback:\n  File\nStopIteration\n") == "ended with status 1: StopIteration");
-    CHECK(named("terminate called\n  what():  no\n") == "ended with status 1:   what():  no");
-    CHECK(named("") == "ended with status 1");
 }
 
 TEST_CASE("A program that is ended by a signal is told from one that ends", "[run]") {
