@@ -87,6 +87,8 @@ private:
     void check_limits();
     void measure();
     void finish();
+    void wait_for_end_of(const Handle& process) const;
+    void kill_unfinished();
     void reap();
     void judge(int status);
     void cannot(std::string reason) {
@@ -199,15 +201,36 @@ void SandboxRun::finish() {
     if (stop_ && first_) {
         // the first process, not bwrap: bwrap reports the time that all took, and ends when none is left
         kill_process(first_);
-        pollfd ended{bwrap_.fd(), POLLIN, 0};
-        const Clock::time_point killed = Clock::now();
-        while (::poll(&ended, 1, 100) <= 0 && since(killed) < kDieSeconds) {}
+        wait_for_end_of(bwrap_);
+    } else if (stop_) {
+        kill_unfinished();
     }
     // its child then dies, too; before it is reaped, its number belongs to nobody else
     if (stop_) { ::kill(child_, SIGKILL); }
     reap();
     result_.out = std::move(out_.text);
     result_.err = std::move(err_.text);
+}
+
+void SandboxRun::wait_for_end_of(const Handle& process) const {
+    pollfd ended{process.fd(), POLLIN, 0};
+    const Clock::time_point begin = Clock::now();
+    while (::poll(&ended, 1, 100) <= 0 && since(begin) < kDieSeconds) {}
+}
+
+/// Ends a sandbox that is not set up: its first process outlives a bwrap that is killed before that process
+/// has asked the kernel to die with it. A bwrap that is halted begins no process, and its children keep their
+/// numbers.
+void SandboxRun::kill_unfinished() {
+    ::kill(child_, SIGSTOP);
+    siginfo_t halted{};
+    while (::waitid(P_PID, static_cast<id_t>(child_), &halted, WSTOPPED | WEXITED | WNOWAIT) < 0 &&
+           errno == EINTR) {}
+    for (const int process : children_of(child_)) {
+        const Handle handle = process_handle(process);
+        kill_process(handle);
+        if (handle) { wait_for_end_of(handle); }
+    }
 }
 
 void SandboxRun::reap() {

@@ -34,14 +34,19 @@ std::uint64_t memory_of(const std::string& status) {
            bytes_after(status, "\nVmPTE:");
 }
 
-/// Fields 14 to 17 of /proc/PID/stat: its time and that of its children, by itself and in the kernel.
+/// /proc/PID/stat from one of its fields on, counted from 1 as in proc(5); null if the process has gone.
+const char* field_of(const std::string& stat, int wanted) {
+    // the second one, the name of the program, may hold spaces and brackets
+    std::size_t at = stat.rfind(')');
+    for (int field = 2; field < wanted && at != std::string::npos; ++field) { at = stat.find(' ', at + 1); }
+    return at == std::string::npos ? nullptr : stat.c_str() + at;
+}
+
+/// Fields 14 to 17: its time and that of its children, by itself and in the kernel.
 double cpu_of(const std::string& stat) {
     static const auto ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
-    // the name of the program may hold spaces and brackets
-    std::size_t at = stat.rfind(')');
-    for (int field = 2; field < 14 && at != std::string::npos; ++field) { at = stat.find(' ', at + 1); }
-    if (at == std::string::npos) { return 0.0; }
-    const char* text = stat.c_str() + at;
+    const char* text = field_of(stat, 14);
+    if (text == nullptr) { return 0.0; }
     double sum = 0.0;
     for (int k = 0; k < 4; ++k) {
         char* end = nullptr;
@@ -55,6 +60,19 @@ std::uint64_t files_in(const Handle& folder) {
     struct statvfs all {};
     if (!folder || ::fstatvfs(folder.fd(), &all) != 0) { return 0; }
     return all.f_files - all.f_ffree;
+}
+
+/// Calls `visit` with the name of the folder of each process that a /proc lists.
+template <class Visit>
+void for_each_process(const Handle& proc, Visit&& visit) {
+    const int copy = ::openat(proc.fd(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const std::unique_ptr<DIR, int (*)(DIR*)> listing(copy < 0 ? nullptr : ::fdopendir(copy), &::closedir);
+    if (!listing) { return; }
+    while (const dirent* entry = ::readdir(listing.get())) {
+        if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) != 0) {
+            visit(std::string(entry->d_name));
+        }
+    }
 }
 
 Handle folder_of(int process, const char* path) {
@@ -74,16 +92,22 @@ bool UsageMeter::open(int first_process) {
 SandboxUsage UsageMeter::measure() const {
     SandboxUsage usage;
     usage.files = files_in(tmp_) + files_in(shared_memory_);
-    const int copy = ::openat(processes_.fd(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const std::unique_ptr<DIR, int (*)(DIR*)> listing(copy < 0 ? nullptr : ::fdopendir(copy), &::closedir);
-    if (!listing) { return usage; }
-    while (const dirent* entry = ::readdir(listing.get())) {
-        if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) == 0) { continue; }
-        const std::string process = entry->d_name;
+    for_each_process(processes_, [&](const std::string& process) {
         usage.memory_bytes += memory_of(text_in(processes_.fd(), process + "/status"));
         usage.cpu_seconds += cpu_of(text_in(processes_.fd(), process + "/stat"));
-    }
+    });
     return usage;
+}
+
+std::vector<int> children_of(int process) {
+    std::vector<int> found;
+    const Handle proc(::open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    for_each_process(proc, [&](const std::string& other) {
+        const std::string stat = text_in(proc.fd(), other + "/stat");
+        const char* const parent = field_of(stat, 4);
+        if (parent != nullptr && std::atoi(parent) == process) { found.push_back(std::atoi(other.c_str())); }
+    });
+    return found;
 }
 
 }  // namespace jw::exercises

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "app/exercises/run/handles.hpp"
 
@@ -26,5 +27,8 @@ private:
     Handle tmp_;
     Handle shared_memory_;
 };
+
+/// Numbers of the processes that a process has begun and that nobody has waited for.
+std::vector<int> children_of(int process);
 
 }  // namespace jw::exercises

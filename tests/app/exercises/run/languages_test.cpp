@@ -103,6 +103,26 @@ TEST_CASE("A program and a compiler that nobody waits for any more are killed", 
     CHECK(make_ready(compiled.program, source.get_token()).outcome == Outcome::no_sandbox);
 }
 
+TEST_CASE("Whenever a program is given up, none of its processes is left", "[run]") {
+    if (no_sandbox_here()) { return; }
+    const Scratch folder;
+    SandboxLimits limits;
+    limits.wall_seconds = limits.cpu_seconds = 600.0;
+    const std::string name = "endless-" + std::to_string(::getpid()) + ".py";
+    const ReadyProgram program = make_ready(read_program(folder.file(name, "while True: pass\n")).program);
+    // a sandbox is set up in 10 to 100 ms
+    for (int k = 0; k < 60; ++k) {
+        CAPTURE(k);
+        std::stop_source source;
+        std::jthread impatient([&source, k] {
+            std::this_thread::sleep_for(std::chrono::microseconds(700 * k));
+            source.request_stop();
+        });
+        CHECK(run_ready(program, "{}", limits, source.get_token()).outcome == Outcome::no_sandbox);
+        REQUIRE(processes_with(name) == 0);
+    }
+}
+
 TEST_CASE("A missing tool is named with its package", "[run]") {
     const Language missing{".x", "Esperanto", "/usr/bin/no-such-tool", "esperanto", {"FILE"}};
     const std::string reason = missing_tool(missing);
