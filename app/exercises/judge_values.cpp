@@ -7,7 +7,7 @@
 #include "app/exercises/kinds.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "app/session/wording/shown_slides.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 
 #include "app/exercises/grading/markup.hpp"
 #include "app/session/wording/messages.hpp"
-#include "app/session/wording/shown_slides.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 
 namespace jw {

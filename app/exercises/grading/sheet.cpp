@@ -6,7 +6,7 @@
 #include "app/exercises/value_latex.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "app/session/wording/shown_slides.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/exercise/handed_in.hpp"
 

@@ -12,7 +12,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
-#include "app/session/wording/shown_slides.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::host {

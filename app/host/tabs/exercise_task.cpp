@@ -11,7 +11,7 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
-#include "app/session/wording/shown_slides.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw::host {
 

@@ -1,5 +1,7 @@
 #include "app/session/wording/shown_lesson.hpp"
 
+#include <string_view>
+
 #include "app/session/wording/messages.hpp"
 #include "lessons/exercise/exercise_texts.hpp"
 #include "lessons/in_language.hpp"
@@ -16,6 +18,14 @@ Exercise shown_exercise(Exercise exercise) {
 Text shown_text(Text text) {
     text.show(language());
     return text;
+}
+
+std::string shown_slides(const std::string& source) {
+    constexpr std::string_view kOne = "slide ";
+    constexpr std::string_view kSeveral = "slides ";
+    if (source.starts_with(kOne)) { return tr("slide {0}", source.substr(kOne.size())); }
+    if (source.starts_with(kSeveral)) { return tr("slides {0}", source.substr(kSeveral.size())); }
+    return source;
 }
 
 }  // namespace jw

@@ -10,5 +10,8 @@ Lesson shown_lesson(Lesson lesson);
 Exercise shown_exercise(Exercise exercise);
 /// Shows one text so.
 Text shown_text(Text text);
+/// The source of a lesson, an exercise or a mistake: "slides 8, 23" is the message "slides {0}". Only its
+/// first word is translated: what follows are numbers, and titles of books.
+std::string shown_slides(const std::string& source);
 
 }  // namespace jw

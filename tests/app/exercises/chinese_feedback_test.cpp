@@ -22,9 +22,6 @@ std::vector<std::filesystem::path> files() {
     const std::filesystem::directory_iterator all(JW_EXERCISES_FOLDER);
     std::vector<std::filesystem::path> found;
     for (const auto& entry : all) {
-        const std::string name = entry.path().stem().string();
-        // not translated yet
-        if (name == "building" || name == "clinic") { continue; }
         if (entry.path().extension() == ".toml") { found.push_back(entry.path()); }
     }
     std::ranges::sort(found);
@@ -94,11 +91,14 @@ TEST_CASE("No English sentence is said of an answer in Chinese", "[exercises][me
         for (HandedMistake& mistake : kind_of(exercise.kind).mistakes(task)) {
             answers.push_back(std::move(mistake.handed));
         }
-        // a file of nonsense is told by the reader of lessons, whose diagnostics are English
+        // what cannot be read in a file is told by the reader of lessons, whose diagnostics are English
         const bool of_files = exercise.kind == ExerciseKind::repair || exercise.kind == ExerciseKind::build;
+        const std::string not_found = tr("What is asked for cannot be found in the file: {0}.", "");
         for (const Handed& handed : answers) {
             const std::string text = said_of(task, handed);
-            if (of_files && text.find(".toml:") != std::string::npos) { continue; }
+            const bool diagnosed = text.find(".toml:") != std::string::npos ||
+                                   text.find(not_found.substr(0, not_found.size() / 2)) != std::string::npos;
+            if (of_files && diagnosed) { continue; }
             CAPTURE(handed.text, text);
             CHECK(test::english_in(text) == "");
             ++said;

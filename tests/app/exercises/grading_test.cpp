@@ -172,7 +172,7 @@ TEST_CASE("Results are kept and used again until something changes", "[exercises
     CHECK_THAT(c.grade({"--out", out, "--again"}).out, Catch::Contains("3 of 3 points"));
     c.hand_in("ann", "");
     CHECK_THAT(c.grade({"--out", out}).out, Catch::Contains("0 of 3 points"));
-    CHECK_THAT(bytes_of(out + "/class.html"), Catch::Contains("1 submissions"));
+    CHECK_THAT(bytes_of(out + "/class.html"), Catch::Contains("1 submission,"));
     CHECK_THAT(bytes_of(out + "/grades.csv"), Catch::Contains("ann,ann,0,3"));
 }
 
