@@ -42,20 +42,23 @@ Lesson changed_lesson(const Lesson& written, const CheckOptions& options, Checke
 /// Students for whom variants of an exercise are drawn and solved.
 constexpr int kStudents = 5;
 
-/// The exercises of a lesson or of a file of exercises.
-void check_exercises_of(const std::string& file, CheckedLesson& checked) {
-    const ExercisesRead read = read_exercise_file(file);
-    if (!read.diagnostics.empty()) { throw FaultyFile(read.report(), read.diagnostics); }
-    if (checked.title.empty()) { checked.title = read.title; }
-    std::ranges::move(check_exercises(read.exercises, kStudents), std::back_inserter(checked.claims));
-}
-
-void warn_about_texts(const std::string& file, CheckedLesson& checked, const Streams& streams) {
-    const ReadResult read = read_lesson_file(file);
+/// A lesson, or exercises, as they were read.
+template <class Read>
+void warn_about_texts(
+    const std::string& file, const Read& read, CheckedLesson& checked, const Streams& streams) {
     for (Diagnostic& warning : warnings_about_texts(file, read.texts)) {
         streams.err << to_string(warning, read.source);
         checked.diagnostics.push_back(std::move(warning));
     }
+}
+
+/// The exercises of a lesson or of a file of exercises.
+void check_exercises_of(const std::string& file, CheckedLesson& checked, const Streams& streams) {
+    const ExercisesRead read = read_exercise_file(file);
+    if (!read.diagnostics.empty()) { throw FaultyFile(read.report(), read.diagnostics); }
+    warn_about_texts(file, read, checked, streams);
+    if (checked.title.empty()) { checked.title = read.title; }
+    std::ranges::move(check_exercises(read.exercises, kStudents), std::back_inserter(checked.claims));
 }
 
 CheckedLesson checked_lesson(const std::string& file, const CheckOptions& options, const Streams& streams) {
@@ -63,18 +66,20 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     checked.file = file;
     const ExerciseTables tables = exercise_tables_in(file);
     if (tables == ExerciseTables::alone) {
-        check_exercises_of(file, checked);
+        check_exercises_of(file, checked, streams);
         return checked;
     }
     Lesson lesson = lesson_of(file, streams);
     checked.title = lesson.title;
-    if (std::error_code error; fs::is_regular_file(file, error)) { warn_about_texts(file, checked, streams); }
+    if (std::error_code error; fs::is_regular_file(file, error)) {
+        warn_about_texts(file, read_lesson_file(file), checked, streams);
+    }
     if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
     checked.claims = check_claims(lesson);
     // experiments of one's own come in place of those that the author proposes
     if (options.experiments.empty()) {
         std::ranges::move(check_trials(lesson), std::back_inserter(checked.claims));
-        if (tables == ExerciseTables::in_lesson) { check_exercises_of(file, checked); }
+        if (tables == ExerciseTables::in_lesson) { check_exercises_of(file, checked, streams); }
     }
     return checked;
 }

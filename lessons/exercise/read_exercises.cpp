@@ -210,6 +210,7 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
         if (problems.errors_count() > 0) { read.exercises.clear(); }
     }
     read.diagnostics = problems.take();
+    read.texts = std::move(problems.texts());
     return read;
 }
 

@@ -34,6 +34,7 @@ struct ExercisesRead {
     std::vector<Exercise> exercises;
     std::vector<Diagnostic> diagnostics;  ///< by position
     std::string source;
+    std::vector<ReadText> texts;  ///< all texts for people, of what could be read
 
     std::string report() const;
 };

@@ -5,11 +5,26 @@
 #include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
+#include "lessons/exercise/read_exercises.hpp"
 #include "lessons/reader.hpp"
+#include "lessons/translations.hpp"
 #include "render/fonts.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {
+
+namespace {
+
+std::vector<std::filesystem::path> exercise_files() {
+    std::vector<std::filesystem::path> found;
+    for (const auto& file : lessons_below(catalogue_folder().parent_path() / "exercises")) {
+        // the others are scenes
+        if (exercise_tables_in(file) == ExerciseTables::alone) { found.push_back(file); }
+    }
+    return found;
+}
+
+}  // namespace
 
 TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") {
     const auto check = [](const std::string& file, const std::vector<ReadText>& texts) {
@@ -22,6 +37,7 @@ TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") 
     for (const auto& file : lessons_below(catalogue_folder())) {
         check(file.string(), read_lesson_file(file).texts);
     }
+    for (const auto& file : exercise_files()) { check(file.string(), read_exercise_file(file).texts); }
     check(kCourseFile, read_course_of(catalogue_folder()).texts);
     for (const Language& language : languages()) {
         for (std::size_t k = 1; k < language.messages.size(); ++k) {
@@ -30,6 +46,19 @@ TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") 
             CHECK(render::characters_without_glyph(panels::characters_in(message)).empty());
         }
     }
+}
+
+TEST_CASE("every text of every shipped exercise is translated", "[app][glyphs]") {
+    int texts = 0;
+    for (const auto& file : exercise_files()) {
+        const ExercisesRead read = read_exercise_file(file);
+        texts += static_cast<int>(read.texts.size());
+        for (const Diagnostic& warning : missing_translations(file.string(), read.texts)) {
+            FAIL_CHECK(file.string() << ": " << warning.message);
+        }
+        CHECK(read.title.translations().contains("zh-Hant"));
+    }
+    CHECK(texts > 700);
 }
 
 TEST_CASE("check warns of what a language lacks and of characters that no font has", "[app][glyphs]") {
