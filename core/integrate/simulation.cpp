@@ -323,14 +323,20 @@ Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Ve
 
 /// Takes up rows of the block equations that were left out at a singular start but are needed at a state
 /// found with other equations.
-void Simulation::take_up_rows(double t, const std::vector<double>& y) {
-    if (other_ && block_->rows_left_out() > 0) { raise_rank(*block_, t, y.data()); }
+void Simulation::take_up_rows(double t, const std::vector<double>& y, std::vector<double>& y_dot) {
+    if (!other_ || block_->rows_left_out() == 0) { return; }
+    if (!certificate_) { certificate_ = std::make_unique<Certificate>(scene_, stabilisation(settings_)); }
+    // choosing rows costs as much as a hundred evaluations
+    if (is_proven(t, y, y_dot) || !raise_rank(*block_, t, y.data())) { return; }
+    block_->evaluate(t, y.data(), y_dot.data());
 }
+
+Simulation::~Simulation() = default;
 
 Motion Simulation::acceleration(double t, const std::vector<double>& y) {
     std::vector<double> y_dot(y.size());
-    take_up_rows(t, y);
     block_->evaluate(t, y.data(), y_dot.data());
+    take_up_rows(t, y, y_dot);
     Motion out = zero_motion(scene_.mechanism);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         out.r_dot[at(moving_[m])] = vec3(body_numbers(y_dot.data(), m) + 7);

@@ -92,6 +92,7 @@ public:
     /// @throws std::invalid_argument if a moving body has no mass, or a setting is not positive
     Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings);
     /// Not copyable: the equations refer to the simulation's own scene.
+    ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
@@ -127,7 +128,8 @@ private:
     std::unique_ptr<TimeStepper> stepper(double end) const;
     void take_joints();
     bool keeps_digits(TreeEquations& tree);  ///< compared with the block equations
-    void take_up_rows(double t, const std::vector<double>& y);
+    void take_up_rows(double t, const std::vector<double>& y, std::vector<double>& y_dot);
+    bool is_proven(double t, const std::vector<double>& y, const std::vector<double>& y_dot);
     bool counts_turns() const;
     /// Counts the turns of rotational springs at a flat state that the motion has reached.
     void count_turns_at(const std::vector<double>& y);
@@ -159,6 +161,8 @@ private:
     std::unique_ptr<MotionEquations> other_;  ///< equations that are integrated, if not `block_`
     std::vector<double> start_;               ///< flat state at the start
     std::optional<SimulationFailure> contradiction_;
+    std::unique_ptr<Certificate>
+        certificate_;  ///< of accelerations between the steps, made when they are asked for
 };
 
 }  // namespace jw

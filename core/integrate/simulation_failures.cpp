@@ -98,6 +98,14 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
     return {Cause::step_too_small, stepper.t(), {}, 0.0};
 }
 
+/// Whether accelerations of the block equations satisfy all rows, those that are left out, too.
+bool Simulation::is_proven(double t, const std::vector<double>& y, const std::vector<double>& y_dot) {
+    const double pivot = block_->smallest_pivot();
+    const AccelerationResidual here = certificate_->check(*block_, *block_, t, y, y_dot);
+    const double rounding = proven_up_to(pivot, here.drift, !drifts(settings_.treatment));
+    return std::max(here.forces, here.constraints) <= rounding;
+}
+
 std::optional<SimulationFailure> Simulation::failure_of_proof(
     Certificate& certificate, const TimeStepper& stepper, AccelerationResidual& worst) const {
     using Cause = SimulationFailure::Cause;
