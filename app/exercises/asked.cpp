@@ -220,8 +220,8 @@ void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose
 /// Keeps the mistakes that the exercise looks for, and whose answers can be compared.
 void filter_mistakes(const Exercise& exercise, Asked& asked) {
     const auto is_unwanted = [&](const KnownMistake& mistake) {
-        const bool wanted =
-            exercise.only.empty() || std::ranges::find(exercise.only, mistake.name) != exercise.only.end();
+        const bool wanted = exercise.only.empty() || mistake.name == kTwoTermsName ||
+                            std::ranges::find(exercise.only, mistake.name) != exercise.only.end();
         return !wanted;
     };
     std::erase_if(asked.mistakes, is_unwanted);
@@ -285,6 +285,16 @@ Asked asked_in(const Variant& variant) {
     filter_mistakes(*variant.exercise, asked);
     asked.tolerance = tolerance_of(*variant.exercise, asked);
     return asked;
+}
+
+std::vector<KnownMistake> mistakes_in_two_terms(const Variant& variant) {
+    if (!variant.plan) { return {}; }
+    Variant twice = variant;
+    twice.plan = std::make_shared<const FormulaPlan>(plan_of_two_terms(*variant.plan, *variant.exercise));
+    Asked asked = asked_in(twice);
+    // a unit brings mistakes of its own
+    std::erase_if(asked.mistakes, [](const KnownMistake& mistake) { return mistake.name != kTwoTermsName; });
+    return std::move(asked.mistakes);
 }
 
 Asked asked_at(const Variant& variant, const Instant& instant, KnownMistakes mistakes) {

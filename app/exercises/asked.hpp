@@ -45,6 +45,10 @@ struct Asked {
 /// The answer of a number, vector, matrix or pose, and of a choice among formulas or components.
 Asked asked_in(const Variant& variant);
 
+/// Answers of two mistakes in terms of the formula at once. There are many of them: they are no known
+/// mistakes, and nothing keeps them apart.
+std::vector<KnownMistake> mistakes_in_two_terms(const Variant& variant);
+
 /// Whether the answers of known mistakes are computed: there are many of them.
 enum class KnownMistakes { answered, left_out };
 

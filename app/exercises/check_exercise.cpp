@@ -84,6 +84,26 @@ std::string alike_text(const ExerciseCheck& check) {
     return text;
 }
 
+/// Students of one question, the alternatives of `exercise` left out.
+void check_variants(const Exercise& exercise, int variants, ExerciseCheck& check) {
+    const TaskMaker maker(exercise);
+    const KindOfExercise& kind = kind_of(exercise.kind);
+    for (int k = 0; k < variants && check.problems.empty(); ++k) {
+        const Task task = maker.make(seed_of("check", std::to_string(k), exercise.name));
+        check.draws += task.draws;
+        if (!task.problem.empty()) {
+            check.problems.push_back(task.problem);
+            break;
+        }
+        measure(task, check);
+        ++check.variants;
+        check_right(task, kind, check);
+        check_that_it_asks(task, check);
+        check_mistakes(task, kind, check);
+        check_nonsense(task, kind, check);
+    }
+}
+
 }  // namespace
 
 std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises, int variants) {
@@ -107,21 +127,13 @@ std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises,
 ExerciseCheck check_exercise(const Exercise& exercise, int variants) {
     ExerciseCheck check;
     check.name = exercise.name;
-    const TaskMaker maker(exercise);
-    const KindOfExercise& kind = kind_of(exercise.kind);
-    for (int k = 0; k < variants && check.problems.empty(); ++k) {
-        const Task task = maker.make(seed_of("check", std::to_string(k), exercise.name));
-        check.draws += task.draws;
-        if (!task.problem.empty()) {
-            check.problems.push_back(task.problem);
-            break;
-        }
-        measure(task, check);
-        ++check.variants;
-        check_right(task, kind, check);
-        check_that_it_asks(task, check);
-        check_mistakes(task, kind, check);
-        check_nonsense(task, kind, check);
+    Exercise alone = exercise;
+    alone.alternatives.clear();
+    check_variants(alone, variants, check);
+    for (std::size_t k = 0; k < exercise.alternatives.size() && check.holds(); ++k) {
+        check_variants(exercise.alternatives[k], variants, check);
+        if (check.holds()) { continue; }
+        check.problems.front() = "alternative " + std::to_string(k + 1) + ": " + check.problems.front();
     }
     return check;
 }

@@ -30,4 +30,8 @@ struct FormulaPlan {
 /// @param exercise  with a formula that can be read
 FormulaPlan formula_plan(const Exercise& exercise);
 
+/// The same plan with, in place of its mistakes, each two of those in terms that the exercise looks for:
+/// terms that are missing or have the wrong sign. What two ways lead to is there once.
+FormulaPlan plan_of_two_terms(const FormulaPlan& plan, const Exercise& exercise);
+
 }  // namespace jw

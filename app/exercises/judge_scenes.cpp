@@ -33,8 +33,38 @@ std::string not_reached(const ClaimResult& result) {
     return result.why.empty() ? told : tr("{0} {1}", told, result.why);
 }
 
-/// Claims of a lesson file that somebody else wrote, one share each.
-void judge_claims(const std::string& file, const Exercise& exercise, Judged& judged) {
+/// Part of the points for a file that meets some of the claims: those that hold already in the file as it is
+/// handed out earn nothing. Nor do counts alone where more is asked for: any joints of so many equations have
+/// them.
+/// @param before   the file as it is handed out
+/// @param results  of the claims of `lesson`
+double share_of(
+    const Lesson& lesson, const std::vector<ClaimResult>& results, const std::string& before,
+    const Exercise& exercise) {
+    const ReadResult read = read_lesson_with_claims(before, exercise.name + ".toml", expected_of(exercise));
+    std::vector<ClaimResult> at_first = read.lesson ? check_claims(*read.lesson) : std::vector<ClaimResult>();
+    at_first.resize(results.size());
+    int gained = 0;
+    int to_gain = 0;
+    bool others_gained = false;
+    bool others_to_gain = false;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        const bool is_count =
+            k < lesson.claims.size() && std::holds_alternative<CountClaim>(lesson.claims[k].fact);
+        const bool held = at_first[k].holds;
+        gained += static_cast<int>(results[k].holds) - static_cast<int>(held);
+        to_gain += held ? 0 : 1;
+        others_gained = others_gained || (!is_count && !held && results[k].holds);
+        others_to_gain = others_to_gain || (!is_count && !held);
+    }
+    const bool earns = gained > 0 && (others_gained || !others_to_gain);
+    return earns ? static_cast<double>(gained) / to_gain : 0.0;
+}
+
+/// Claims of a lesson file that somebody else wrote.
+/// @param before  the file as it is handed out
+void judge_claims(
+    const std::string& file, const std::string& before, const Exercise& exercise, Judged& judged) {
     if (file.size() > kLargestHandedFile) {
         judged.understood = false;
         judged.feedback.emplace_back(tr("The file is larger than 200 kB."));
@@ -53,9 +83,8 @@ void judge_claims(const std::string& file, const Exercise& exercise, Judged& jud
         return;
     }
     const std::vector<ClaimResult> results = check_claims(*read.lesson);
-    const auto holding = std::ranges::count_if(results, &ClaimResult::holds);
-    judged.share = results.empty() ? 0.0 : static_cast<double>(holding) / static_cast<double>(results.size());
-    judged.right = !results.empty() && holding == static_cast<std::ptrdiff_t>(results.size());
+    judged.right = !results.empty() && std::ranges::all_of(results, &ClaimResult::holds);
+    judged.share = judged.right ? 1.0 : share_of(*read.lesson, results, before, exercise);
     for (const ClaimResult& result : results) {
         if (result.holds) { continue; }
         // of a pose that is not reached every claim says the same
@@ -153,7 +182,8 @@ std::string handed_out(const Task& task) {
 
 bool is_solved_already(const Task& task) {
     Judged judged;
-    judge_claims(handed_out(task), task.exercise(), judged);
+    const std::string file = handed_out(task);
+    judge_claims(file, file, task.exercise(), judged);
     return judged.right;
 }
 
@@ -174,7 +204,7 @@ std::vector<HandedMistake> mistaken_repairs(const Task& task) {
 Judged judge_repair(const Task& task, const Handed& handed) {
     Judged judged;
     const std::string sick = handed_out(task);
-    judge_claims(handed.text, task.exercise(), judged);
+    judge_claims(handed.text, sick, task.exercise(), judged);
     const SceneDifference difference = difference_from_handed_out(sick, handed.text);
     const bool is_toml = judged.understood || difference.count() > 0 || handed.text == sick;
     const auto removed = std::ranges::find_if(difference.removed, is_addition);
@@ -223,7 +253,7 @@ Judged judge_build(const Task& task, const Handed& handed) {
         name_mistake(judged, "unchanged", tr("nothing was added"), tr("Nothing was added to the file."));
         return judged;
     }
-    judge_claims(handed.text, task.exercise(), judged);
+    judge_claims(handed.text, scene, task.exercise(), judged);
     const auto joints = static_cast<std::size_t>(std::ranges::count_if(difference.added, is_addition));
     const auto needed = static_cast<std::size_t>(task.exercise().most);
     if (!judged.understood) {
@@ -270,7 +300,7 @@ Judged judge_experiment(const Task& task, const Handed& handed) {
     }
     const std::string state = handed.text.empty() ? state_after(task, handed.list, judged) : handed.text;
     if (!judged.understood) { return judged; }
-    judge_claims(state, task.exercise(), judged);
+    judge_claims(state, handed_out(task), task.exercise(), judged);
     const auto needed = static_cast<std::size_t>(task.exercise().most);
     if (!judged.right && judged.understood && handed.list.size() < needed) {
         name_mistake(

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "app/exercises/given_value.hpp"
 #include "app/exercises/kinds.hpp"
@@ -17,6 +18,10 @@ namespace {
 constexpr double kWorthOfEntries = 0.5;
 /// Closer than this, in tolerances, an answer is probably rounded too early.
 constexpr double kRoundedEarly = 10.0;
+/// Any other answer has to be so many times farther away than that of a mistake that is named.
+constexpr double kClearly = 3.0;
+/// Pairs of mistakes among which one number can be told.
+constexpr std::size_t kMostPairsOfNumber = 60;
 
 bool is_exact(const Asked& asked) { return asked.tolerance == 0.0; }
 
@@ -58,7 +63,6 @@ double tolerance_of(const KnownMistake& mistake, const Task& task) {
 /// The nearest known mistake, if the answer is as near as its digits say, and clearly nearer to it than to
 /// any other answer.
 const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
-    constexpr double kClearly = 3.0;
     const Asked& asked = task.asked;
     const KnownMistake* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -76,6 +80,26 @@ const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
     const bool unclear =
         is_other(asked.right) || std::ranges::any_of(asked.mistakes, is_other, &KnownMistake::answer);
     return unclear ? nullptr : nearest;
+}
+
+/// Two terms that are missing or have the wrong sign, if only one such pair leads to the answer, and no right
+/// answer or single mistake is as near.
+std::optional<KnownMistake> mistake_in_two_terms(const Task& task, const MatrixX& given) {
+    const Asked& asked = task.asked;
+    std::vector<KnownMistake> pairs = mistakes_in_two_terms(task.variant);
+    // one number among many is soon near to one of them by chance
+    if (given.size() == 1 && pairs.size() > kMostPairsOfNumber) { return std::nullopt; }
+    std::erase_if(pairs, [&](const KnownMistake& pair) {
+        return difference_from(pair.answer, given, asked) > asked.tolerance;
+    });
+    if (pairs.empty()) { return std::nullopt; }
+    const auto is_as_near = [&](const MatrixX& answer) {
+        return difference_from(answer, given, asked) < kClearly * asked.tolerance;
+    };
+    const bool unclear =
+        is_as_near(asked.right) || std::ranges::any_of(asked.mistakes, is_as_near, &KnownMistake::answer) ||
+        std::ranges::any_of(pairs, [&](const KnownMistake& p) { return p.says != pairs.front().says; });
+    return unclear ? std::nullopt : std::optional<KnownMistake>(pairs.front());
 }
 
 std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
@@ -249,6 +273,8 @@ Judged judge_value(const Task& task, const Handed& handed) {
         tell_mistake(*mistake, asked, given, judged);
     } else if (is_exact(asked)) {
         tell_what_differs(task, given, judged);
+    } else if (const auto two = mistake_in_two_terms(task, given)) {
+        tell_mistake(*two, asked, given, judged);
     } else {
         tell_how_far(asked, given, judged);
     }

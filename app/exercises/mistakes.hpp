@@ -24,6 +24,9 @@ struct FormulaMistake {
 };
 std::span<const FormulaMistake> formula_mistakes();
 
+/// Two terms of a formula that are missing or have the wrong sign: looked for where no single mistake fits.
+inline constexpr const char* kTwoTermsName = "two-terms";
+
 /// A mistake in a value, whatever its formula: an entry of kValueMistakes.
 struct ValueMistake {
     const char* name;

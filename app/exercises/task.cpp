@@ -171,6 +171,10 @@ TaskMaker::TaskMaker(const Exercise& exercise, const std::stop_token& stop) : ex
     problem_ = unknown_mistake(exercise);
     if (!exercise.formula.empty()) { plan_ = std::make_shared<const FormulaPlan>(formula_plan(exercise)); }
     if (problem_.empty() && is_computed(exercise)) { find_groups(stop); }
+    for (const Exercise& alternative : exercise.alternatives) {
+        alternatives_.emplace_back(alternative, stop);
+        if (problem_.empty()) { problem_ = alternatives_.back().problem(); }
+    }
 }
 
 void TaskMaker::find_groups(const std::stop_token& stop) {
@@ -264,6 +268,9 @@ Task TaskMaker::make(std::uint64_t seed, const std::stop_token& stop) const {
     task.variant.exercise = exercise_;
     task.problem = problem_;
     if (!problem_.empty()) { return task; }
+    // numbers are drawn from the seed itself
+    const int chosen = Random(seed ^ 0x2545F4914F6CDD1DULL).below(static_cast<int>(alternatives_.size()) + 1);
+    if (chosen > 0) { return alternatives_[static_cast<std::size_t>(chosen) - 1].make(seed, stop); }
     Random random(seed);
     std::string why;
     for (int k = 0; k < kMostDraws; ++k) {

@@ -28,7 +28,8 @@ public:
     /// @param stop  who no longer wants tasks asks for this: the maker then has a problem
     explicit TaskMaker(const Exercise& exercise, const std::stop_token& stop = {});
 
-    /// The same task for the same seed; none where it was stopped.
+    /// The same task for the same seed; none where it was stopped. Of an exercise with alternatives it is one
+    /// of all.
     Task make(std::uint64_t seed, const std::stop_token& stop = {}) const;
     /// Why no task can be made; empty otherwise.
     const std::string& problem() const { return problem_; }
@@ -43,6 +44,7 @@ private:
     /// answer is the right one, or has another shape.
     std::vector<int> leader_;
     std::string problem_;
+    std::vector<TaskMaker> alternatives_;
 };
 
 }  // namespace jw

@@ -97,6 +97,10 @@ struct Exercise {
     std::string solution;           ///< build: TOML that is added to the scene
     std::vector<std::string> does;  ///< experiment: a list of experiments that solves it
     int most = 1;                   ///< repair: values to change; build: joints; experiment: experiments
+
+    /// What is asked in place of this, each a whole exercise of the same name, title and kind: a student gets
+    /// this one or one of these.
+    std::vector<Exercise> alternatives;
 };
 
 }  // namespace jw

@@ -7,7 +7,7 @@
 
 namespace jw {
 
-/// Calls `visit` with every text for people of an exercise.
+/// Calls `visit` with every text for people of an exercise and of its alternatives.
 template <class AnyExercise, class Visit>
 requires std::same_as<std::remove_const_t<AnyExercise>, Exercise>
 void for_each_text(AnyExercise& exercise, Visit&& visit) {
@@ -18,6 +18,7 @@ void for_each_text(AnyExercise& exercise, Visit&& visit) {
         visit(choice.text);
         visit(choice.why);
     }
+    for (auto& alternative : exercise.alternatives) { for_each_text(alternative, visit); }
 }
 
 }  // namespace jw

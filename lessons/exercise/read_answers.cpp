@@ -165,15 +165,7 @@ void read_hidden(Fields& fields, Exercise& exercise) {
 void read_spoil(Fields& fields, Exercise& exercise) {
     fields.require(
         "spoil", "changes that make the scene sick: { key = \"joint.B.axis\", value = [1, 0, 0] }");
-    for (Fields& edit : fields.tables("spoil", kMostEdits)) {
-        edit.call("the change");
-        edit.require("key", "what is changed, such as \"joint.B.axis\"");
-        SceneEdit change;
-        if (const auto key = edit.text("key")) { change.key = key->value; }
-        change.value = toml_of(edit, "value");
-        edit.finish();
-        exercise.spoil.push_back(std::move(change));
-    }
+    exercise.spoil = read_edits(fields, "spoil");
     const EditedScene sick = with_edits(exercise.scene, exercise.spoil);
     if (!exercise.scene.empty() && !sick.problem.empty()) {
         fields.problems().add(
@@ -191,6 +183,20 @@ std::vector<std::string> read_actions(Fields& fields) {
 }
 
 }  // namespace
+
+std::vector<SceneEdit> read_edits(Fields& fields, std::string_view key) {
+    std::vector<SceneEdit> edits;
+    for (Fields& edit : fields.tables(key, kMostEdits)) {
+        edit.call("the change");
+        edit.require("key", "what is changed, such as \"joint.B.axis\"");
+        SceneEdit change;
+        if (const auto place = edit.text("key")) { change.key = place->value; }
+        change.value = toml_of(edit, "value");
+        edit.finish();
+        edits.push_back(std::move(change));
+    }
+    return edits;
+}
 
 std::string toml_of(Fields& fields, std::string_view key) {
     const toml::node* const node = fields.raw(key);

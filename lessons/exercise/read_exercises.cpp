@@ -6,6 +6,7 @@
 
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercise_parts.hpp"
+#include "lessons/exercise/scene_edits.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/toml_text.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t kLargestExercises = 2U << 20U;
 constexpr std::size_t kMostExercises = 500;
 constexpr double kMostPoints = 1000.0;
 constexpr std::size_t kMostHints = 10;
+constexpr std::size_t kMostAlternatives = 20;
 
 bool is_name(const std::string& name) {
     const auto fits = [](char c) {
@@ -48,10 +50,8 @@ void read_exercise_name(Fields& fields, std::set<std::string>& names, Exercise& 
     }
 }
 
-void read_words(Fields& fields, Exercise& exercise) {
-    fields.require("title", "a title");
-    if (const auto title = fields.words("title")) { exercise.title = title->value; }
-    if (const auto source = fields.text("source")) { exercise.source = source->value; }
+/// The question and what helps with it.
+void read_question(Fields& fields, Exercise& exercise) {
     fields.require("ask", "what is asked");
     if (const auto ask = fields.words("ask")) { exercise.ask = ask->value; }
     if (const auto why = fields.words("why")) { exercise.why = why->value; }
@@ -65,6 +65,12 @@ void read_words(Fields& fields, Exercise& exercise) {
         exercise.hints = hints->value;
         for (Text& hint : exercise.hints) { hint.drop_line_feeds(); }
     }
+}
+
+void read_frame(Fields& fields, Exercise& exercise) {
+    fields.require("title", "a title");
+    if (const auto title = fields.words("title")) { exercise.title = title->value; }
+    if (const auto source = fields.text("source")) { exercise.source = source->value; }
     static const std::vector<std::string> kWords{"paper", "program"};
     if (const auto allowed = fields.word("allowed", kWords)) {
         exercise.allowed = *allowed == 0 ? Allowed::paper : Allowed::program;
@@ -97,6 +103,24 @@ void read_lesson_key(Fields& fields, Exercise& exercise) {
         "there is no lesson " + in_quotes(lesson->value) +
             "; expected the folder and the name of a lesson of the catalogue, such as \"vectors/frames\"",
         meant.empty() ? "'jointwise list' shows them" : meant);
+}
+
+/// Changes of the scene before values are drawn.
+void read_changes(Fields& fields, Exercise& exercise) {
+    const std::vector<SceneEdit> changes = reading::read_edits(fields, "change");
+    if (exercise.scene.empty() || changes.empty()) { return; }
+    EditedScene edited = with_edits(exercise.scene, changes);
+    if (!edited.problem.empty()) {
+        fields.problems().add(
+            Code::exercise_edit, fields.span("change"), edited.problem + "; expected keys of the scene");
+        return;
+    }
+    exercise.scene = std::move(edited.text);
+    const ReadResult read = read_lesson(exercise.scene, exercise.scene_name);
+    if (read.lesson) { return; }
+    fields.problems().add(
+        Code::exercise_scene, fields.span("change"),
+        "the changed scene is no lesson: " + read.diagnostics.front().message, read.diagnostics.front().hint);
 }
 
 /// A file beside the exercises, or a lesson in place.
@@ -135,21 +159,53 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
         "'jointwise check' tells all that is wrong with a file");
 }
 
+/// What is asked, and of which scene.
+void read_task(Fields& fields, const fs::path& folder, Exercise& exercise) {
+    read_question(fields, exercise);
+    read_scene(fields, folder, exercise);
+    read_changes(fields, exercise);
+    reading::read_draws(fields, exercise);
+}
+
+/// Another question under the name of an exercise: what it does not say of the scene is that of the exercise.
+Exercise read_alternative(Fields& fields, const fs::path& folder, const Exercise& exercise) {
+    Exercise other;
+    other.name = exercise.name;
+    other.title = exercise.title;
+    other.kind = exercise.kind;
+    other.source = exercise.source;
+    other.lesson = exercise.lesson;
+    other.allowed = exercise.allowed;
+    other.points = exercise.points;
+    other.scene = exercise.scene;
+    other.scene_name = exercise.scene_name;
+    other.span = fields.span();
+    fields.call("an alternative of exercise " + in_quotes(exercise.name));
+    read_task(fields, folder, other);
+    reading::read_answer(fields, other);
+    fields.finish();
+    return other;
+}
+
 Exercise read_exercise(
     Fields& fields, const fs::path& folder, const Exercise& defaults, std::set<std::string>& names) {
     Exercise exercise = defaults;
     exercise.span = fields.span();
     fields.call("the exercise");
     read_exercise_name(fields, names, exercise);
-    read_words(fields, exercise);
+    read_frame(fields, exercise);
     read_lesson_key(fields, exercise);
     fields.require("kind", comma_list(words_of(kExerciseKinds)));
     const int errors = fields.problems().errors_count();
     const auto kind = fields.word("kind", kExerciseKinds);
     if (kind) { exercise.kind = *kind; }
-    read_scene(fields, folder, exercise);
-    reading::read_draws(fields, exercise);
-    if (kind) { reading::read_answer(fields, exercise); }
+    read_task(fields, folder, exercise);
+    if (kind) {
+        reading::read_answer(fields, exercise);
+        for (Fields& alternative : fields.tables("alternative", kMostAlternatives)) {
+            exercise.alternatives.push_back(read_alternative(alternative, folder, exercise));
+        }
+    }
     if (kind || fields.problems().errors_count() == errors) { fields.finish(); }
     return exercise;
 }

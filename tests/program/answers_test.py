@@ -128,14 +128,19 @@ SOLVERS = {
     "point-of-top": lambda g: add(g["r_j"], rotated(g["p_j"], g["s_j'P"])),
     "euler-step-r": lambda g: add(g["r_jP"], scale(0.1, add(g["dr_j"], times(g["A_j"], cross(g["w_j'"], g["s_j'P"]))))),
     "euler-step-p": lambda g: normalised(add(g["p"], scale(0.1, rate(g["p"], g["w'"])))),
-    # a loop of four hinges: 20 equations, 18 coordinates, one freedom
-    "four-bar-rank": lambda g: 17,
-    "bennett-redundant": lambda g: 3,
-    # four joints of five equations, three bodies
-    "slider-crank-grubler": lambda g: 18 - 20,
-    # 18 coordinates, 5 + 5 + 3 + 3 equations
-    "rssr-freedoms": lambda g: 2,
+    # three bodies have 18 coordinates; which freedoms are left is told by the kinds of the joints
+    "four-bar-rank": lambda g: 18 - {"RRRR": 0 if g["motor"] else 1, "RRSS": 2, "CCCC": 4}[g["kinds"]],
+    # one freedom in all of them
+    "bennett-redundant": lambda g: equations(g) - 17,
+    "slider-crank-grubler": lambda g: 18 - equations(g),
+    "rssr-freedoms": lambda g: {"RSSR": 2, "RUSR": 1, "RSSC": 3, "CSSC": 4}[g["kinds"]],
 }
+
+
+EQUATIONS = {"R": 5, "P": 5, "C": 4, "U": 4, "S": 3}
+
+
+def equations(g): return sum(EQUATIONS[kind] for kind in g["kinds"]) + g["motor"]
 
 
 # ---- sheets and grades -------------------------------------------------------------------------
@@ -167,13 +172,17 @@ def value_of(latex):
     return [row[0] for row in rows] if len(rows[0]) == 1 else rows
 
 
-def given_on(sheet):
-    """For each exercise of a sheet in Markdown the values that it tells."""
+def given_on(folder):
+    """For each exercise of a sheet in Markdown the values that it tells, and which joints its lesson file has."""
     told = {}
-    for part in re.split(r"\n## \d+\. ", sheet)[1:]:
+    for part in re.split(r"\n## \d+\. ", (folder / "sheet.md").read_text())[1:]:
         name = re.search(r"answer `(.*?)`", part).group(1)
         lines = re.findall(r"^- \$(.*?) = (.*)\$$", part, re.MULTILINE)
         told[name] = {key_of(symbol): value_of(value) for symbol, value in lines}
+        # "RSSR" of the lesson file that is asked about
+        file = folder / (name + ".toml")
+        types = re.findall(r"""^type = ["'](.)""", file.read_text(), re.MULTILINE) if file.exists() else []
+        told[name].update(kinds="".join(types).upper(), motor="and a motor" in part)
     return told
 
 
@@ -218,7 +227,7 @@ def main():
         run("sheet", *files, "--class", place / "roster.csv", "--key", place / "key.toml", "--out", place / "in", "--no-figures")
         right = {}
         for student in students:
-            told = given_on((place / "in" / student / "sheet.md").read_text())
+            told = given_on(place / "in" / student)
             right[student] = {name: solve(told[name]) for name, solve in SOLVERS.items()}
         grade(place, right, "right")
         # the widest tolerance of these exercises is one percent

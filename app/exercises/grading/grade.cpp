@@ -153,6 +153,7 @@ std::string text_of(const Exercise& e) {
     }
     for (const ExerciseChoice& choice : e.choices) { add_all(std::array{choice.text, choice.why}); }
     for (const SceneEdit& edit : e.spoil) { add_all(std::array{edit.key, edit.value}); }
+    for (const Exercise& alternative : e.alternatives) { add(text_of(alternative)); }
     return text.str();
 }
 

@@ -166,8 +166,8 @@ ExerciseRecord Practice::record() const {
 
 bool Practice::has_variants() const {
     const Exercise* const e = exercise();
-    return e != nullptr &&
-           (!e->vary.empty() || e->kind == ExerciseKind::choose || e->kind == ExerciseKind::order);
+    return e != nullptr && (!e->vary.empty() || !e->alternatives.empty() || e->kind == ExerciseKind::choose ||
+                            e->kind == ExerciseKind::order);
 }
 
 void Practice::draw() {
@@ -193,8 +193,8 @@ void Practice::draw_anew() {
 }
 
 void Practice::give_hint() {
-    const Exercise* const e = exercise();
-    if (e != nullptr && hints_given_ < static_cast<int>(e->hints.size())) { ++hints_given_; }
+    // alternatives of an exercise have hints of their own
+    if (task_ && hints_given_ < static_cast<int>(task_->exercise().hints.size())) { ++hints_given_; }
 }
 
 void Practice::show_solution() {

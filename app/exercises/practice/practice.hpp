@@ -78,7 +78,7 @@ public:
     /// The next variant.
     void draw_anew();
 
-    /// One more hint, if there is one.
+    /// One more hint of the task, if there is one.
     void give_hint();
     int hints_given() const { return hints_given_; }
     /// Shows the solution: this variant does not count as solved any more.

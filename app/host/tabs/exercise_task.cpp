@@ -248,8 +248,8 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
 
 void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
     const int given = practice.hints_given();
-    if (given == 0) { return; }
-    const std::vector<Text>& all = practice.exercise()->hints;
+    if (given == 0 || practice.task() == nullptr) { return; }
+    const std::vector<Text>& all = practice.task()->exercise().hints;
     section(ui, tr("Hint {0} of {1}", given, all.size()).c_str());
     for (int k = 0; k < given; ++k) {
         rich_words(

@@ -8,6 +8,7 @@
 #include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/exercise/exercise_index.hpp"
+#include "lessons/exercise/exercise_texts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
@@ -38,7 +39,7 @@ ExercisesRead read_all(const fs::path& file) {
 const char* const kHead = "format = 1\ntitle = \"T\"\n";
 
 /// An exercise about two free bodies with an arm each.
-std::string about_arms(const std::string& more) {
+std::string about_two_bodies(const std::string& more) {
     return std::string(kHead) + R"(
 [[exercise]]
 name = "x"
@@ -60,9 +61,11 @@ bodies = ["a", "b"]
 axis_i = [2, 1, 0]
 axis_j = [0, 1, 2]
 '''
-joint = "arms"
 )" + more;
 }
+
+/// The same about the joint of the arms.
+std::string about_arms(const std::string& more) { return about_two_bodies("joint = \"arms\"\n" + more); }
 
 }  // namespace
 
@@ -114,6 +117,61 @@ TEST_CASE("The same student, key and exercise give the same variant, others anot
     }
     CHECK(scenes.size() >= 18);
     CHECK(seed_of("ab", "c", "x") != seed_of("a", "bc", "x"));
+}
+
+TEST_CASE(
+    "An exercise with alternatives asks one of them, each with words and a scene of its own", "[exercises]") {
+    const std::string two =
+        "kind = \"number\"\ncount = \"rank\"\nas_given = true\n"
+        "[[exercise.alternative]]\nask = \"With a ball?\"\nhints = [\"A ball has three.\"]\n"
+        "zh-Hant.ask = \"球？\"\ncount = \"rank\"\nas_given = true\n"
+        "change = [{ key = \"joint.arms.type\", value = \"spherical\" }, "
+        "{ key = \"joint.arms.axis_i\" }, { key = \"joint.arms.axis_j\" }, "
+        "{ key = \"joint.arms.at\", value = [0, 0, 0] }]\n";
+    const ExercisesRead read = read_exercises(about_two_bodies(two), "x.toml");
+    CAPTURE(read.report());
+    REQUIRE(read.exercises.size() == 1);
+    const Exercise& exercise = read.exercises.front();
+    REQUIRE(exercise.alternatives.size() == 1);
+    CHECK(check_exercise(exercise, 2).problems.empty());
+    const TaskMaker maker(exercise);
+    std::set<double> answers;
+    for (int k = 0; k < 20; ++k) {
+        const std::uint64_t seed = seed_of("key", std::to_string(k), "x");
+        const Task task = maker.make(seed);
+        REQUIRE(task.problem.empty());
+        CHECK(&maker.make(seed).exercise() == &task.exercise());
+        const bool first = task.exercise().ask == "?";
+        CHECK(task.exercise().name == "x");
+        CHECK(task.exercise().title == "X");
+        CHECK(task.exercise().hints.size() == (first ? 0 : 1));
+        CHECK(task.asked.right(0, 0) == (first ? 1 : 3));
+        answers.insert(task.asked.right(0, 0));
+    }
+    CHECK(answers.size() == 2);
+    Exercise chinese = exercise;
+    for_each_text(chinese, [](Text& text) { text.show("zh-Hant"); });
+    CHECK(chinese.alternatives.front().ask == "球？");
+}
+
+TEST_CASE("What is wrong with an alternative is told", "[exercises]") {
+    const auto report = [](const std::string& keys) {
+        return read_exercises(
+                   about_two_bodies(
+                       "kind = \"number\"\ncount = \"rank\"\nas_given = true\n[[exercise.alternative]]\n" +
+                       keys),
+                   "x.toml")
+            .report();
+    };
+    CHECK(report("count = \"rank\"\n").find("ask") != std::string::npos);
+    CHECK(report("ask = \"?\"\n").find("what is asked") != std::string::npos);
+    CHECK(report("ask = \"?\"\ncount = \"rank\"\ntitle = \"T\"\n").find("title") != std::string::npos);
+    CHECK(
+        report("ask = \"?\"\ncount = \"rank\"\nchange = [{ key = \"joint.C.type\", value = \"n2\" }]\n")
+            .find("joint.C.type") != std::string::npos);
+    CHECK(
+        report("ask = \"?\"\ncount = \"rank\"\nchange = [{ key = \"joint.arms.type\", value = \"n9\" }]\n")
+            .find("the changed scene is no lesson") != std::string::npos);
 }
 
 TEST_CASE("Answers of all mistakes of a variant are more than ten tolerances apart", "[exercises]") {

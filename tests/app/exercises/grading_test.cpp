@@ -191,7 +191,8 @@ TEST_CASE("A kept result ends with any part of the exercise that it depends on",
         [](Exercise& e) { e.vary.pop_back(); },
         [](Exercise& e) { e.condition_below = 9; },
         [](Exercise& e) { e.given.emplace_back("r_i"); },
-        [](Exercise& e) { e.most = 2; }};
+        [](Exercise& e) { e.most = 2; },
+        [](Exercise& e) { e.alternatives.push_back(Exercise(e)); }};
     for (const Change& change : changes) {
         std::vector<Exercise> changed = read.exercises;
         change(changed.front());

@@ -45,6 +45,16 @@ std::string with_answers(const std::string& output, std::size_t count) {
     return json.dump();
 }
 
+/// A joint of a lesson file between the ground and the body that comes last in `scene`.
+std::string joint_to_last_body(
+    const std::string& scene, const std::string& name, const std::string& type, const std::string& keys) {
+    const std::size_t body = scene.rfind("[[body]]");
+    const std::size_t from = scene.find("name = \"", body) + 8;
+    const std::string last = scene.substr(from, scene.find('"', from) - from);
+    return "\n[[joint]]\nname = \"" + name + "\"\ntype = \"" + type + "\"\nbodies = [\"ground\", \"" + last +
+           "\"]\n" + keys;
+}
+
 Exercise letters() {
     Exercise exercise;
     exercise.name = "letters";
@@ -229,4 +239,65 @@ TEST_CASE("An answer that is rounded as its sheet says is right, whatever its nu
     exercise.kind = ExerciseKind::vector;
     task.asked.tolerance = 0.0;
     CHECK(accuracy_text(task).empty());
+}
+
+TEST_CASE(
+    "Joints that are none of those asked for earn nothing, and some of the right ones a part",
+    "[exercises]") {
+    const std::string perpendicular = "axis_i = [1, 0, 0]\naxis_j = [0, 1, 0]\n";
+    const std::string upright = "axis_i = [0, 0, 1]\naxis_j = [0, 0, 1]\n";
+    const std::string at_origin = "point_i = [0, 0, 0]\npoint_j = [0, 0, 0]\n";
+    const std::string far = "point_i = [5, 5, 5]\npoint_j = [-7, 0, 3]\n";
+    const std::string near = "point_i = [0.1, 0, 0]\npoint_j = [0.1, 0.2, 0]\n";
+    const ExercisesRead read =
+        read_exercise_file(std::filesystem::path(JW_EXERCISES_FOLDER) / "building.toml");
+    REQUIRE(read.exercises.size() >= 8);
+    for (const Exercise& exercise : read.exercises) {
+        const Task task = TaskMaker(exercise).make(11);
+        REQUIRE(task.problem.empty());
+        const std::string scene = handed_out(task);
+        const auto joint = [&](const std::string& name, const std::string& type, const std::string& keys) {
+            return joint_to_last_body(scene, name, type, keys);
+        };
+        const std::string nonsense[] = {
+            joint("x", "n1", perpendicular),
+            joint("x", "spherical", at_origin),
+            joint("x", "spherical", far) + joint("y", "n1", perpendicular),
+            // five equations, as many as a hinge has
+            joint("x", "revolute", at_origin + upright),
+            joint("x", "spherical", near) + joint("y", "n1", perpendicular) +
+                joint("z", "n1", "axis_i = [0, 1, 0]\naxis_j = [0, 0, 1]\n"),
+        };
+        for (const std::string& added : nonsense) {
+            const Judged judged = judge_build(task, {scene + added, {}});
+            CAPTURE(exercise.name, added, judged.feedback);
+            CHECK_FALSE(judged.right);
+            CHECK(judged.share == 0.0);
+        }
+    }
+    const Shipped trammel("building.toml", "trammel");
+    const std::string& solution = trammel.task.exercise().solution;
+    const std::string two_of_three = solution.substr(0, solution.rfind("[[joint]]"));
+    const Judged judged = judge_build(trammel.task, {handed_out(trammel.task) + "\n" + two_of_three, {}});
+    CHECK(judged.mistake == "joint-missing");
+    CHECK(judged.share > 0.0);
+    CHECK(judged.share < 0.5);
+}
+
+TEST_CASE("What holds already in a sick lesson earns nothing", "[exercises]") {
+    const ExercisesRead read = read_exercise_file(std::filesystem::path(JW_EXERCISES_FOLDER) / "clinic.toml");
+    int repairs = 0;
+    for (const Exercise& exercise : read.exercises) {
+        if (exercise.kind != ExerciseKind::repair) { continue; }
+        ++repairs;
+        const Task task = TaskMaker(exercise).make(11);
+        REQUIRE(task.problem.empty());
+        const Judged judged = judge_repair(
+            task, {handed_out(task) + "\n[[body]]\nname = \"nothing to do with it\"\nfixed = true\n", {}});
+        CAPTURE(exercise.name, judged.feedback);
+        CHECK(judged.understood);
+        CHECK_FALSE(judged.right);
+        CHECK(judged.share == 0.0);
+    }
+    CHECK(repairs >= 10);
 }
