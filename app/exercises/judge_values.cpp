@@ -21,7 +21,7 @@ constexpr double kRoundedEarly = 10.0;
 /// Any other answer has to be so many times farther away than that of a mistake that is named.
 constexpr double kClearly = 3.0;
 /// Pairs of mistakes among which one number can be told.
-constexpr std::size_t kMostPairsOfNumber = 60;
+constexpr std::size_t kMostPairsOfNumber = 20;
 
 bool is_exact(const Asked& asked) { return asked.tolerance == 0.0; }
 
