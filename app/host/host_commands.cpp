@@ -268,6 +268,7 @@ void Host::use_next_language() {
         session_->tell_again();
         need_characters_of_lesson();
     }
+    desk_.practice().tell_again();
     if (state_.browser) { shelf_.refresh(unsaved_.others()); }
     say(tr("Language: {0}", next.name));
 }

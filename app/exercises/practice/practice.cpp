@@ -1,10 +1,12 @@
 #include "app/exercises/practice/practice.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "app/exercises/random.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw {
 
@@ -66,6 +68,18 @@ void Practice::offer(std::vector<PracticeExercise> exercises) {
     unread_.clear();
     problem_.clear();
     exercises_ = std::move(exercises);
+}
+
+void Practice::tell_again() {
+    for (PracticeExercise& offered : exercises_) {
+        offered.exercise = std::make_shared<const Exercise>(shown_exercise(*offered.exercise));
+    }
+    if (chosen_ < 0) { return; }
+    const auto [hints, solution, solved] = std::tuple(hints_given_, solution_, solved_);
+    held_ = exercises_[static_cast<std::size_t>(chosen_)].exercise;
+    maker_.reset();
+    draw_with(seed_);
+    std::tie(hints_given_, solution_, solved_) = std::tie(hints, solution, solved);
 }
 
 bool Practice::look() {
@@ -170,9 +184,11 @@ bool Practice::has_variants() const {
                             e->kind == ExerciseKind::order);
 }
 
-void Practice::draw() {
+void Practice::draw() { draw_with(seed_of("practice", std::to_string(record().variant), exercise()->name)); }
+
+void Practice::draw_with(std::uint64_t seed) {
     forget_task();
-    const std::uint64_t seed = seed_of("practice", std::to_string(record().variant), exercise()->name);
+    seed_ = seed;
     // the exercise lives as long as somebody works with it
     drawing_ = std::make_unique<Background<Drawn>>(
         [exercise = held_, maker = maker_, seed](const std::stop_token& stop) mutable {

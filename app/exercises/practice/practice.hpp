@@ -40,6 +40,10 @@ public:
     /// Begins to read the exercises of the open lesson, once.
     void begin_reading();
 
+    /// Shows the exercises in the language that was chosen since; the one begun keeps its numbers, hints and
+    /// solution, and its answer can be judged again.
+    void tell_again();
+
     /// Offers these exercises, whatever lesson they belong to.
     void offer(std::vector<PracticeExercise> exercises);
 
@@ -107,6 +111,7 @@ private:
     };
 
     void draw();
+    void draw_with(std::uint64_t seed);
     void forget_task();
     void give_up(std::unique_ptr<BackgroundWork> work);
     void judge_in_thread(std::function<AnswerVerdict(const std::stop_token& stop)> judge);
@@ -126,6 +131,7 @@ private:
     int chosen_ = -1;
     std::shared_ptr<const TaskMaker> maker_;  ///< of the chosen exercise, once it was made
     std::shared_ptr<const Exercise> held_;    ///< what the task points to
+    std::uint64_t seed_ = 0;
     std::optional<Task> task_;
     int tasks_made_ = 0;
     int hints_given_ = 0;

@@ -8,6 +8,7 @@
 #include "app/exercises/practice/starter.hpp"
 #include "app/exercises/starters.hpp"
 #include "lessons/exercise/read_exercises.hpp"
+#include "tests/app/messages/in_language.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {
@@ -204,6 +205,31 @@ TEST_CASE("An exercise that is left while its numbers are drawn is given up", "[
         practice.look();
         CHECK(practice.doing().empty());
     }
+}
+
+TEST_CASE("Another language keeps the numbers of an exercise, and its hints", "[practice]") {
+    Practice practice({.lessons = {}, .progress = {}, .judge_program = {}});
+    practice.offer(shipped());
+    practice.choose(0);
+    practice.wait();
+    REQUIRE(practice.task() != nullptr);
+    const std::string title = practice.exercise()->title;
+    const MatrixX right = practice.task()->asked.right;
+    practice.give_hint();
+    {
+        const InLanguage chinese("zh-Hant");
+        practice.tell_again();
+        practice.wait();
+        REQUIRE(practice.task() != nullptr);
+        CHECK(std::string(practice.exercise()->title) != title);
+        CHECK(practice.task()->variant.exercise == practice.exercise());
+        CHECK(practice.task()->asked.right == right);
+        CHECK(practice.hints_given() == 1);
+        CHECK(practice.verdict() == nullptr);
+    }
+    practice.tell_again();
+    practice.wait();
+    CHECK(std::string(practice.exercise()->title) == title);
 }
 
 TEST_CASE("A lesson finds its exercises: its own, and those of the course that name it", "[practice]") {
