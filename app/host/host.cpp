@@ -125,7 +125,8 @@ void Host::need_characters_of_lesson() {
 void Host::need_characters_of_shelf() {
     if (shelf_.version() == std::exchange(shelf_version_, shelf_.version())) { return; }
     for (const CatalogueEntry& entry : shelf_.entries()) {
-        fonts_.need(panels::characters_in(entry.chapter + entry.title + entry.source + entry.text));
+        fonts_.need(
+            panels::characters_in(entry.chapter + entry.heading + entry.title + entry.source + entry.text));
     }
 }
 

@@ -58,7 +58,10 @@ std::vector<CatalogueEntry> catalogue_of(
     add(recent, tr_later("Opened last"));
     const CourseLessons course = course_lessons(folder);
     for (const fs::path& faulty : course.faulty) { entries.push_back(entry_of(faulty)); }
-    for (const CourseLessons::Entry& lesson : course.lessons) { entries.push_back(entry_of(lesson.file)); }
+    for (const CourseLessons::Entry& lesson : course.lessons) {
+        entries.push_back(entry_of(lesson.file));
+        entries.back().heading = shown_text(lesson.chapter_title);
+    }
     for (CatalogueEntry& entry : entries) {
         entry.exercises = exercises_of_lesson(exercises, lesson_name(entry.path));
     }

@@ -13,7 +13,8 @@ namespace jw::host {
 struct CatalogueEntry {
     std::filesystem::path path;
     std::string chapter;
-    std::string title;  ///< the file's name where the file has mistakes
+    std::string heading;  ///< its title, empty where no course names it
+    std::string title;    ///< the file's name where the file has mistakes
     std::string source;
     std::string text;  ///< the lesson's introduction
     Searchable searchable;

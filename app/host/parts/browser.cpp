@@ -75,9 +75,10 @@ void draw_card(
     canvas.outline(card, edge, chosen ? canvas.px(3.0F) : panels::hairline(canvas), canvas.px(5.0F));
 }
 
-/// "vectors" -> "Vectors"
-std::string headline(const std::string& chapter) {
-    std::string text = tr(chapter.empty() ? tr_later("other") : chapter.c_str());
+/// Title of the chapter, or its name: "vectors" -> "Vectors"
+std::string headline(const CatalogueEntry& entry) {
+    if (!entry.heading.empty()) { return entry.heading; }
+    std::string text = tr(entry.chapter.empty() ? tr_later("other") : entry.chapter.c_str());
     if (text.front() >= 'a' && text.front() <= 'z') {
         text.front() = static_cast<char>(text.front() - 'a' + 'A');
     }
@@ -112,7 +113,8 @@ void card(
         const Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
         if (first_of_chapter) {
             canvas.text(
-                {at.x, at.y + ui.px(4.0F)}, canvas.fonts().bold, theme::kInk, headline(entry.chapter));
+                {at.x, at.y + ui.px(4.0F)}, canvas.fonts().bold, theme::kInk,
+                panels::shortened(*canvas.fonts().bold, headline(entry), width));
         }
         draw_card(canvas, ImGui::GetWindowDrawList(), box, entry, shelf.chosen() == index, hovered, progress);
     }
