@@ -9,6 +9,7 @@
 #include "lessons/reader.hpp"
 #include "lessons/translations.hpp"
 #include "render/fonts.hpp"
+#include "tests/app/messages/in_language.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {
@@ -59,6 +60,16 @@ TEST_CASE("every text of every shipped exercise is translated", "[app][glyphs]")
         CHECK(read.title.translations().contains("zh-Hant"));
     }
     CHECK(texts > 700);
+}
+
+TEST_CASE("the name of a language can be shown in it", "[app][glyphs]") {
+    for (const Language& one : languages()) {
+        const InLanguage shown(one.tag);
+        const std::u32string known = panels::characters_of_messages();
+        for (const char32_t c : panels::characters_in(one.name)) {
+            CHECK(known.find(c) != std::u32string::npos);
+        }
+    }
 }
 
 TEST_CASE("check warns of what a language lacks and of characters that no font has", "[app][glyphs]") {

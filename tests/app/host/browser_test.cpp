@@ -8,6 +8,7 @@
 #include "lessons/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
+#include "tests/app/messages/in_language.hpp"
 
 namespace jw::test {
 
@@ -43,6 +44,16 @@ TEST_CASE("The window searches and orders lessons as the command line does") {
         }
         CHECK_FALSE(expected.empty());
         CHECK(host::found_in(entries, search) == expected);
+    }
+}
+
+TEST_CASE("Chapters have their titles as headings, in the language of the reader") {
+    CHECK(host::catalogue_of(catalogue_folder(), {}).front().heading == "Vectors of two bodies");
+    const InLanguage chinese("zh-Hant");
+    for (const host::CatalogueEntry& entry : host::catalogue_of(catalogue_folder(), {})) {
+        CAPTURE(entry.path.string(), entry.heading);
+        CHECK(entry.heading.find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos);
+        CHECK_FALSE(entry.heading.empty());
     }
 }
 
