@@ -29,8 +29,8 @@ std::u32string characters_of(const Lesson& lesson) {
 std::u32string characters_of_messages() {
     std::string all;
     for (const Language& one : languages()) {
-        all += one.name;
         if (one.tag != language()) { continue; }
+        all += one.name;
         for (std::size_t k = 1; k < one.messages.size(); ++k) { all += one.messages.translation(k); }
     }
     return characters_in(all);
