@@ -103,7 +103,8 @@ bool Simulation::is_proven(double t, const std::vector<double>& y, const std::ve
     const double pivot = block_->smallest_pivot();
     const AccelerationResidual here = certificate_->check(*block_, *block_, t, y, y_dot);
     const double rounding = proven_up_to(pivot, here.drift, !drifts(settings_.treatment));
-    return std::max(here.forces, here.constraints) <= rounding;
+    // NaN fails every comparison
+    return here.forces <= rounding && here.constraints <= rounding;
 }
 
 std::optional<SimulationFailure> Simulation::failure_of_proof(
