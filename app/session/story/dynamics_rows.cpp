@@ -44,8 +44,8 @@ Instant instant_of(
     instant.energy = Energy{snapshot.kinetic, snapshot.potential};
     instant.scene = std::move(scene);
     if (with_accelerations) {
-        instant.acceleration = simulation.acceleration_as_given(snapshot.t, y);
         instant.centroidal_acceleration = simulation.acceleration(snapshot.t, y);
+        instant.acceleration = simulation.acceleration_as_given(y, *instant.centroidal_acceleration);
     }
     instant.system = std::move(system);
     return instant;

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/integrate/simulation.hpp"
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
@@ -29,6 +30,9 @@ int block_rows_left_out(const Centroidal& scene) {
     equations->choose_rows(0.0, y.data());
     return equations->rows_left_out();
 }
+
+/// Redundant rows contradict each other by what an interpolated pose is off, 1e-10, times the size of Φq.
+constexpr double kBetweenSteps = 1e-8;
 
 double size_of(const Motion& motion) {
     Motion none = motion;
@@ -157,6 +161,41 @@ TEMPLATE_TEST_CASE(
             CHECK(rows.lpNorm<Eigen::Infinity>() < 1e-11 * (1.0 + e.right_side().norm()));
         }
     }
+}
+
+TEST_CASE(
+    "Accelerations between the steps of joint coordinates are those of a dense choice of rows",
+    "[core][dynamics]") {
+    int compared = 0;
+    int with_rows_left_out = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        test::Random random(seed);
+        int number = 0;
+        for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
+            CAPTURE(seed, number++);
+            SimulationSettings settings;
+            settings.formulation = Formulation::joints;
+            settings.tolerance = 1e-10;
+            Simulation simulation(mechanism, test::random_loads(random, mechanism), settings);
+            if (&simulation.integrated() == &simulation.equations()) { continue; }  // not in joints
+            const Centroidal& scene = simulation.scene();
+            const auto outcome =
+                simulation.run({0.0, 0.013, 0.031, 0.05}, [&](double t, const std::vector<double>& y) {
+                    test::Moment moment{start_state(scene.mechanism), start_motion(scene.mechanism)};
+                    unpack(y.data(), moving_bodies_of(scene.mechanism), moment.state, moment.motion);
+                    const Motion found = simulation.acceleration(t, y);
+                    Motion dense = test::dense_accelerations<OmegaLocal>(scene, moment, t);
+                    dense.theta_dot = found.theta_dot;  // follow from the others
+                    CAPTURE(t);
+                    CHECK(test::difference(found, dense) < kBetweenSteps * size_of(dense));
+                    ++compared;
+                    with_rows_left_out += simulation.equations().rows_left_out() > 0 ? 1 : 0;
+                });
+            CHECK_FALSE(outcome.failure);
+        }
+    }
+    CHECK(compared > 200);
+    CHECK(with_rows_left_out > 50);
 }
 
 TEST_CASE("Rows left out are as many as the rank says", "[core][dynamics]") {
