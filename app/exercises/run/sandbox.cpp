@@ -222,7 +222,7 @@ void SandboxRun::wait_for_end_of(const Handle& process) const {
 /// has asked the kernel to die with it. A bwrap that is halted begins no process, and its children keep their
 /// numbers.
 void SandboxRun::kill_unfinished() {
-    ::kill(child_, SIGSTOP);
+    if (::kill(child_, SIGSTOP) != 0) { return; }
     siginfo_t halted{};
     while (::waitid(P_PID, static_cast<id_t>(child_), &halted, WSTOPPED | WEXITED | WNOWAIT) < 0 &&
            errno == EINTR) {}
