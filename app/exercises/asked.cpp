@@ -220,9 +220,7 @@ void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose
 /// Keeps the mistakes that the exercise looks for, and whose answers can be compared.
 void filter_mistakes(const Exercise& exercise, Asked& asked) {
     const auto is_unwanted = [&](const KnownMistake& mistake) {
-        const bool wanted = exercise.only.empty() || mistake.name == kTwoTermsName ||
-                            std::ranges::find(exercise.only, mistake.name) != exercise.only.end();
-        return !wanted;
+        return mistake.name != kTwoTermsName && !looks_for(exercise, mistake.name);
     };
     std::erase_if(asked.mistakes, is_unwanted);
 }
@@ -247,11 +245,9 @@ std::optional<Instant> instant_of(const Variant& variant, const Pose& pose) {
 }  // namespace
 
 std::string title_of(const KnownMistake& mistake) {
-    std::string all;
-    for (const Message& title : mistake.titles) {
-        all = all.empty() ? tr(title) : tr("{0} or {1}", all, tr(title));
-    }
-    return all;
+    std::vector<std::string> titles;
+    for (const Message& title : mistake.titles) { titles.push_back(tr(title)); }
+    return alternatives(titles);
 }
 
 Asked asked_in(const Variant& variant) {

@@ -61,8 +61,7 @@ void plan_mistake(
 
 bool is_in_terms(const FormulaMistake& mistake, const Exercise& exercise) {
     const std::string name = mistake.name;
-    return (name == "term-sign" || name == "term-dropped") &&
-           (exercise.only.empty() || std::ranges::find(exercise.only, name) != exercise.only.end());
+    return (name == "term-sign" || name == "term-dropped") && looks_for(exercise, name);
 }
 
 std::string whole_latex(const PlannedMistake& planned) {
@@ -86,6 +85,10 @@ FormulaPlan formula_plan(const Exercise& exercise) {
         plan_mistake(mistake, plan.found, plan.where, plan.mistakes);
     }
     return plan;
+}
+
+bool looks_for(const Exercise& exercise, const std::string& mistake) {
+    return exercise.only.empty() || std::ranges::find(exercise.only, mistake) != exercise.only.end();
 }
 
 FormulaPlan plan_of_two_terms(const FormulaPlan& plan, const Exercise& exercise) {

@@ -30,8 +30,12 @@ struct FormulaPlan {
 /// @param exercise  with a formula that can be read
 FormulaPlan formula_plan(const Exercise& exercise);
 
-/// The same plan with, in place of its mistakes, each two of those in terms that the exercise looks for:
-/// terms that are missing or have the wrong sign. What two ways lead to is there once.
+/// Whether the mistakes of that name are among those that the exercise names, or it names none.
+bool looks_for(const Exercise& exercise, const std::string& mistake);
+
+/// Plan of the same formula whose mistakes are pairs: two terms that are missing or have the wrong sign, as
+/// far as the exercise looks for each of the two. An altered formula that several pairs lead to is there
+/// once.
 FormulaPlan plan_of_two_terms(const FormulaPlan& plan, const Exercise& exercise);
 
 }  // namespace jw

@@ -131,9 +131,14 @@ const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::ve
     return nullptr;
 }
 
+/// A list with one more item, as people write it: "a; b".
+std::string with_next(const std::string& list, const std::string& item) {
+    return list.empty() ? item : tr("{0}; {1}", list, item);
+}
+
 std::string entry_text(double entry) { return std::isfinite(entry) ? number_text(entry, 6) : "NaN"; }
 
-/// What is wrong with an answer in a state, which entries differ where it has the right shape.
+/// Sentence about a wrong answer in a state: its shape, or the entries that differ.
 std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
     if (given.size() == 0) {
         return tr(
@@ -157,7 +162,7 @@ std::string told_answer(const std::string& state, const MatrixX& right, const Ma
             const std::string told =
                 tr("entry ({0}, {1}) is {2}, expected {3}", r + 1, c + 1, entry_text(entry),
                    number_text(right(r, c), 6));
-            entries = entries.empty() ? told : tr("{0}; {1}", entries, told);
+            entries = with_next(entries, told);
         }
     }
     return wrong > kMostEntriesTold
@@ -299,9 +304,7 @@ std::string program_input(const Task& task) {
 
 std::string judging_of_programs(const Task& task) {
     std::string special;
-    for (const char* state : kHardStates) {
-        special = special.empty() ? std::string(tr(state)) : tr("{0}; {1}", special, tr(state));
-    }
+    for (const char* state : kHardStates) { special = with_next(special, tr(state)); }
     return tr(
         "It is tried in {0} states, the first ones special ({1}). Each entry has to agree with the formula "
         "within {2} of the largest one.",

@@ -5,6 +5,7 @@
 #include "app/session/claims/checks.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/translatable.hpp"
@@ -30,7 +31,7 @@ std::string not_reached(const ClaimResult& result) {
                                  ? tr("Not reached: {0} {1} is {2}, expected {3}.", result.subject,
                                       result.moment, result.found, result.expected)
                                  : tr("Not reached {0}: {1}", result.moment, result.failure);
-    return result.why.empty() ? told : tr("{0} {1}", told, result.why);
+    return followed(told, result.why);
 }
 
 /// Part of the points for a file that meets some of the claims: those that hold already in the file as it is
@@ -185,6 +186,12 @@ bool is_solved_already(const Task& task) {
     const std::string file = handed_out(task);
     judge_claims(file, file, task.exercise(), judged);
     return judged.right;
+}
+
+std::string spoiled_text(const Exercise& exercise) {
+    std::vector<std::string> keys;
+    for (const SceneEdit& edit : exercise.spoil) { keys.push_back(edit.key); }
+    return tr("What was changed: {0}.", list_text_of(keys));
 }
 
 Handed right_repair(const Task& task) { return {healthy(task), {}}; }

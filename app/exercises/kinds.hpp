@@ -65,6 +65,8 @@ std::vector<std::string> input_names(const Exercise& exercise);
 std::string handed_out(const Task& task);
 /// The file as it is handed out meets all claims: there is nothing to do.
 bool is_solved_already(const Task& task);
+/// Sentence about the keys that make the scene of a `repair` sick: its solution for people.
+std::string spoiled_text(const Exercise& exercise);
 Handed right_repair(const Task& task);
 std::vector<HandedMistake> mistaken_repairs(const Task& task);
 Judged judge_repair(const Task& task, const Handed& handed);

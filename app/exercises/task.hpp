@@ -28,8 +28,8 @@ public:
     /// @param stop  who no longer wants tasks asks for this: the maker then has a problem
     explicit TaskMaker(const Exercise& exercise, const std::stop_token& stop = {});
 
-    /// The same task for the same seed; none where it was stopped. Of an exercise with alternatives it is one
-    /// of all.
+    /// Task of a seed, always the same: of the exercise or of one of its alternatives. It has a problem where
+    /// it was stopped.
     Task make(std::uint64_t seed, const std::stop_token& stop = {}) const;
     /// Why no task can be made; empty otherwise.
     const std::string& problem() const { return problem_; }

@@ -98,8 +98,8 @@ struct Exercise {
     std::vector<std::string> does;  ///< experiment: a list of experiments that solves it
     int most = 1;                   ///< repair: values to change; build: joints; experiment: experiments
 
-    /// What is asked in place of this, each a whole exercise of the same name, title and kind: a student gets
-    /// this one or one of these.
+    /// Other questions, each a whole exercise of the same name, title and kind: a student gets this one or
+    /// one of these.
     std::vector<Exercise> alternatives;
 };
 

@@ -159,7 +159,7 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
         "'jointwise check' tells all that is wrong with a file");
 }
 
-/// What is asked, and of which scene.
+/// Question, scene and draws, of an exercise or of an alternative.
 void read_task(Fields& fields, const fs::path& folder, Exercise& exercise) {
     read_question(fields, exercise);
     read_scene(fields, folder, exercise);
@@ -167,20 +167,11 @@ void read_task(Fields& fields, const fs::path& folder, Exercise& exercise) {
     reading::read_draws(fields, exercise);
 }
 
-/// Another question under the name of an exercise: what it does not say of the scene is that of the exercise.
-Exercise read_alternative(Fields& fields, const fs::path& folder, const Exercise& exercise) {
-    Exercise other;
-    other.name = exercise.name;
-    other.title = exercise.title;
-    other.kind = exercise.kind;
-    other.source = exercise.source;
-    other.lesson = exercise.lesson;
-    other.allowed = exercise.allowed;
-    other.points = exercise.points;
-    other.scene = exercise.scene;
-    other.scene_name = exercise.scene_name;
+/// Another question under the name of an exercise.
+/// @param other  what it shares with the exercise: frame, kind and scene
+Exercise read_alternative(Fields& fields, const fs::path& folder, Exercise other) {
     other.span = fields.span();
-    fields.call("an alternative of exercise " + in_quotes(exercise.name));
+    fields.call("an alternative of exercise " + in_quotes(other.name));
     read_task(fields, folder, other);
     reading::read_answer(fields, other);
     fields.finish();
@@ -199,11 +190,14 @@ Exercise read_exercise(
     const int errors = fields.problems().errors_count();
     const auto kind = fields.word("kind", kExerciseKinds);
     if (kind) { exercise.kind = *kind; }
+    Exercise shared = exercise;
     read_task(fields, folder, exercise);
+    shared.scene = exercise.scene;
+    shared.scene_name = exercise.scene_name;
     if (kind) {
         reading::read_answer(fields, exercise);
         for (Fields& alternative : fields.tables("alternative", kMostAlternatives)) {
-            exercise.alternatives.push_back(read_alternative(alternative, folder, exercise));
+            exercise.alternatives.push_back(read_alternative(alternative, folder, shared));
         }
     }
     if (kind || fields.problems().errors_count() == errors) { fields.finish(); }

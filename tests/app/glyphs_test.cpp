@@ -5,6 +5,7 @@
 #include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/translations.hpp"
@@ -13,19 +14,6 @@
 #include "tests/app/program.hpp"
 
 namespace jw::test {
-
-namespace {
-
-std::vector<std::filesystem::path> exercise_files() {
-    std::vector<std::filesystem::path> found;
-    for (const auto& file : lessons_below(catalogue_folder().parent_path() / "exercises")) {
-        // the others are scenes
-        if (exercise_tables_in(file) == ExerciseTables::alone) { found.push_back(file); }
-    }
-    return found;
-}
-
-}  // namespace
 
 TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") {
     const auto check = [](const std::string& file, const std::vector<ReadText>& texts) {
@@ -38,7 +26,9 @@ TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") 
     for (const auto& file : lessons_below(catalogue_folder())) {
         check(file.string(), read_lesson_file(file).texts);
     }
-    for (const auto& file : exercise_files()) { check(file.string(), read_exercise_file(file).texts); }
+    for (const auto& file : exercise_files_of(catalogue_folder())) {
+        check(file.string(), read_exercise_file(file).texts);
+    }
     check(kCourseFile, read_course_of(catalogue_folder()).texts);
     // all at once: the fonts are looked through for each question
     std::string messages;
@@ -53,7 +43,7 @@ TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") 
 
 TEST_CASE("every text of every shipped exercise is translated", "[app][glyphs]") {
     int texts = 0;
-    for (const auto& file : exercise_files()) {
+    for (const auto& file : exercise_files_of(catalogue_folder())) {
         const ExercisesRead read = read_exercise_file(file);
         texts += static_cast<int>(read.texts.size());
         for (const Diagnostic& warning : missing_translations(file.string(), read.texts)) {

@@ -4,13 +4,13 @@
 
 #include "app/exercises/run/languages.hpp"
 
-/// What went wrong with the program of a student, in the language of the reader and safe for a terminal.
+/// Faults of students' programs as sentences, in the language of the reader and safe for a terminal.
 namespace jw {
 
-/// How a run ended if not well: "The program was stopped: ..."; empty if it succeeded.
+/// Fault of a run: "The program was stopped: ..."; empty if it succeeded.
 std::string program_fault(const exercises::SandboxResult& result, const exercises::SandboxLimits& limits);
 
-/// Why a program is not ready.
+/// Reason why a program is not ready to run.
 /// @param file  its name
 std::string unready_text(const exercises::ReadyProgram& program, const std::string& file);
 

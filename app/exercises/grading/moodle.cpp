@@ -59,7 +59,7 @@ std::string category_name(const std::string& name) {
 }
 
 std::string feedback_of(const KnownMistake& mistake) {
-    return sentences(
+    return followed(
         tr(mistake.says), mistake.slide.empty() ? "" : tr("Look at {0}.", shown_slides(mistake.slide)));
 }
 
@@ -172,7 +172,7 @@ std::string items_html(const SheetEntry& entry) {
 /// Moodle reads numbers alone: no fractions, no units.
 std::string unit_html(const SheetEntry& entry) {
     const std::string& unit = entry.task.asked.unit;
-    const std::string words = sentences(
+    const std::string words = followed(
         unit.empty() ? "" : tr("The answer is in {0}, as a number without the unit.", unit),
         accuracy_text(entry.task));
     return words.empty() ? words : "<p>" + markup_text(words) + "</p>";

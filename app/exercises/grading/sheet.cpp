@@ -110,10 +110,6 @@ Sheet sheet_of(
     return sheet;
 }
 
-std::string sentences(const std::string& first, const std::string& second) {
-    return first.empty() || second.empty() ? first + second : tr("{0} {1}", first, second);
-}
-
 std::string student_text(const Sheet& sheet, bool solution) {
     return solution ? tr("{0}, solutions", sheet.student) : sheet.student;
 }
@@ -152,19 +148,15 @@ std::string hand_in_text(const SheetEntry& entry) {
             name, kStartersFolder);
     }
     if (entry.task.exercise().kind == ExerciseKind::number && counts) { return tr("Write a whole number."); }
-    return sentences(tr(kind_of(entry.task.exercise().kind).hand_in), accuracy_text(entry.task));
+    return followed(tr(kind_of(entry.task.exercise().kind).hand_in), accuracy_text(entry.task));
 }
 
 std::string solution_text(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     switch (exercise.kind) {
         case ExerciseKind::code:
-            return sentences(tr("A program for the formula."), judging_of_programs(entry.task));
-        case ExerciseKind::repair: {
-            std::string text;
-            for (const SceneEdit& edit : exercise.spoil) { text += (text.empty() ? "" : ", ") + edit.key; }
-            return tr("What was changed: {0}.", text);
-        }
+            return followed(tr("A program for the formula."), judging_of_programs(entry.task));
+        case ExerciseKind::repair: return spoiled_text(exercise);
         case ExerciseKind::build:
             return std::string(tr("Added joints:")) + "\n\n```\n" + exercise.solution + "```";
         case ExerciseKind::experiment: return list_in_toml(exercise.does);
@@ -187,7 +179,7 @@ std::string sheet_markdown(const Sheet& sheet, bool solution) {
         text += given_markdown(entry) + shown_markdown(entry);
         std::string how;
         if (!entry.file.empty()) { how = tr("The scene is in the file {0}.", "`" + entry.file + "`"); }
-        how = sentences(how, sentences(unit_text_of(entry), hand_in_text(entry)));
+        how = followed(how, followed(unit_text_of(entry), hand_in_text(entry)));
         text += how + "\n\n";
         if (exercise.kind == ExerciseKind::code) {
             std::string names;

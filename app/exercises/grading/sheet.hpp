@@ -50,9 +50,7 @@ std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& cate
 /// Names of exercises that no quiz can ask.
 std::vector<std::string> not_for_quizzes(const Sheet& sheet);
 
-/// Two sentences, either of which may be missing.
-std::string sentences(const std::string& first, const std::string& second);
-/// Whose sheet it is.
+/// Student of a sheet: "ann", or "ann, solutions".
 std::string student_text(const Sheet& sheet, bool solution);
 /// Title and feedback of a mistake, for the sheet of solutions.
 std::string mistake_text(const KnownMistake& mistake);

@@ -1,6 +1,7 @@
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw {
 
@@ -68,13 +69,13 @@ std::string hand_in_html(const SheetEntry& entry) {
     const Exercise& exercise = entry.task.exercise();
     std::string html;
     if (!entry.file.empty()) { html = tr("The scene is in the file {0}.", code_html(entry.file)); }
-    html = sentences(html, markup_text(sentences(unit_text_of(entry), hand_in_text(entry))));
+    html = followed(html, markup_text(followed(unit_text_of(entry), hand_in_text(entry))));
     if (exercise.kind == ExerciseKind::code) {
         std::string names;
         for (const std::string& name : input_names(exercise)) {
             names += (names.empty() ? "" : " ") + code_html(name);
         }
-        html = sentences(html, tr("Inputs of a case: {0}.", names));
+        html = followed(html, tr("Inputs of a case: {0}.", names));
     }
     return "<p class=\"hand\">" + html + "</p>\n";
 }

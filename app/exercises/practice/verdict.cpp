@@ -4,7 +4,6 @@
 
 #include "app/exercises/given_value.hpp"
 #include "app/exercises/value_latex.hpp"
-#include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
 namespace jw {
@@ -69,11 +68,7 @@ std::string solution_words(const Task& task) {
     const Exercise& exercise = task.exercise();
     switch (exercise.kind) {
         case ExerciseKind::code: return "$" + task.asked.latex + "$";
-        case ExerciseKind::repair: {
-            std::string keys;
-            for (const SceneEdit& edit : exercise.spoil) { keys += (keys.empty() ? "" : ", ") + edit.key; }
-            return tr("What was changed: {0}.", keys);
-        }
+        case ExerciseKind::repair: return spoiled_text(exercise);
         case ExerciseKind::build: return exercise.solution;
         case ExerciseKind::experiment: {
             std::string list;

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include <catch2/catch.hpp>
@@ -9,6 +7,8 @@
 #include "app/exercises/grading/sheet.hpp"
 #include "app/exercises/random.hpp"
 #include "app/session/wording/shown_lesson.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
@@ -18,15 +18,7 @@ namespace jw {
 
 namespace {
 
-std::vector<std::filesystem::path> files() {
-    const std::filesystem::directory_iterator all(JW_EXERCISES_FOLDER);
-    std::vector<std::filesystem::path> found;
-    for (const auto& entry : all) {
-        if (entry.path().extension() == ".toml") { found.push_back(entry.path()); }
-    }
-    std::ranges::sort(found);
-    return found;
-}
+std::vector<std::filesystem::path> files() { return exercise_files_of(catalogue_folder()); }
 
 /// Exercises of each kind as a reader of Chinese sees them: all of those that are judged at once, and of the
 /// others as many as the test has time for.

@@ -64,7 +64,7 @@ axis_j = [0, 1, 2]
 )" + more;
 }
 
-/// The same about the joint of the arms.
+/// An exercise about the joint of those arms.
 std::string about_arms(const std::string& more) { return about_two_bodies("joint = \"arms\"\n" + more); }
 
 }  // namespace
