@@ -30,4 +30,12 @@ GlFunctions load_gl_functions(GlLoader loader) {
     return gl;
 }
 
+std::string renderer_name(const GlFunctions& gl) {
+    const auto text = [&gl](GLenum name) {
+        const auto* const found = reinterpret_cast<const char*>(gl.GetString(name));
+        return std::string(found == nullptr ? "unknown" : found);
+    };
+    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
 }  // namespace jw::render

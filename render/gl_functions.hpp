@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <GL/glcorearb.h>
 
 /// OpenGL 3.3 core through one table of function pointers, so that a window and OSMesa can live in one
@@ -95,5 +97,9 @@ using GlLoader = void* (*)(const char* name);
 /// Fills the table for the context that is current.
 /// @throws std::runtime_error naming the entries that the context does not have.
 GlFunctions load_gl_functions(GlLoader loader);
+
+/// Name of the renderer of the current context: e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
+/// Mesa 22.3.6".
+std::string renderer_name(const GlFunctions& gl);
 
 }  // namespace jw::render

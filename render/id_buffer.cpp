@@ -47,6 +47,13 @@ Scene pickable(const Scene& scene) {
     return kept;
 }
 
+/// Distance from the eye along the view [m] of a depth in GL's window, 0 to 1.
+double distance_at(double window_depth, const Matrix4d& projection) {
+    const double z = 2.0 * window_depth - 1.0;
+    const bool parallel = projection(3, 3) != 0.0;
+    return parallel ? (projection(2, 3) - z) / projection(2, 2) : projection(2, 3) / (z + projection(2, 2));
+}
+
 int id_of(const std::uint8_t* rgba) { return rgba[0] + 256 * rgba[1] + 65536 * rgba[2]; }
 
 }  // namespace
@@ -183,6 +190,36 @@ int IdBuffer::nearest_id(double x, double y, double radius) const {
         least = away + handicap;
     }
     return nearest;
+}
+
+PictureLayers IdBuffer::read_layers() const {
+    PictureLayers layers;
+    layers.width = seen_.frame.width;
+    layers.height = seen_.frame.height;
+    const auto pixels = static_cast<std::size_t>(layers.width) * static_cast<std::size_t>(layers.height);
+    layers.ids.assign(pixels, 0);
+    layers.depth.assign(pixels, 0);
+    const auto seen = static_cast<std::size_t>(rect_.width) * static_cast<std::size_t>(rect_.height);
+    std::vector<std::uint8_t> rgba(4 * seen);
+    std::vector<float> depth(seen);
+    const BoundFramebuffer bound(gl_, framebuffer_);
+    gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl_.ReadPixels(0, 0, rect_.width, rect_.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    gl_.ReadPixels(0, 0, rect_.width, rect_.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+
+    const Matrix4d projection = projection_matrix(seen_.camera, seen_.viewport.width / seen_.viewport.height);
+    const double unit = seen_.camera.distance() / PictureLayers::kDepthOfTarget;
+    for (std::size_t n = 0; n < seen; ++n) {
+        if (depth[n] >= 1.0F) { continue; }
+        const auto column = rect_.x + static_cast<int>(n) % rect_.width;
+        const auto row = layers.height - 1 - (rect_.y + static_cast<int>(n) / rect_.width);
+        const auto k = static_cast<std::size_t>(row) * static_cast<std::size_t>(layers.width) +
+                       static_cast<std::size_t>(column);
+        layers.ids[k] = id_of(&rgba[4 * n]);
+        const double steps = std::round(distance_at(static_cast<double>(depth[n]), projection) / unit);
+        layers.depth[k] = static_cast<std::uint16_t>(std::clamp(steps, 1.0, 65535.0));
+    }
+    return layers;
 }
 
 }  // namespace jw::render

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/instanced_meshes.hpp"
+#include "render/picture_layers.hpp"
 #include "render/scene_view.hpp"
 
 namespace jw::render {
@@ -31,6 +32,9 @@ public:
     /// The id for a pointer that need not be exact: that of the nearest vector, point or line within `radius`
     /// pixels, else of the body under the pointer, else of the nearest body within `radius`, else 0.
     int nearest_id(double x, double y, double radius) const;
+
+    /// All ids and depths of the frame of the last `update`; nothing is outside the viewport.
+    PictureLayers read_layers() const;
 
 private:
     /// Inputs that `update` compares.

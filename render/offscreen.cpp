@@ -118,11 +118,7 @@ int Offscreen::samples() const { return targets_->samples(); }
 
 std::string Offscreen::renderer() const {
     make_current();
-    const auto text = [this](GLenum name) {
-        const auto* const found = reinterpret_cast<const char*>(gl().GetString(name));
-        return std::string(found == nullptr ? "unknown" : found);
-    };
-    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+    return renderer_name(gl());
 }
 
 void Offscreen::resize(int width, int height) {
