@@ -208,6 +208,8 @@ bool are_tables(const toml::array& list) {
 
 class Comparer {
 public:
+    explicit Comparer(SceneParts parts) : parts_(parts) {}
+
     SceneDifference found;
 
     void compare(const std::string& path, const toml::table& a, const toml::table& b) {
@@ -229,7 +231,8 @@ public:
     }
 
 private:
-    static bool skips(const std::string& path, std::string_view key) {
+    bool skips(const std::string& path, std::string_view key) const {
+        if (parts_ == SceneParts::all) { return false; }
         return path.empty() ? !is_one_of(kMechanical, key) : is_one_of(kLooks, key);
     }
     static std::string below(const std::string& path, std::string_view key) {
@@ -274,6 +277,8 @@ private:
             if (!index_in(a, name)) { found.added.push_back(below(path, name)); }
         }
     }
+
+    SceneParts parts_;
 };
 
 /// Lines of the texts of a table, the translated ones too.
@@ -350,10 +355,10 @@ std::string claims_in(const std::string& scene) {
     return out.str() + "\n";
 }
 
-SceneDifference difference_of(const std::string& before, const std::string& after) {
+SceneDifference difference_of(const std::string& before, const std::string& after, SceneParts parts) {
     const auto a = parsed(before);
     const auto b = parsed(after);
-    Comparer comparer;
+    Comparer comparer(parts);
     if (a && b) { comparer.compare("", *a, *b); }
     return comparer.found;
 }

@@ -4,6 +4,7 @@
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/grading/markup.hpp"
 #include "app/exercises/grading/sheet.hpp"
+#include "app/session/output/base64.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"

@@ -62,6 +62,5 @@ std::string hand_in_text(const SheetEntry& entry);
 std::string solution_text(const SheetEntry& entry);
 /// "2 points", with the source of the exercise.
 std::string head_text(const SheetEntry& entry);
-std::string base64(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace jw
