@@ -61,6 +61,9 @@ constexpr std::array<std::string_view, 14> kRun{
 constexpr std::array<std::string_view, 10> kExercises{"app/exercises/", "app/session/", "core/",   "lessons/",
                                                       "Eigen/",         "nlohmann/",    "fcntl.h", "poll.h",
                                                       "sys/",           "unistd.h"};
+// frames are drawn by the host; nothing else of the interface is known
+constexpr std::array<std::string_view, 7> kSnapshot{
+    "app/snapshot/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/", "Eigen/"};
 // the hard cases are run, not drawn
 constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
@@ -73,6 +76,7 @@ constexpr std::array kFolders{
     FolderRule{"app/panels/", kPanels},
     FolderRule{"app/host/", kHost},
     FolderRule{"app/hard/", kHard},
+    FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 

@@ -10,6 +10,7 @@
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/picture/pointed_thing.hpp"
 #include "render/fonts.hpp"
+#include "render/id_buffer.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
@@ -28,6 +29,7 @@ std::u32string characters_of(const Story& story) {
 struct FramePainter::Surface {
     Surface(int width, int height, const std::u32string& characters)
         : offscreen(std::in_place, width, height),
+          functions(&offscreen->gl()),
           scene(offscreen->gl()),
           context(width, height),
           fonts(render::load_fonts(panels::scale_of(width, height), characters)),
@@ -35,6 +37,7 @@ struct FramePainter::Surface {
           layout(panels::layout_of(width, height)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : targets(std::in_place, gl, width, height),
+          functions(&gl),
           scene(gl),
           context(width, height),
           fonts(render::load_fonts(panels::scale_of(width, height), characters)),
@@ -45,11 +48,17 @@ struct FramePainter::Surface {
     void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
     render::Image read() { return offscreen ? offscreen->read() : targets->read(); }
     render::FrameSize size() const { return offscreen ? offscreen->size() : targets->size(); }
+    void make_current() const {
+        if (offscreen) { offscreen->make_current(); }
+    }
 
     // destroyed from the last to the first: what holds GL objects goes before the context
     std::optional<render::Offscreen> offscreen;
     std::optional<render::RenderTargets> targets;
+    const render::GlFunctions* functions;
     render::SceneRenderer scene;
+    std::optional<render::IdBuffer> ids;  // made when layers are asked for
+    std::uint64_t layers_drawn = 0;
     PanelContext context;
     render::Fonts fonts;
     render::ImguiBackend panels;
@@ -78,13 +87,26 @@ void FramePainter::compose_camera() {
     surface_->camera = camera_of(*story_, style_, surface_->layout.scene, surface_->layout.scene_safe);
 }
 
-render::Image FramePainter::paint(const View& view) {
-    Surface& s = *surface_;
+const render::Camera& FramePainter::camera() const { return surface_->camera; }
+
+Picture FramePainter::picture(const View& view) const {
     const Step& step = story_->steps()[static_cast<std::size_t>(view.step)];
     Picture picture = picture_of(*story_, style_, step, view.step);
+    light_up(picture, lit_at(view));
+    return picture;
+}
+
+Emphasis FramePainter::lit_at(const View& view) const {
     Emphasis lit;
-    light_answer(step, story_->lesson().coordinates, view, lit);
-    light_up(picture, lit);
+    light_answer(
+        story_->steps()[static_cast<std::size_t>(view.step)], story_->lesson().coordinates, view, lit);
+    return lit;
+}
+
+render::Image FramePainter::paint(const View& view) { return paint(view, picture(view)); }
+
+render::Image FramePainter::paint(const View& view, const Picture& picture) {
+    Surface& s = *surface_;
     s.context.enter();
     s.begin_3d();
     s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size());
@@ -92,11 +114,21 @@ render::Image FramePainter::paint(const View& view) {
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
     const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), s.fonts);
-    panels::draw_frame(canvas.pointed(lit, nowhere), view, picture, s.camera, s.layout);
+    panels::draw_frame(canvas.pointed(lit_at(view), nowhere), view, picture, s.camera, s.layout);
     ImGui::Render();
     s.panels.draw(*ImGui::GetDrawData(), s.size());
     s.context.leave();
     return s.read();
+}
+
+std::string FramePainter::renderer() const { return render::renderer_name(*surface_->functions); }
+
+render::PictureLayers FramePainter::layers(const Picture& picture) {
+    Surface& s = *surface_;
+    s.make_current();
+    if (!s.ids) { s.ids.emplace(*s.functions, s.scene.meshes()); }
+    s.ids->update(picture.scene, s.camera, s.layout.scene, s.size(), ++s.layers_drawn);
+    return s.ids->read_layers();
 }
 
 }  // namespace jw::host

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
+#include "render/picture_layers.hpp"
 
 namespace jw::host {
 
@@ -24,9 +26,20 @@ public:
 
     render::Image paint(const View& view);
 
+    const render::Camera& camera() const;
+    /// What `paint` draws in 3D, for those who look at it or change it before it is drawn.
+    Picture picture(const View& view) const;
+    /// Paints another 3D part than that of the step.
+    render::Image paint(const View& view, const Picture& picture);
+    /// What draws: renderer, OpenGL and Mesa with their versions.
+    std::string renderer() const;
+    /// What is seen at each pixel of the 3D part.
+    render::PictureLayers layers(const Picture& picture);
+
 private:
     struct Surface;
     void compose_camera();
+    Emphasis lit_at(const View& view) const;
 
     const Story* story_;
     PictureStyle style_;

@@ -1,0 +1,272 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/format_option.hpp"
+#include "app/commands/size_option.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/snapshot/reports.hpp"
+#include "lessons/file_text.hpp"
+#include "render/atomic_file.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SnapshotOptions {
+    std::vector<std::string> paths;
+    std::string golden;
+    std::string size = "960x540";
+    int moments = snapshot::kMoments;
+    std::string format = "text";
+    std::string out;
+    std::vector<std::string> only;
+    std::string reason;
+};
+
+constexpr PixelSize kSmallest{960, 540};
+constexpr PixelSize kLargest{3840, 2160};
+constexpr const char* kPage = "index.html";
+constexpr const char* kJunit = "junit.xml";
+constexpr const char* kJson = "report.json";
+constexpr std::array kReports{kPage, kJunit, kJson};
+constexpr std::size_t kLargestLesson = 1U << 26U;
+
+/// A lesson with its text, as the commands take it.
+struct Opened {
+    Lesson lesson;
+    std::string text;
+};
+
+Opened opened(const fs::path& file, const Streams& streams) {
+    Opened result{lesson_of(file, streams), {}};
+    result.text = read_file_text(file, kLargestLesson).text;
+    return result;
+}
+
+snapshot::GoldenFolder folder_of(const SnapshotOptions& options, const snapshot::SuiteLesson& lesson) {
+    return snapshot::GoldenFolder(fs::path(options.golden) / lesson.name);
+}
+
+SnapshotRules rules_of(const SnapshotOptions& options) {
+    SnapshotRulesRead read = read_snapshot_rules(fs::path(options.golden) / "rules.toml");
+    if (!read.rules) { throw FaultyFile(read.report, std::move(read.diagnostics)); }
+    return *read.rules;
+}
+
+/// The head of a recorded lesson, if it was recorded in the language of now.
+/// @throws std::runtime_error saying what to do
+void check_head(const snapshot::GoldenFolder& folder) {
+    if (!folder.exists()) {
+        throw std::runtime_error(
+            "'" + folder.path().string() +
+            "' has no snapshots of this lesson; 'jointwise snapshot record' takes them");
+    }
+    const snapshot::GoldenHead head = folder.head();
+    if (head.language != language()) {
+        throw std::runtime_error(
+            "the snapshots in '" + folder.path().string() + "' were taken in the language '" + head.language +
+            "'; give --language " + head.language);
+    }
+}
+
+/// How snapshots are taken into a folder: as those that are there, and those that are chosen besides.
+snapshot::GoldenHead head_for(const snapshot::GoldenFolder& folder, const snapshot::GoldenHead& wanted) {
+    if (!folder.exists()) { return wanted; }
+    check_head(folder);
+    snapshot::GoldenHead head = folder.head();
+    if (head.choice.only.empty()) { return head; }
+    for (const std::string& name : wanted.choice.only) {
+        if (std::ranges::find(head.choice.only, name) == head.choice.only.end()) {
+            head.choice.only.push_back(name);
+        }
+    }
+    return head;
+}
+
+Exit record_command(const SnapshotOptions& options, const Streams& streams) {
+    const PixelSize size = size_option(options.size, kSmallest, kLargest);
+    const snapshot::GoldenHead wanted{
+        {size.width, size.height}, {options.moments, options.only}, std::string(language())};
+    snapshot::RecordResult all;
+    for (const snapshot::SuiteLesson& lesson : snapshot::suite_of(options.paths)) {
+        const Opened now = opened(lesson.file, streams);
+        const snapshot::GoldenFolder folder = folder_of(options, lesson);
+        const snapshot::RecordResult result =
+            snapshot::record(now.lesson, now.text, folder, head_for(folder, wanted));
+        all.written += result.written;
+        all.kept += result.kept;
+        streams.err << lesson.name << ": " << result.written << " taken, " << result.kept << " were there\n";
+    }
+    streams.err << count_text(all.written, "snapshot", "snapshots") << " taken into " << options.golden;
+    streams.err
+        << (all.kept > 0 ? "; those that were there stay as they are ('snapshot bless' changes them)\n"
+                         : "\n");
+    return Exit::done;
+}
+
+/// Compares one lesson; what keeps it from being compared is part of the result.
+snapshot::LessonResult compared(
+    const SnapshotOptions& options, const snapshot::SuiteLesson& lesson, const SnapshotRules& rules,
+    bool with_controls, const Streams& streams) {
+    snapshot::LessonResult result;
+    result.lesson = lesson;
+    try {
+        const Opened now = opened(lesson.file, streams);
+        const snapshot::GoldenFolder folder = folder_of(options, lesson);
+        check_head(folder);
+        return snapshot::compare(now.lesson, now.text, lesson, folder, rules, with_controls);
+    } catch (const FaultyFile& error) { result.problem = error.what(); } catch (const CommandError& error) {
+        result.problem = error.what();
+    } catch (const std::runtime_error& error) { result.problem = error.what(); }
+    return result;
+}
+
+/// Compares the suite; what is found is told as soon as it is known if `tells`.
+std::vector<snapshot::LessonResult> compared(
+    const SnapshotOptions& options, bool tells, const Streams& streams) {
+    const SnapshotRules rules = rules_of(options);
+    std::vector<snapshot::LessonResult> results;
+    for (const snapshot::SuiteLesson& lesson : snapshot::suite_of(options.paths)) {
+        results.push_back(compared(options, lesson, rules, results.empty(), streams));
+        if (tells) { streams.out << snapshot::describe(results.back()) << std::flush; }
+    }
+    return results;
+}
+
+Exit exit_of(const std::vector<snapshot::LessonResult>& results) {
+    const auto is_unread = [](const snapshot::LessonResult& result) { return !result.problem.empty(); };
+    if (std::ranges::any_of(results, is_unread)) { return Exit::bad_input; }
+    return std::ranges::any_of(results, &snapshot::LessonResult::fails) ? Exit::check_failed : Exit::done;
+}
+
+Exit compare_command(const SnapshotOptions& options, const Streams& streams) {
+    const std::vector<snapshot::LessonResult> results = compared(options, options.format == "text", streams);
+    if (options.format == "json") {
+        streams.out << json_document(snapshot::json_of(results));
+    } else if (options.format == "junit") {
+        streams.out << snapshot::junit_of(results);
+    } else {
+        streams.out << snapshot::summary(results) << '\n';
+    }
+    return exit_of(results);
+}
+
+/// Makes the folder of the report, if it is not there.
+fs::path report_folder(const SnapshotOptions& options) {
+    std::error_code error;
+    fs::create_directories(options.out, error);
+    if (error || !fs::is_directory(options.out, error)) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --out '" + options.out + "' cannot be made a folder" +
+                                 (error ? ": " + error.message() : ""));
+    }
+    return options.out;
+}
+
+Exit report_command(const SnapshotOptions& options, const Streams& streams) {
+    const fs::path folder = report_folder(options);
+    for (const char* const name : kReports) { render::check_can_be_written(folder / name); }
+    const std::vector<snapshot::LessonResult> results = compared(options, true, streams);
+    render::write_file_atomically(folder / kPage, snapshot::html_of(results));
+    render::write_file_atomically(folder / kJunit, snapshot::junit_of(results));
+    render::write_file_atomically(folder / kJson, json_document(snapshot::json_of(results)));
+    streams.out << snapshot::summary(results) << '\n';
+    streams.err << kPage << ", " << kJunit << " and " << kJson << " in " << options.out << '\n';
+    return exit_of(results);
+}
+
+Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
+    if (options.reason.find_first_not_of(" \t\n") == std::string::npos) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: --reason is empty; expected why the snapshots may change, for those who read "
+            "it later");
+    }
+    const SnapshotRules rules = rules_of(options);
+    std::size_t changed = 0;
+    for (const snapshot::SuiteLesson& lesson : snapshot::suite_of(options.paths)) {
+        const Opened now = opened(lesson.file, streams);
+        const snapshot::GoldenFolder folder = folder_of(options, lesson);
+        check_head(folder);
+        for (const std::string& name :
+             snapshot::bless(now.lesson, now.text, folder, rules, options.only, options.reason)) {
+            streams.out << lesson.name << ": " << name << '\n';
+            ++changed;
+        }
+    }
+    streams.err << count_text(static_cast<int>(changed), "snapshot", "snapshots") << " blessed\n";
+    if (changed == 0 && !options.only.empty()) {
+        throw CommandError(
+            Exit::bad_input,
+            "jointwise: error: of " + comma_list(options.only) +
+                " nothing differs in these lessons; 'jointwise snapshot compare' says what does");
+    }
+    return Exit::done;
+}
+
+using SharedOptions = std::shared_ptr<SnapshotOptions>;
+
+CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const SharedOptions& options) {
+    CLI::App* verb = command.add_subcommand(name, about);
+    verb->add_option("LESSONS", options->paths, "lesson files, and folders with lessons")
+        ->required()
+        ->type_name("");
+    verb->add_option(
+            "--golden", options->golden, "folder of the golden snapshots, with rules.toml if there are rules")
+        ->required()
+        ->type_name("DIR");
+    return verb;
+}
+
+}  // namespace
+
+void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("snapshot", "compare lessons with what they looked like");
+    command->require_subcommand(1);
+    command->footer(
+        "Example: jointwise snapshot record lessons/ --golden golden/\n"
+        "         jointwise snapshot compare lessons/ --golden golden/\n"
+        "docs/snapshots.md describes layers, rules and files.");
+    const auto options = std::make_shared<SnapshotOptions>();
+    const auto runs = [&run, options, &streams](
+                          CLI::App* verb, Exit (*what)(const SnapshotOptions&, const Streams&)) {
+        verb->callback([=, &run, &streams] { run = [=, &streams] { return what(*options, streams); }; });
+    };
+
+    CLI::App* record = add_verb(*command, "record", "take the snapshots that are not there yet", options);
+    record->add_option("--size", options->size, "pixels")->type_name("WxH")->capture_default_str();
+    record->add_option("--moments", options->moments, "moments of the motion")
+        ->check(CLI::Range(0, 1000))
+        ->type_name("N")
+        ->capture_default_str();
+    record->add_option("--only", options->only, "steps by their names, in place of all that is stopped at")
+        ->type_name("NAME");
+    runs(record, record_command);
+
+    CLI::App* compare = add_verb(*command, "compare", "compare; status 1 if something differs", options);
+    add_format_option(*compare, options->format, {"text", "json", "junit"});
+    runs(compare, compare_command);
+
+    CLI::App* report = add_verb(
+        *command, "report", "compare, and write a page with pictures, JUnit and JSON; status as compare",
+        options);
+    report
+        ->add_option(
+            "--out", options->out, "folder for index.html, junit.xml and report.json; made if needed")
+        ->required()
+        ->type_name("DIR");
+    runs(report, report_command);
+
+    CLI::App* bless = add_verb(*command, "bless", "put what is seen now in place of what differs", options);
+    bless->add_option("--only", options->only, "snapshots by their names")->type_name("NAME");
+    bless->add_option("--reason", options->reason, "why; it is kept")->required()->type_name("TEXT");
+    runs(bless, bless_command);
+}
+
+}  // namespace jw

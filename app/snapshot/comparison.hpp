@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/snapshot/fact_changes.hpp"
+#include "app/snapshot/taken.hpp"
+#include "lessons/snapshot_rules.hpp"
+
+/// Two snapshots of the same thing, compared layer by layer.
+namespace jw::snapshot {
+
+/// How far apart two pictures of a layer are, and whether the rules allow that.
+struct LayerDifference {
+    std::string broken;    ///< the rule that is broken, with its numbers; empty if none is
+    render::Image marked;  ///< where they differ; empty if they are equal
+    bool is_equal = true;
+};
+
+struct Difference {
+    std::vector<FactChange> facts;  ///< in the order of what matters
+    LayerDifference ids;
+    LayerDifference depth;
+    LayerDifference colour;
+    std::vector<std::string> things;  ///< "rod: 312 pixels more": what is seen more or less of
+    /// Why colours may differ: what they are drawn with is another. Then the colours do not count.
+    std::string drawn_otherwise;
+
+    bool text_fails() const { return !facts.empty(); }
+    bool layers_fail() const { return !ids.broken.empty() || !depth.broken.empty(); }
+    bool colour_fails() const { return !colour.broken.empty() && drawn_otherwise.empty(); }
+    bool fails() const { return text_fails() || layers_fail() || colour_fails(); }
+};
+
+Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules);
+
+/// The rule for colours that is broken; empty if none is. For pictures that are not of a snapshot, too.
+LayerDifference compare_colours(
+    const render::Image& before, const render::Image& now, const SnapshotRules::Colour& rules);
+
+}  // namespace jw::snapshot

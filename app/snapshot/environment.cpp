@@ -1,0 +1,66 @@
+#include "app/snapshot/environment.hpp"
+
+#include <array>
+#include <cstdio>
+#include <set>
+
+#include "render/font_face.hpp"
+#include "render/font_file.hpp"
+#include "render/font_search.hpp"
+
+namespace jw::snapshot {
+
+namespace {
+
+/// FNV-1a of 64 bits: tells two versions of a font apart. @source draft-eastlake-fnv
+std::string hash_of(const std::vector<std::uint8_t>& bytes) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const std::uint8_t byte : bytes) { hash = (hash ^ byte) * 1099511628211ULL; }
+    std::array<char, 24> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+    return text.data();
+}
+
+/// The width of the registers is no part of it: pixels are the same with 128 and 256 bits.
+std::string without_register_width(std::string renderer) {
+    const std::size_t bits = renderer.find(" bits");
+    const std::size_t comma = renderer.rfind(", ", bits);
+    if (bits != std::string::npos && comma != std::string::npos) {
+        renderer.erase(comma, bits + std::string(" bits").size() - comma);
+    }
+    return renderer;
+}
+
+}  // namespace
+
+Environment environment(const std::string& renderer) {
+    Environment found{
+        {"jointwise", JW_VERSION},
+        {"FreeType", render::freetype_version()},
+        {"renderer", without_register_width(renderer)}};
+    for (const render::FontFile& font : render::kFontFiles) {
+        const std::filesystem::path path = render::path_of_font(font);
+        found[font.name] = path.empty() ? "missing" : hash_of(render::read_font_file(path));
+    }
+    return found;
+}
+
+std::string environment_change(const Environment& before, const Environment& now) {
+    std::set<std::string> names;
+    for (const auto& [name, what] : before) { names.insert(name); }
+    for (const auto& [name, what] : now) { names.insert(name); }
+    const auto value = [](const Environment& in, const std::string& name) {
+        const auto found = in.find(name);
+        return found == in.end() ? std::string("nothing") : found->second;
+    };
+    std::string text;
+    for (const std::string& name : names) {
+        const std::string then = value(before, name);
+        const std::string here = value(now, name);
+        if (then == here) { continue; }
+        text += (text.empty() ? "" : "; ") + name + ": " + then + " before, " + here + " now";
+    }
+    return text;
+}
+
+}  // namespace jw::snapshot

@@ -1,0 +1,118 @@
+#include "app/snapshot/explanation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "lessons/diagnostics.hpp"
+#include "lessons/exercise/scene_edits.hpp"
+
+namespace jw::snapshot {
+
+namespace {
+
+constexpr std::size_t kLongestValue = 60;
+
+/// Keys of lengths in m; all others but angles and times are shown as they stand.
+constexpr std::array<std::string_view, 14> kLengths{
+    "radius", "size",     "at",     "at_i",   "at_j",           "from",   "to",
+    "pitch",  "position", "offset", "length", "centre_of_mass", "target", "free_length"};
+
+constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+
+std::string_view last_part(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
+
+/// "crank" of "body.crank.shape.0.rod.radius"; empty for a key of the lesson itself.
+std::string subject_of(const std::string& path) {
+    const std::size_t first = path.find('.');
+    if (first == std::string::npos) { return {}; }
+    const std::size_t second = path.find('.', first + 1);
+    if (second == std::string::npos) { return path.substr(0, first); }
+    const std::string name = path.substr(first + 1, second - first - 1);
+    const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
+    return is_number ? path.substr(0, first) + " " + name : name;
+}
+
+/// The number, or the numbers of a list; empty if it is neither.
+std::vector<double> numbers_in(std::string_view text) {
+    std::vector<double> numbers;
+    while (!text.empty()) {
+        if (text.front() == ' ' || text.front() == ',' || text.front() == '[' || text.front() == ']') {
+            text.remove_prefix(1);
+            continue;
+        }
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc()) { return {}; }
+        numbers.push_back(value);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return numbers;
+}
+
+/// "1 mm", "0.2 m", "5 deg"
+std::string amount_text(std::string_view key, double amount) {
+    if (std::ranges::find(kLengths, key) != kLengths.end()) {
+        return amount < 0.1 ? short_number(1000.0 * amount, 4) + " mm" : short_number(amount, 4) + " m";
+    }
+    const char* unit = key.ends_with("_deg")   ? " deg"
+                       : key.ends_with("_rad") ? " rad"
+                       : key.ends_with("_s")   ? " s"
+                                               : "";
+    return short_number(amount, 4) + unit;
+}
+
+/// "1 mm larger", "x 2 mm smaller, z 1 mm larger"; nothing for values that are no numbers.
+std::optional<std::string> in_numbers(
+    std::string_view key, const std::string& before, const std::string& now) {
+    const std::vector<double> a = numbers_in(before);
+    const std::vector<double> b = numbers_in(now);
+    if (a.empty() || a.size() != b.size()) { return std::nullopt; }
+    std::string text;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        if (a[k] == b[k]) { continue; }
+        const std::string which = a.size() == 1   ? ""
+                                  : a.size() == 3 ? std::string(kAxes[k]) + " "
+                                                  : "number " + std::to_string(k + 1) + " ";
+        text += (text.empty() ? "" : ", ") + which + amount_text(key, std::abs(b[k] - a[k])) +
+                (b[k] > a[k] ? " larger" : " smaller");
+    }
+    return text;
+}
+
+/// A value as it is shown: numbers as they are usually written, long ones cut.
+std::string shown(const std::string& value) {
+    const std::vector<double> numbers = numbers_in(value);
+    std::string line = numbers.empty() ? value : "";
+    for (const double number : numbers) { line += (line.empty() ? "" : ", ") + short_number(number, 9); }
+    if (numbers.size() > 1) { line = "[" + line + "]"; }
+    std::ranges::replace(line, '\n', ' ');
+    return line.size() <= kLongestValue ? line : line.substr(0, kLongestValue) + "...";
+}
+
+std::string change_text(const std::string& path, const std::string& before, const std::string& now) {
+    const std::string_view key = last_part(path);
+    const std::string subject = subject_of(path);
+    const std::string values = shown(before) + " → " + shown(now);
+    const std::string what = std::string(key) + (subject.empty() ? "" : " of " + subject);
+    const auto difference = in_numbers(key, before, now);
+    const std::string place = subject.empty() ? values : path + ", " + values;
+    return difference ? what + ": " + *difference + " (" + place + ")" : what + ": " + values;
+}
+
+}  // namespace
+
+std::vector<std::string> lesson_changes(const std::string& before, const std::string& now) {
+    const SceneDifference found = jw::difference_of(before, now, SceneParts::all);
+    std::vector<std::string> lines;
+    for (const std::string& path : found.removed) { lines.push_back(path + ": left out"); }
+    for (const std::string& path : found.added) { lines.push_back(path + ": added"); }
+    for (const std::string& path : found.changed) {
+        lines.push_back(change_text(path, value_in(before, path), value_in(now, path)));
+    }
+    return lines;
+}
+
+}  // namespace jw::snapshot

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/snapshot/facts.hpp"
+
+namespace jw::snapshot {
+
+/// A fact that is another one than it was, or is there only before or after.
+struct FactChange {
+    Weight weight = Weight::detail;
+    std::string name;
+    std::string before;  ///< with unit; empty: it was not there
+    std::string after;   ///< empty: it is not there any more
+
+    bool operator==(const FactChange&) const = default;
+};
+
+/// What has changed by more than the tolerances of `before`, in the order of what matters.
+std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::vector<Fact>& after);
+
+/// True if two texts say the same: their numbers may differ by one in the last digit printed, and those below
+/// one billionth are rounding, whatever they are. Whole numbers and words must be equal.
+bool say_the_same(std::string_view before, std::string_view after);
+
+/// A fact as text: "0.25 m".
+std::string value_text(const Fact& fact);
+
+}  // namespace jw::snapshot

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/snapshot/facts.hpp"
+
+namespace jw::snapshot {
+
+/// Collects facts, each under a name of its own.
+class FactList {
+public:
+    void text(Weight weight, const std::string& name, const std::string& text) {
+        if (!text.empty()) { add({weight, name, text, std::nullopt, {}, 0.0}); }
+    }
+    void count(Weight weight, const std::string& name, int count) {
+        add({weight, name, {}, static_cast<double>(count), {}, 0.0});
+    }
+    /// A number that is not finite is kept as a word.
+    void number(Weight weight, const std::string& name, double value, const std::string& unit) {
+        if (!std::isfinite(value)) {
+            text(weight, name, std::isnan(value) ? "not a number" : value > 0.0 ? "infinite" : "−infinite");
+            return;
+        }
+        add({weight, name, {}, value, unit, kToBeSet});
+    }
+    void vector(Weight weight, const std::string& name, const Vec3& v, const std::string& unit) {
+        number(weight, name + " · x", v.x(), unit);
+        number(weight, name + " · y", v.y(), unit);
+        number(weight, name + " · z", v.z(), unit);
+    }
+
+    std::vector<Fact> take() { return std::move(facts_); }
+
+    /// Tolerance of numbers before `set_tolerances`.
+    static constexpr double kToBeSet = -1.0;
+
+private:
+    void add(Fact fact) {
+        std::string name = fact.name;
+        for (int k = 2; !names_.insert(name).second; ++k) {
+            name = fact.name + " (" + std::to_string(k) + ")";
+        }
+        fact.name = std::move(name);
+        facts_.push_back(std::move(fact));
+    }
+
+    std::vector<Fact> facts_;
+    std::set<std::string> names_;
+};
+
+}  // namespace jw::snapshot

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/picture/picture.hpp"
+#include "app/session/view/view.hpp"
+
+/// What a step shows, as a list of named texts and numbers: the first layer of a snapshot. It needs no
+/// pixels, so a change is named instead of seen.
+namespace jw::snapshot {
+
+/// How much it matters when a fact changes; reports begin with the first.
+enum class Weight {
+    failure,
+    rank,      ///< rank, freedoms, which rows repeat others
+    count,     ///< of equations, iterations, things drawn
+    pose,      ///< of bodies, and their shapes
+    text,      ///< titles, sentences, formulas
+    quantity,  ///< measured numbers, forces, energies
+    detail,    ///< residuals, single values, entries of the matrix, places of vectors and names
+};
+
+struct Fact {
+    Weight weight = Weight::detail;
+    std::string name;             ///< "crank · r · x"
+    std::string text;             ///< of a fact that is no number; numbers in it are compared as numbers
+    std::optional<double> value;  ///< of a number
+    std::string unit;             ///< as shown, may be empty
+    /// How far a number may be from what it was. The scale of a quantity is the largest value that any number
+    /// of its unit has in the lesson; see `set_tolerances`. Counts must be equal: 0.
+    double tolerance = 0.0;
+
+    bool operator==(const Fact&) const = default;
+};
+
+/// Facts about all that a view tells.
+std::vector<Fact> facts_of(const View& view);
+/// Facts about everything drawn in 3D: bodies with their shapes, vectors, frames, lines, names.
+std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
+
+/// From where it is seen: another camera changes every pixel.
+std::vector<Fact> facts_of(const render::Camera& camera);
+
+/// A number with as many decimals as its tolerance means: "0.25", "-1.732051".
+std::string short_decimal(const Fact& fact);
+
+/// What the numbers of a lesson are compared with.
+struct NaturalScale {
+    double length = 1.0;    ///< size of the mechanism [m]
+    double duration = 1.0;  ///< of the motion [s]; 1 where nothing moves
+};
+
+/// Gives every number of a lesson's snapshots its tolerance and rounds it to a tenth of that, so that a file
+/// of facts does not change by rounding. A number may be off by one millionth of the largest one of its unit
+/// in the lesson: panels show at most six digits, and what libraries of different machines round differently
+/// is smaller by far. Where all of a unit are small, their scale is a thousandth of what is natural, from
+/// length and duration.
+void set_tolerances(std::vector<std::vector<Fact>*> facts, const NaturalScale& natural);
+
+}  // namespace jw::snapshot

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/model/mechanism.hpp"
+#include "render/image.hpp"
+#include "render/picture_layers.hpp"
+
+namespace jw::snapshot {
+
+/// The second layer of a snapshot as pictures that can be stored and looked at.
+struct LayersPicture {
+    render::Image ids;                          ///< each thing in a colour of its own, nothing is white
+    std::map<std::string, std::string> things;  ///< "#3fa2c4": its name
+    /// Depth in the red (high) and green byte of a pixel, see `render::PictureLayers`; blue is 0.
+    render::Image depth;
+};
+
+/// A thing has the same colour as long as it has the same name, whatever else is there.
+LayersPicture picture_of(const render::PictureLayers& layers, const Mechanism& mechanism);
+
+/// "#3fa2c4" of a pixel.
+std::string colour_of(const std::uint8_t* rgb);
+
+}  // namespace jw::snapshot

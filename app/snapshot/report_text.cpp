@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <array>
+
+#include "app/session/wording/numbers.hpp"
+#include "app/snapshot/reports.hpp"
+#include "lessons/diagnostics.hpp"
+#include "lessons/enum_words.hpp"
+
+namespace jw::snapshot {
+
+namespace {
+
+constexpr std::array kVerdicts{
+    EnumWord{Verdict::same, "same"},       EnumWord{Verdict::drawn_otherwise, "drawn otherwise"},
+    EnumWord{Verdict::differs, "differs"}, EnumWord{Verdict::is_new, "new"},
+    EnumWord{Verdict::gone, "gone"},       EnumWord{Verdict::broken, "broken"}};
+
+// in text; the page has all
+constexpr std::size_t kMostFacts = 8;
+constexpr std::size_t kMostSnapshots = 3;
+
+std::string fact_text(const FactChange& change) {
+    if (change.before.empty()) { return change.name + ": " + change.after + " (was not there)"; }
+    if (change.after.empty()) { return change.name + ": gone (was " + change.before + ")"; }
+    return change.name + ": " + change.before + " → " + change.after;
+}
+
+std::string describe(const SnapshotResult& snapshot) {
+    std::string text = "  " + snapshot.name + ": " + word_of(snapshot.verdict) + "\n";
+    for (const std::string& reason : reasons_of(snapshot)) { text += "    " + reason + "\n"; }
+    const std::vector<FactChange>& facts = snapshot.difference.facts;
+    for (std::size_t k = 0; k < std::min(facts.size(), kMostFacts); ++k) {
+        text += "      " + fact_text(facts[k]) + "\n";
+    }
+    if (facts.size() > kMostFacts) {
+        text += "      and " + std::to_string(facts.size() - kMostFacts) + " more\n";
+    }
+    for (const std::string& thing : snapshot.difference.things) { text += "      " + thing + "\n"; }
+    return text;
+}
+
+std::string controls_text(const LessonResult& result) {
+    if (result.controls.empty()) { return {}; }
+    std::string text;
+    std::size_t noticed = 0;
+    for (const ControlResult& control : result.controls) {
+        noticed += control.noticed ? 1U : 0U;
+        if (!control.noticed) {
+            text += "  BLIND: " + control.fault + ", and the layer of " + control.layer +
+                    " does not notice; expected stricter rules\n";
+        }
+    }
+    return "  negative controls: " + std::to_string(noticed) + " of " +
+           std::to_string(result.controls.size()) + " noticed\n" + text;
+}
+
+Json json_of(const FactChange& change) {
+    return {{"name", change.name}, {"before", change.before}, {"after", change.after}};
+}
+
+Json json_of(const SnapshotResult& result) {
+    Json facts = Json::array();
+    for (const FactChange& change : result.difference.facts) { facts.push_back(json_of(change)); }
+    return {
+        {"name", result.name},
+        {"title", result.title},
+        {"verdict", word_of(result.verdict)},
+        {"fails", fails(result.verdict)},
+        {"reasons", reasons_of(result)},
+        {"facts", std::move(facts)},
+        {"things", result.difference.things}};
+}
+
+}  // namespace
+
+const char* word_of(Verdict verdict) { return jw::word_of(kVerdicts, verdict); }
+
+std::vector<std::string> reasons_of(const SnapshotResult& result) {
+    const Difference& d = result.difference;
+    std::vector<std::string> reasons;
+    const auto add = [&](const std::string& reason) { reasons.push_back(reason); };
+    switch (result.verdict) {
+        case Verdict::same: return reasons;
+        case Verdict::is_new: add("there is no golden snapshot of it; 'snapshot record' takes it"); break;
+        case Verdict::gone: add("the lesson has no such step any more; 'snapshot bless' removes it"); break;
+        case Verdict::broken: add(result.problem); break;
+        case Verdict::differs:
+        case Verdict::drawn_otherwise: break;
+    }
+    if (!d.facts.empty()) {
+        add("text: " + count_text(static_cast<int>(d.facts.size()), "fact is another", "facts are others"));
+    }
+    if (!d.ids.broken.empty()) { add("ids: " + d.ids.broken); }
+    if (!d.depth.broken.empty()) { add("depth: " + d.depth.broken); }
+    if (!d.colour.broken.empty()) {
+        add("colours: " + d.colour.broken +
+            (d.drawn_otherwise.empty() ? "" : " (do not count: " + d.drawn_otherwise + ")"));
+    }
+    return reasons;
+}
+
+std::string describe(const LessonResult& result) {
+    std::string text = result.lesson.name + ": ";
+    if (!result.problem.empty()) { return text + "error: " + result.problem + "\n"; }
+    const auto same = std::ranges::count(result.snapshots, Verdict::same, &SnapshotResult::verdict);
+    text += std::to_string(same) + " of " +
+            count_text(static_cast<int>(result.snapshots.size()), "snapshot", "snapshots") + " same\n";
+    if (const std::string line = result.explanation(); !line.empty()) { text += "  why: " + line + "\n"; }
+    std::size_t told = 0;
+    std::string others;
+    for (const SnapshotResult& snapshot : result.snapshots) {
+        if (snapshot.verdict == Verdict::same) { continue; }
+        if (told++ < kMostSnapshots) {
+            text += describe(snapshot);
+        } else {
+            others += (others.empty() ? "" : ", ") + snapshot.name;
+        }
+    }
+    if (!others.empty()) { text += "  likewise not the same: " + others + "\n"; }
+    return text + controls_text(result);
+}
+
+std::string summary(const std::vector<LessonResult>& results) {
+    int snapshots = 0;
+    std::array<int, kVerdicts.size()> counts{};
+    int problems = 0;
+    int blind = 0;
+    for (const LessonResult& result : results) {
+        problems += result.problem.empty() ? 0 : 1;
+        for (const ControlResult& control : result.controls) { blind += control.noticed ? 0 : 1; }
+        for (const SnapshotResult& snapshot : result.snapshots) {
+            ++snapshots;
+            ++counts[static_cast<std::size_t>(snapshot.verdict)];
+        }
+    }
+    std::string text = count_text(static_cast<int>(results.size()), "lesson", "lessons") + ", " +
+                       count_text(snapshots, "snapshot", "snapshots") + ":";
+    const char* separator = " ";
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (counts[k] == 0) { continue; }
+        text += separator + std::to_string(counts[k]) + ' ' + kVerdicts[k].word;
+        separator = ", ";
+    }
+    if (problems > 0) {
+        text += separator + count_text(problems, "lesson cannot be compared", "lessons cannot be compared");
+    }
+    if (blind > 0) {
+        text +=
+            "; " + count_text(blind, "negative control is not noticed", "negative controls are not noticed");
+    }
+    return text;
+}
+
+Json json_of(const std::vector<LessonResult>& results) {
+    Json lessons = Json::array();
+    bool any = false;
+    for (const LessonResult& result : results) {
+        any = any || result.fails();
+        Json snapshots = Json::array();
+        for (const SnapshotResult& snapshot : result.snapshots) { snapshots.push_back(json_of(snapshot)); }
+        Json controls = Json::array();
+        for (const ControlResult& control : result.controls) {
+            controls.push_back(
+                {{"fault", control.fault}, {"layer", control.layer}, {"noticed", control.noticed}});
+        }
+        lessons.push_back(
+            {{"name", result.lesson.name},
+             {"file", result.lesson.file.string()},
+             {"title", result.title},
+             {"fails", result.fails()},
+             {"problem", result.problem},
+             {"why", result.explanation()},
+             {"lesson_changes", result.lesson_changes},
+             {"snapshots", std::move(snapshots)},
+             {"controls", std::move(controls)}});
+    }
+    return {
+        {"format", "jointwise snapshot report"},
+        {"version", kJsonVersion},
+        {"fails", any},
+        {"summary", summary(results)},
+        {"lessons", std::move(lessons)}};
+}
+
+}  // namespace jw::snapshot

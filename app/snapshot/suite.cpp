@@ -1,0 +1,233 @@
+#include "app/snapshot/suite.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "app/snapshot/explanation.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/diagnostics.hpp"
+#include "render/png.hpp"
+
+namespace jw::snapshot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add(std::vector<SuiteLesson>& suite, const fs::path& file, const fs::path& name) {
+    fs::path plain = name;
+    plain.replace_extension();
+    const std::string text = plain.generic_string();
+    const auto other = std::ranges::find(suite, text, &SuiteLesson::name);
+    if (other != suite.end()) {
+        throw std::runtime_error(
+            "'" + other->file.string() + "' and '" + file.string() + "' have the same name " +
+            in_quotes(text) + "; expected lessons of different names (give the folder that holds both)");
+    }
+    suite.push_back({file, text});
+}
+
+Verdict verdict_of(const Difference& difference) {
+    if (difference.fails()) { return Verdict::differs; }
+    return difference.colour.broken.empty() ? Verdict::same : Verdict::drawn_otherwise;
+}
+
+void keep_pictures(const Snapshot* golden, const Snapshot* actual, SnapshotResult& result) {
+    if (golden != nullptr) { result.golden_png = render::encode_png(golden->colour); }
+    if (actual != nullptr) { result.actual_png = render::encode_png(actual->colour); }
+    const Difference& d = result.difference;
+    if (d.colour.marked.width > 0) { result.marked_png = render::encode_png(d.colour.marked); }
+    const render::Image& layer = d.ids.marked.width > 0 ? d.ids.marked : d.depth.marked;
+    if (layer.width > 0) { result.marked_ids_png = render::encode_png(layer); }
+}
+
+/// What is seen now against what was seen.
+SnapshotResult compared(const GoldenFolder& folder, const Snapshot& actual, const SnapshotRules& rules) {
+    SnapshotResult result;
+    result.name = actual.record.name;
+    result.title = actual.record.title;
+    if (!folder.has(result.name)) {
+        result.verdict = Verdict::is_new;
+        keep_pictures(nullptr, &actual, result);
+        return result;
+    }
+    try {
+        const Snapshot golden = folder.read(result.name);
+        result.difference = difference_of(golden, actual, rules);
+        result.verdict = verdict_of(result.difference);
+        if (result.verdict != Verdict::same) { keep_pictures(&golden, &actual, result); }
+    } catch (const std::runtime_error& error) {
+        result.verdict = Verdict::broken;
+        result.problem = error.what();
+    }
+    return result;
+}
+
+/// A golden snapshot of a step that there is no more.
+SnapshotResult gone(const GoldenFolder& folder, const std::string& name) {
+    SnapshotResult result;
+    result.name = name;
+    try {
+        const Snapshot golden = folder.read(name);
+        result.title = golden.record.title;
+        result.verdict = Verdict::gone;
+        keep_pictures(&golden, nullptr, result);
+    } catch (const std::runtime_error& error) {
+        result.verdict = Verdict::broken;
+        result.problem = error.what();
+    }
+    return result;
+}
+
+std::vector<std::string> gone_from(const GoldenFolder& folder, const Camera& camera) {
+    std::set<std::string> names;
+    for (const Shot& shot : camera.shots()) { names.insert(shot.name); }
+    std::vector<std::string> left = folder.names();
+    std::erase_if(left, [&](const std::string& name) { return names.contains(name); });
+    return left;
+}
+
+/// "step A: rank 5 → 4" of the first snapshot in which something is said otherwise.
+std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
+    const auto weight = [](const SnapshotResult& s) { return s.difference.facts.front().weight; };
+    const SnapshotResult* first = nullptr;
+    for (const SnapshotResult& s : snapshots) {
+        if (s.difference.facts.empty()) { continue; }
+        if (first == nullptr || weight(s) < weight(*first)) { first = &s; }
+    }
+    if (first == nullptr) { return {}; }
+    const FactChange& change = first->difference.facts.front();
+    const std::string values = change.before.empty()  ? "new, " + change.after
+                               : change.after.empty() ? "gone, was " + change.before
+                                                      : change.before + " → " + change.after;
+    return "the lesson is as it was, and in '" + first->name + "' " + change.name + " is another: " + values;
+}
+
+}  // namespace
+
+std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
+    std::vector<SuiteLesson> suite;
+    for (const std::string& path : paths) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            add(suite, path, fs::path(path).filename());
+            continue;
+        }
+        const std::vector<fs::path> files = lessons_below(path);
+        if (files.empty()) {
+            throw std::runtime_error(
+                "'" + path + "': there is no lesson below this folder; expected files *.toml");
+        }
+        for (const fs::path& file : files) { add(suite, file, fs::relative(file, path)); }
+    }
+    return suite;
+}
+
+bool fails(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::same:
+        case Verdict::drawn_otherwise: return false;
+        case Verdict::differs:
+        case Verdict::is_new:
+        case Verdict::gone:
+        case Verdict::broken: break;
+    }
+    return true;
+}
+
+bool LessonResult::fails() const {
+    const auto blind = [](const ControlResult& control) { return !control.noticed; };
+    return !problem.empty() ||
+           std::ranges::any_of(snapshots, [](const auto& s) { return snapshot::fails(s.verdict); }) ||
+           std::ranges::any_of(controls, blind);
+}
+
+std::string LessonResult::explanation() const {
+    const auto same = [](const SnapshotResult& s) { return s.verdict == Verdict::same; };
+    if (std::ranges::all_of(snapshots, same)) { return {}; }
+    if (!lesson_changes.empty()) {
+        const std::size_t others = lesson_changes.size() - 1;
+        return lesson_changes.front() +
+               (others == 0 ? "" : " (and " + std::to_string(others) + " more changes of the lesson)");
+    }
+    if (std::string fact = first_fact(snapshots); !fact.empty()) { return fact; }
+    for (const SnapshotResult& s : snapshots) {
+        if (!s.difference.drawn_otherwise.empty()) {
+            return "lesson and numbers are as they were; drawn with something else: " +
+                   s.difference.drawn_otherwise;
+        }
+    }
+    return "lesson and numbers are as they were; only pixels differ";
+}
+
+RecordResult record(
+    const Lesson& lesson, const std::string& lesson_text, const GoldenFolder& folder,
+    const GoldenHead& head) {
+    Camera camera(lesson, head.size, head.choice, UnknownShots::refused);
+    if (!folder.exists() || folder.head() != head) { folder.write_head(head, lesson_text); }
+    RecordResult result;
+    for (const Shot& shot : camera.shots()) {
+        if (folder.has(shot.name)) {
+            ++result.kept;
+            continue;
+        }
+        folder.write(camera.take(shot));
+        ++result.written;
+    }
+    return result;
+}
+
+LessonResult compare(
+    const Lesson& lesson, const std::string& lesson_text, const SuiteLesson& of, const GoldenFolder& folder,
+    const SnapshotRules& rules, bool with_controls) {
+    LessonResult result;
+    result.lesson = of;
+    result.title = lesson.title;
+    const GoldenHead head = folder.head();
+    result.lesson_changes = lesson_changes(folder.lesson(), lesson_text);
+    Camera camera(lesson, head.size, head.choice, UnknownShots::left_out);
+    for (const Shot& shot : camera.shots()) {
+        result.snapshots.push_back(compared(folder, camera.take(shot), rules));
+    }
+    for (const std::string& name : gone_from(folder, camera)) {
+        result.snapshots.push_back(gone(folder, name));
+    }
+    if (with_controls && !camera.shots().empty()) {
+        result.controls = control(camera, shot_for_controls(camera), rules);
+    }
+    return result;
+}
+
+std::vector<std::string> bless(
+    const Lesson& lesson, const std::string& lesson_text, const GoldenFolder& folder,
+    const SnapshotRules& rules, const std::vector<std::string>& only, const std::string& reason) {
+    const GoldenHead head = folder.head();
+    Camera camera(lesson, head.size, head.choice, UnknownShots::left_out);
+    std::vector<std::string> changed;
+    const auto is_meant = [&](const std::string& name) {
+        return only.empty() || std::ranges::find(only, name) != only.end();
+    };
+    for (const Shot& shot : camera.shots()) {
+        if (!is_meant(shot.name)) { continue; }
+        Snapshot actual = camera.take(shot);
+        if (compared(folder, actual, rules).verdict == Verdict::same) { continue; }
+        try {
+            if (folder.has(shot.name)) { actual.record.blessed = folder.read(shot.name).record.blessed; }
+        } catch (const std::runtime_error&) {  // what cannot be read is replaced
+        }
+        actual.record.blessed.push_back(reason);
+        folder.write(actual);
+        changed.push_back(shot.name);
+    }
+    for (const std::string& name : gone_from(folder, camera)) {
+        if (!is_meant(name)) { continue; }
+        folder.remove(name);
+        changed.push_back(name);
+    }
+    if (only.empty()) { folder.write_lesson(lesson_text); }
+    return changed;
+}
+
+}  // namespace jw::snapshot

@@ -1,0 +1,54 @@
+#include "app/snapshot/taken.hpp"
+
+#include "app/snapshot/environment.hpp"
+
+namespace jw::snapshot {
+
+namespace {
+
+NaturalScale natural_scale(const Story& story) {
+    const std::optional<MotionPlan> motion = shown_motion(story.lesson());
+    NaturalScale scale;
+    scale.length = picture_style(story).unit;
+    if (motion && motion->to > motion->from) { scale.duration = motion->to - motion->from; }
+    return scale;
+}
+
+}  // namespace
+
+Camera::Camera(const Lesson& lesson, const SnapshotSize& size, const ShotChoice& choice, UnknownShots unknown)
+    : story_(lesson),
+      shots_(shots_of(story_, choice, unknown)),
+      painter_(story_, size.width, size.height),
+      environment_(environment(painter_.renderer())) {
+    std::vector<std::vector<Fact>*> lists;
+    facts_.reserve(shots_.size());
+    for (const Shot& shot : shots_) { lists.push_back(&facts_.emplace_back(facts(shot))); }
+    set_tolerances(lists, natural_scale(story_));
+}
+
+std::vector<Fact> Camera::facts(const Shot& shot) const {
+    const View shown = view(shot);
+    std::vector<Fact> facts = facts_of(shown);
+    for (const std::vector<Fact>& drawn :
+         {facts_of(painter_.camera()), facts_of(painter_.picture(shown), story_.lesson().mechanism)}) {
+        facts.insert(facts.end(), drawn.begin(), drawn.end());
+    }
+    return facts;
+}
+
+Snapshot Camera::take(const Shot& shot) {
+    const View shown = view(shot);
+    const Picture picture = painter_.picture(shown);
+    Snapshot taken;
+    taken.colour = painter_.paint(shown, picture);
+    taken.layers = picture_of(painter_.layers(picture), story_.lesson().mechanism);
+    taken.record.name = shot.name;
+    taken.record.title = shown.title;
+    taken.record.drawn_with = environment_;
+    taken.record.things = taken.layers.things;
+    taken.record.facts = facts_[static_cast<std::size_t>(&shot - shots_.data())];
+    return taken;
+}
+
+}  // namespace jw::snapshot

@@ -1,0 +1,299 @@
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "render/png.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/read_png.hpp"
+
+namespace jw::test {
+namespace {
+
+constexpr const char* kSmall = "960x540";
+
+/// A folder with a lesson and its golden snapshots.
+class Suite {
+public:
+    explicit Suite(const std::string& text = kCrank, const std::vector<std::string>& more = {})
+        : text_(text) {
+        write(text);
+        std::vector<std::string> arguments{"record", lesson_, "--golden", golden(), "--size", kSmall};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = snapshot(arguments);
+        INFO(ran.err);
+        REQUIRE(ran.status == 0);
+    }
+
+    static Ran snapshot(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "snapshot");
+        return run(arguments);
+    }
+    Ran compare(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"compare", lesson_, "--golden", golden()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return snapshot(arguments);
+    }
+    Ran bless(const std::string& reason, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"bless", lesson_, "--golden", golden(), "--reason", reason};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return snapshot(arguments);
+    }
+    void change(const std::string& from, const std::string& to) {
+        const std::size_t at = text_.find(from);
+        REQUIRE(at != std::string::npos);
+        write(text_.replace(at, from.size(), to));
+    }
+    void change_golden(const std::string& file, const std::string& from, const std::string& to) const {
+        std::string text = bytes_of(golden(file));
+        const std::size_t at = text.find(from);
+        REQUIRE(at != std::string::npos);
+        write_golden(file, text.replace(at, from.size(), to));
+    }
+    void write_golden(const std::string& file, const std::string& text) const {
+        std::ofstream(golden(file), std::ios::binary) << text;
+    }
+    std::string golden(const std::string& file = {}) const {
+        return folder_.path("golden") + (file.empty() ? "" : "/crank/" + file);
+    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    const std::string& lesson() const { return lesson_; }
+
+private:
+    void write(const std::string& text) { lesson_ = folder_.file("crank.toml", text); }
+
+    Folder folder_;
+    std::string text_;
+    std::string lesson_;
+};
+
+bool says(const Ran& ran, const std::string& words) {
+    return ran.out.find(words) != std::string::npos || ran.err.find(words) != std::string::npos;
+}
+
+/// A pixel of a golden picture is another one from now on.
+void spoil_pixels(const Suite& suite, const std::string& file, int count) {
+    render::Image image = read_png(suite.golden(file));
+    for (int x = 0; x < count; ++x) {
+        std::uint8_t& red = image.rgb[3 * static_cast<std::size_t>(20 * image.width + 20 + x)];
+        red = static_cast<std::uint8_t>(red ^ 0x80U);
+    }
+    const std::vector<std::uint8_t> bytes = render::encode_png(image);
+    suite.write_golden(file, std::string(bytes.begin(), bytes.end()));
+}
+
+/// A hinged plate in plain sight.
+constexpr const char* kPlate = R"(format = 1
+title = "A plate"
+[[body]]
+name = "plate"
+colour = "blue"
+shape = [{ rod = { from = [0, 0, 0], to = [1, 0, 0], radius = 0.05 } }]
+[[body]]
+name = "stand"
+colour = "vermilion"
+fixed = true
+shape = [{ sphere = { at = [0, 0.6, 0], radius = 0.1 } }]
+[[joint]]
+name = "pivot"
+type = "revolute"
+bodies = ["ground", "plate"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+)";
+
+}  // namespace
+
+TEST_CASE("a lesson that has not changed has the same snapshots", "[snapshot]") {
+    const Suite suite;
+    const Ran ran = suite.compare();
+    INFO(ran.out << ran.err);
+    CHECK(ran.status == 0);
+    CHECK(says(ran, "negative controls: "));
+    CHECK_FALSE(says(ran, "BLIND"));
+    CHECK(says(ran, "1 lesson, 8 snapshots: 8 same"));
+}
+
+TEST_CASE("recording once more leaves what is there as it is", "[snapshot]") {
+    Suite suite;
+    suite.change("[0, 90]", "[0, 80]");
+    const std::string before = bytes_of(suite.golden("bodies.json"));
+    const Ran ran = Suite::snapshot({"record", suite.lesson(), "--golden", suite.golden()});
+    CHECK(ran.status == 0);
+    CHECK(says(ran, "stay as they are"));
+    CHECK(bytes_of(suite.golden("bodies.json")) == before);
+    CHECK(suite.compare().status == 1);
+}
+
+TEST_CASE("a radius that is 1 mm larger is explained in one line", "[snapshot]") {
+    Suite suite(kPlate);
+    suite.change("radius = 0.05", "radius = 0.051");
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "why: radius of plate: 1 mm larger (body.plate.shape.0.rod.radius, 0.05 → 0.051)"));
+    CHECK(says(ran, "plate · shape 1 · radius: 0.05 m → 0.051 m"));
+}
+
+TEST_CASE("a changed number of the program is told where it matters most", "[snapshot]") {
+    const Suite suite;
+    // as if the program had found another rank when the snapshot was taken
+    suite.change_golden("pivot.json", R"(["rank","rank",5])", R"(["rank","rank",4])");
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "why: the lesson is as it was, and in 'pivot' rank is another: 4 → 5"));
+}
+
+TEST_CASE("a joint that is renamed makes snapshots new and gone", "[snapshot]") {
+    Suite suite;
+    suite.change("name = \"pivot\"", "name = \"hinge\"");
+    suite.change("joint = \"pivot\"", "joint = \"hinge\"");
+    const Ran ran = suite.compare({"--format", "json"});
+    CHECK(ran.status == 1);
+    const auto report = nlohmann::json::parse(ran.out);
+    std::map<std::string, std::string> verdicts;
+    for (const auto& s : report["lessons"][0]["snapshots"]) { verdicts[s["name"]] = s["verdict"]; }
+    CHECK(verdicts["hinge"] == "new");
+    CHECK(verdicts["pivot"] == "gone");
+    CHECK(verdicts["bodies"] == "same");
+}
+
+TEST_CASE("what is blessed is the same from then on, and the reason is kept", "[snapshot]") {
+    Suite suite;
+    suite.change("[0, 90]", "[0, 80]");
+    CHECK(suite.bless(" ").status == 2);
+    REQUIRE(suite.compare().status == 1);
+
+    const Ran one = suite.bless("slower for the lecture", {"--only", "motion-1"});
+    CHECK(one.status == 0);
+    CHECK(one.out == "crank: motion-1\n");
+    const Ran left = suite.compare();
+    CHECK(left.status == 1);
+    // the lesson of the others is still the old one
+    CHECK(says(left, "why: polynomial_deg of drive: number 2 10 deg smaller"));
+    CHECK(suite.bless("again", {"--only", "motion-1"}).status == 2);
+
+    CHECK(suite.bless("slower for the lecture").status == 0);
+    CHECK(suite.compare().status == 0);
+    const auto record = nlohmann::json::parse(bytes_of(suite.golden("motion-1.json")));
+    CHECK(record["blessed"] == nlohmann::json{"slower for the lecture"});
+}
+
+TEST_CASE("rules that would let anything pass are found by the negative controls", "[snapshot]") {
+    const Suite suite(kPlate);
+    std::ofstream(suite.golden() + "/rules.toml") << "[colour]\nlevel = 255\nlargest = 255\nsimilarity = 0\n";
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "BLIND: the picture is shifted by one pixel, and the layer of colours does not notice"));
+    CHECK(says(ran, "BLIND: two bodies have swapped their colours, and the layer of colours"));
+}
+
+TEST_CASE("rules with mistakes are refused with their place", "[snapshot]") {
+    const Suite suite;
+    std::ofstream(suite.golden() + "/rules.toml") << "[colour]\nshare = 2\n[depths]\n";
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "rules.toml:2:9: error: 'share' is 2; expected 0 to 1"));
+    CHECK(says(ran, "rules.toml:3:"));
+}
+
+TEST_CASE("rounding of single pixels is allowed, a line of them is not", "[snapshot]") {
+    const Suite suite;
+    std::ofstream(suite.golden() + "/rules.toml") << "[colour]\nlargest = 255\n";
+    spoil_pixels(suite, "bodies.png", 4);
+    CHECK(suite.compare().status == 0);
+    spoil_pixels(suite, "pivot.png", 5);
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "colours: 5 pixels that touch each other differ, and 5 in all; 4 may touch"));
+}
+
+TEST_CASE("colours do not count where they are drawn with something else, the rest does", "[snapshot]") {
+    const Suite suite;
+    spoil_pixels(suite, "bodies.png", 50);
+    REQUIRE(suite.compare().status == 1);
+    const auto record = nlohmann::json::parse(bytes_of(suite.golden("bodies.json")));
+    const std::string renderer = record["drawn_with"]["renderer"];
+    suite.change_golden("bodies.json", renderer, "another renderer");
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 0);
+    CHECK(says(ran, "drawn with something else: renderer: another renderer before, " + renderer + " now"));
+    spoil_pixels(suite, "bodies.ids.png", 50);
+    CHECK(suite.compare().status == 1);
+}
+
+TEST_CASE("steps can be chosen by their names", "[snapshot]") {
+    const Suite suite(kCrank, {"--only", "bodies", "--only", "motion-0.25"});
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 0);
+    CHECK(says(ran, "1 lesson, 2 snapshots: 2 same"));
+    const Ran wrong =
+        Suite::snapshot({"record", suite.lesson(), "--golden", suite.path("other"), "--only", "pivott"});
+    CHECK(wrong.status == 2);
+    CHECK(says(wrong, "no step 'pivott'; expected one of bodies, pivot-equations, "));
+    CHECK(says(wrong, "did you mean 'pivot'?"));
+    CHECK_FALSE(std::filesystem::exists(suite.path("other")));
+}
+
+TEST_CASE("a report is a page, JUnit and JSON in one folder", "[snapshot]") {
+    Suite suite(kPlate);
+    suite.change("radius = 0.05", "radius = 0.08");
+    const Ran ran = Suite::snapshot(
+        {"report", suite.lesson(), "--golden", suite.golden(), "--out", suite.path("report")});
+    CHECK(ran.status == 1);
+    const std::string page = bytes_of(suite.path("report/index.html"));
+    CHECK(page.find("radius of plate: 30 mm larger") != std::string::npos);
+    CHECK(page.find("data:image/png;base64,") != std::string::npos);
+    CHECK(page.find("src=\"http") == std::string::npos);
+    const std::string junit = bytes_of(suite.path("report/junit.xml"));
+    CHECK(junit.find("<failure type=\"differs\"") != std::string::npos);
+    const auto report = nlohmann::json::parse(bytes_of(suite.path("report/report.json")));
+    CHECK(report["fails"] == true);
+    CHECK(report["lessons"][0]["why"] == report["lessons"][0]["lesson_changes"][0]);
+}
+
+TEST_CASE("a lesson without snapshots, and one that cannot be read, are told", "[snapshot]") {
+    const Folder folder;
+    const std::string lesson = folder.file("crank.toml", kCrank);
+    const Ran none = Suite::snapshot({"compare", lesson, "--golden", folder.path("golden")});
+    CHECK(none.status == 2);
+    CHECK(says(none, "has no snapshots of this lesson; 'jointwise snapshot record' takes them"));
+    const Ran broken = Suite::snapshot(
+        {"compare", folder.file("bad.toml", "format = 1\n"), "--golden", folder.path("golden")});
+    CHECK(broken.status == 2);
+    CHECK(says(broken, "bad.toml"));
+    const Ran empty = Suite::snapshot({"compare", folder.path("golden"), "--golden", folder.path("golden")});
+    CHECK(empty.status != 0);
+}
+
+TEST_CASE("damaged golden files are named, and nothing else is lost", "[snapshot]") {
+    const Suite suite;
+    const std::string whole = bytes_of(suite.golden("bodies.png"));
+    suite.write_golden("bodies.png", whole.substr(0, whole.size() / 2));
+    suite.write_golden("pivot.json", "{\"format\": \"jointwise snap");
+    std::filesystem::remove(suite.golden("pivot-equations.ids.png"));
+    const Ran ran = suite.compare({"--format", "json"});
+    CHECK(ran.status == 1);
+    const auto report = nlohmann::json::parse(ran.out);
+    std::map<std::string, std::string> reasons;
+    for (const auto& s : report["lessons"][0]["snapshots"]) {
+        if (s["verdict"] == "broken") { reasons[s["name"]] = s["reasons"][0]; }
+    }
+    CHECK(reasons.size() == 3);
+    CHECK(reasons["bodies"].find("cannot be read as a PNG picture") != std::string::npos);
+    CHECK(reasons["pivot"].find("it is not JSON, or cut off") != std::string::npos);
+    CHECK(reasons["pivot-equations"].find("pivot-equations.ids.png' cannot be read") != std::string::npos);
+    // blessing replaces what cannot be read
+    CHECK(suite.bless("restored").status == 0);
+    CHECK(suite.compare().status == 0);
+}
+
+TEST_CASE("lessons of two folders may not share a name", "[snapshot]") {
+    const Folder one;
+    const Folder two;
+    const Ran ran = Suite::snapshot(
+        {"record", one.file("crank.toml", kCrank), two.file("crank.toml", kCrank), "--golden",
+         one.path("golden")});
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "have the same name 'crank'"));
+}
+
+}  // namespace jw::test
