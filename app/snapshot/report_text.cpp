@@ -11,9 +11,9 @@ namespace jw::snapshot {
 namespace {
 
 constexpr std::array kVerdicts{
-    EnumWord{Verdict::same, "same"},       EnumWord{Verdict::drawn_otherwise, "drawn otherwise"},
-    EnumWord{Verdict::differs, "differs"}, EnumWord{Verdict::is_new, "new"},
-    EnumWord{Verdict::gone, "gone"},       EnumWord{Verdict::broken, "broken"}};
+    EnumWord{Verdict::same, "same"},         EnumWord{Verdict::drawn_otherwise, "drawn otherwise"},
+    EnumWord{Verdict::differs, "different"}, EnumWord{Verdict::is_new, "new"},
+    EnumWord{Verdict::gone, "gone"},         EnumWord{Verdict::broken, "broken"}};
 
 // in text; the page has all
 constexpr std::size_t kMostFacts = 8;
@@ -88,7 +88,8 @@ std::vector<std::string> reasons_of(const SnapshotResult& result) {
         case Verdict::drawn_otherwise: break;
     }
     if (!d.facts.empty()) {
-        add("text: " + count_text(static_cast<int>(d.facts.size()), "fact is another", "facts are others"));
+        add("text: " +
+            count_text(static_cast<int>(d.facts.size()), "fact has changed", "facts have changed"));
     }
     if (!d.ids.broken.empty()) { add("ids: " + d.ids.broken); }
     if (!d.depth.broken.empty()) { add("depth: " + d.depth.broken); }

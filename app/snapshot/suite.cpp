@@ -150,7 +150,9 @@ std::string LessonResult::explanation() const {
     if (!lesson_changes.empty()) {
         const std::size_t others = lesson_changes.size() - 1;
         return lesson_changes.front() +
-               (others == 0 ? "" : " (and " + std::to_string(others) + " more changes of the lesson)");
+               (others == 0   ? ""
+                : others == 1 ? "; and another change of the lesson"
+                              : "; and " + std::to_string(others) + " other changes of the lesson");
     }
     if (std::string fact = first_fact(snapshots); !fact.empty()) { return fact; }
     for (const SnapshotResult& s : snapshots) {

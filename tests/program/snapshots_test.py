@@ -86,6 +86,6 @@ with tempfile.TemporaryDirectory() as folder:
     found, page = report(place)
     lesson = found["lessons"][1]
     verdicts = {snapshot["name"]: snapshot["verdict"] for snapshot in lesson["snapshots"]}
-    assert verdicts["wrist"] == "gone" and verdicts["motion-0.8"] == "differs", verdicts
+    assert verdicts["wrist"] == "gone" and verdicts["motion-0.8"] == "different", verdicts
     assert lesson["why"].startswith("joint.wrist: left out"), lesson["why"]
 print("the template's workflow passes, and notices faults")

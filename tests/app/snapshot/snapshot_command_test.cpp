@@ -244,7 +244,7 @@ TEST_CASE("a report is a page, JUnit and JSON in one folder", "[snapshot]") {
     CHECK(page.find("data:image/png;base64,") != std::string::npos);
     CHECK(page.find("src=\"http") == std::string::npos);
     const std::string junit = bytes_of(suite.path("report/junit.xml"));
-    CHECK(junit.find("<failure type=\"differs\"") != std::string::npos);
+    CHECK(junit.find("<failure type=\"different\"") != std::string::npos);
     const auto report = nlohmann::json::parse(bytes_of(suite.path("report/report.json")));
     CHECK(report["fails"] == true);
     CHECK(report["lessons"][0]["why"] == report["lessons"][0]["lesson_changes"][0]);
