@@ -32,6 +32,7 @@ void add_try(CLI::App& app, const Streams& streams, Run& run);
 void add_newton(CLI::App& app, const Streams& streams, Run& run);
 void add_plot(CLI::App& app, const Streams& streams, Run& run);
 void add_render(CLI::App& app, const Streams& streams, Run& run);
+void add_export(CLI::App& app, const Streams& streams, Run& run);
 void add_snapshot(CLI::App& app, const Streams& streams, Run& run);
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
 

@@ -61,9 +61,7 @@ std::string copied(Command command, const View& view) {
         return copied(matrix_csv(view.matrix), tr("Φq copied as CSV."));
     }
     if (view.equations.empty()) { return tr("There is no equation at this step."); }
-    std::string text;
-    for (const EquationGroup& group : view.equations) { text += equation_latex(group) + '\n'; }
-    return copied(text, tr("The equations copied as LaTeX."));
+    return copied(equations_latex(view), tr("The equations copied as LaTeX."));
 }
 
 }  // namespace

@@ -61,6 +61,9 @@ constexpr std::array<std::string_view, 14> kRun{
 constexpr std::array<std::string_view, 10> kExercises{"app/exercises/", "app/session/", "core/",   "lessons/",
                                                       "Eigen/",         "nlohmann/",    "fcntl.h", "poll.h",
                                                       "sys/",           "unistd.h"};
+// scenes for other programs: of render its shapes
+constexpr std::array<std::string_view, 6> kExport{"app/export/", "app/session/", "core/",
+                                                  "lessons/",    "render/",      "Eigen/"};
 // frames are drawn by the host; nothing else of the interface is known
 constexpr std::array<std::string_view, 7> kSnapshot{
     "app/snapshot/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/", "Eigen/"};
@@ -76,6 +79,7 @@ constexpr std::array kFolders{
     FolderRule{"app/panels/", kPanels},
     FolderRule{"app/host/", kHost},
     FolderRule{"app/hard/", kHard},
+    FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};

@@ -89,6 +89,12 @@ std::string equation_latex(const EquationGroup& group) {
     return display(math::write_latex(math::own_math(group.formula)));
 }
 
+std::string equations_latex(const View& view) {
+    std::string text;
+    for (const EquationGroup& group : view.equations) { text += equation_latex(group) + '\n'; }
+    return text;
+}
+
 std::string matrix_latex(const MatrixView& matrix, MatrixStyle style) {
     const std::string name = "\\boldsymbol{\\Phi}_{\\boldsymbol{q}} = ";
     if (style == MatrixStyle::labelled) { return display(name + "\n" + labelled_array(matrix)); }

@@ -14,6 +14,8 @@ std::string latex_text(const std::string& text);
 
 /// An equation as a display of its own.
 std::string equation_latex(const EquationGroup& group);
+/// All equations of a step, a display each; empty if it has none.
+std::string equations_latex(const View& view);
 
 enum class MatrixStyle {
     labelled,  ///< an array with the names of rows and columns

@@ -1,0 +1,119 @@
+#include <CLI/CLI.hpp>
+
+#include <optional>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/export/moving_scene.hpp"
+#include "app/session/output/export.hpp"
+#include "render/atomic_file.hpp"
+
+namespace jw {
+
+namespace {
+
+struct ExportOptions {
+    std::string file;
+    std::vector<std::string> experiments;
+    std::optional<int> step;
+    std::string latex;  ///< file, or "-" for standard output; likewise `csv`
+    std::string csv;
+    std::string gltf;
+
+    bool wants_step() const { return !latex.empty() || !csv.empty(); }
+};
+
+constexpr const char* kStandardOutput = "-";
+
+void check(const ExportOptions& options) {
+    if (options.latex.empty() && options.csv.empty() && options.gltf.empty()) {
+        throw bad_option("export", "nothing to write; expected --latex, --csv or --gltf");
+    }
+    if (options.step && !options.wants_step()) {
+        throw bad_option("export", "--step is of --latex and --csv; --gltf is the whole motion");
+    }
+    if (options.latex == kStandardOutput && options.csv == kStandardOutput) {
+        throw bad_option("export", "--latex and --csv both go to standard output; expected a file for one");
+    }
+    if (options.gltf == kStandardOutput) { throw bad_option("export", "--gltf is no text; expected a file"); }
+    for (const auto& [name, file] :
+         {std::pair("--latex", options.latex), {"--csv", options.csv}, {"--gltf", options.gltf}}) {
+        if (!file.empty() && file != kStandardOutput) { check_output(name, file, {options.file}); }
+    }
+}
+
+void write(const std::string& file, const std::string& text, const Streams& streams) {
+    if (file == kStandardOutput) {
+        streams.out << text;
+    } else if (!file.empty()) {
+        render::write_file_atomically(file, text);
+    }
+}
+
+/// The step that is meant; without one, that at which everything is put together.
+int step_of(const ExportOptions& options, const Story& story) {
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    if (options.step && *options.step > last) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --step " + std::to_string(*options.step) +
+                                 ": the lesson has steps 0 to " + std::to_string(last));
+    }
+    return options.step.value_or(story.last_assembled());
+}
+
+Exit export_command(const ExportOptions& options, const Streams& streams) {
+    check(options);
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    streams.err << done_text(changed.done);
+    StoryOptions how;
+    how.with_motion = !options.gltf.empty() || options.step.has_value();
+    const Story story(changed.lesson, how);
+    if (options.wants_step()) {
+        const View view = view_of(story, step_of(options, story));
+        write(
+            options.latex,
+            "% " + std::filesystem::path(changed.lesson.file_name).filename().string() + ", step " +
+                std::to_string(view.step) + "\n" + equations_latex(view) +
+                matrix_latex(view.matrix, MatrixStyle::labelled),
+            streams);
+        write(options.csv, matrix_csv(view.matrix), streams);
+    }
+    if (!options.gltf.empty()) {
+        render::write_file_atomically(options.gltf, gltf::encode(moving_scene_of(story)));
+    }
+    if (const Step* failed = story.failure(); failed != nullptr && !options.gltf.empty()) {
+        streams.err << not_reached(changed.lesson, *failed).what() << '\n';
+        return Exit::numerics;
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand("export", "a lesson for papers, slides and other programs");
+    const auto options = std::make_shared<ExportOptions>();
+    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
+    add_try_option(*command, options->experiments);
+    command->add_option("--step", options->step, "a step of the story; default: everything put together")
+        ->check(&fault_of_step)
+        ->type_name("N");
+    command
+        ->add_option(
+            "--latex", options->latex,
+            "equations and Jacobian of the step in LaTeX (amsmath); - for standard output")
+        ->type_name("FILE");
+    command->add_option("--csv", options->csv, "the Jacobian as a table; - for standard output")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--gltf", options->gltf, "the mechanism with its motion as a scene, binary glTF 2.0 (.glb)")
+        ->type_name("FILE");
+    command->footer("Example: jointwise export lessons/catalogue/loops/four-bar.toml --gltf four-bar.glb");
+    command->callback([options, &streams, &run] {
+        run = [options, &streams] { return export_command(*options, streams); };
+    });
+}
+
+}  // namespace jw

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/session/picture/picture.hpp"
+
+/// What of a moving picture is fixed in which body.
+namespace jw {
+
+/// A solid that moves with a body.
+struct RigidPart {
+    int body = 0;
+    std::string name;     ///< "crank · shape 1", "hinge · shape 2"
+    render::Shape shape;  ///< in the body frame
+};
+
+/// The solids of the pictures of some steps, each with the body that it is fixed in, found from its places in
+/// all of them: shapes of bodies, and the halves of joints. What keeps its place in no body, such as a
+/// spring, is left out, and so are vectors and lines.
+/// @param steps  indices into the story; at least one
+std::vector<RigidPart> rigid_parts_of(
+    const Story& story, const PictureStyle& style, const std::vector<int>& steps);
+
+}  // namespace jw
