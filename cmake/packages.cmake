@@ -17,6 +17,7 @@ pkg_check_modules(glfw3 REQUIRED IMPORTED_TARGET glfw3)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-ft cairo-svg cairo-pdf)
 pkg_check_modules(freetype2 REQUIRED IMPORTED_TARGET freetype2)
 
 # libimgui.a is static: it needs stb and freetype after it on the link line

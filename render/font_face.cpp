@@ -84,6 +84,12 @@ double FontFace::line_height() const {
     return static_cast<double>(face->ascender - face->descender) / face->units_per_EM;
 }
 
+unsigned FontFace::glyph_index(char32_t character) const {
+    return FT_Get_Char_Index(face_->handle, static_cast<FT_ULong>(character));
+}
+
+FT_FaceRec_* FontFace::freetype() const { return face_->handle; }
+
 bool FontFace::has(char32_t character) const { return FT_Get_Char_Index(face_->handle, character) != 0; }
 
 std::optional<GlyphBitmap> FontFace::render(char32_t character, double pixels_per_em, int oversampling) {

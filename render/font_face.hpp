@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+struct FT_FaceRec_;
+
 /// Glyphs of a font file as pictures, through FreeType.
 namespace jw::render {
 
@@ -37,6 +39,11 @@ public:
     double line_height() const;
 
     bool has(char32_t character) const;
+    /// Number of a character's glyph in the font; 0: there is none.
+    unsigned glyph_index(char32_t character) const;
+
+    /// The face for libraries that draw with FreeType themselves; it lives as long as this.
+    FT_FaceRec_* freetype() const;
 
     /// Glyph of `character`, or nothing if the font has none.
     ///

@@ -24,6 +24,9 @@ constexpr char32_t kMissing = 0xFFFD;
 constexpr char32_t kBox = 0x25A1;            // □
 constexpr char32_t kLastCharacter = 0xFFFF;  // ImGui of Debian counts with 16 bits
 
+// an x of DejaVu is as high as one of Latin Modern at this part of the size
+constexpr double kWordsInFormula = 0.8;
+
 // Formula glyphs stand at any x: three texels per pixel keep their stems even. Interface text stands at
 // whole pixels and is sharpest with one.
 constexpr int kFormulaOversampling = 3;
@@ -119,8 +122,8 @@ public:
         for (const auto& [first, last] : kFormula) {
             for (char32_t c = first; c <= last; ++c) {
                 auto glyph = math.render(c, em, kFormulaOversampling);
-                // ⁰ ᵀ and the like; an x of DejaVu is as high as one of Latin Modern at 0.8 of the size
-                if (!glyph) { glyph = face_of(kSans).render(c, 0.8 * em, kFormulaOversampling); }
+                // ⁰ ᵀ and the like
+                if (!glyph) { glyph = face_of(kSans).render(c, kWordsInFormula * em, kFormulaOversampling); }
                 add_glyph(font, c, darkened(std::move(glyph)));
             }
         }
@@ -229,6 +232,41 @@ Fonts load_fonts(float scale, std::u32string_view others) {
     builder.build();
     ImGui::GetIO().FontDefault = fonts.normal;
     return fonts;
+}
+
+struct LetterSources::Faces {
+    FontFace sans = open_font(kSans);
+    FontFace bold = open_font(kSansBold);
+    FontFace mono = open_font(kMono);
+    FontFace math = open_font(kMath);
+    std::optional<FontFace> chinese;
+    std::map<char32_t, char32_t> letters;  ///< of formulas: private number to Unicode
+};
+
+LetterSources::LetterSources(const Fonts& fonts) : fonts_(fonts), faces_(std::make_unique<Faces>()) {
+    if (!path_of_font(kChinese).empty()) { faces_->chinese = open_font(kChinese); }
+    for (const MathGlyph& glyph : math_glyphs()) { faces_->letters[glyph.code_point] = glyph.unicode; }
+}
+
+LetterSources::~LetterSources() = default;
+
+LetterSource LetterSources::of(const ImFont& font, char32_t character) const {
+    const auto size = static_cast<double>(font.FontSize);
+    const Faces& faces = *faces_;
+    const bool is_bold = &font == fonts_.bold || &font == fonts_.title;
+    const bool is_words = is_bold || &font == fonts_.normal || &font == fonts_.small || &font == fonts_.mono;
+    const FontFace& own = is_bold                ? faces.bold
+                          : &font == fonts_.mono ? faces.mono
+                          : is_words             ? faces.sans
+                                                 : faces.math;
+    const FontFile file = is_bold ? kSansBold : &font == fonts_.mono ? kMono : is_words ? kSans : kMath;
+    const double em = size / own.line_height();
+    const auto letter = faces.letters.find(character);
+    if (!is_words && letter != faces.letters.end()) { return {file, letter->second, em}; }
+    if (own.has(character)) { return {file, character, em}; }
+    if (faces.sans.has(character)) { return {kSans, character, is_words ? em : kWordsInFormula * em}; }
+    if (faces.chinese && faces.chinese->has(character)) { return {kChinese, character, em}; }
+    return {kSans, kBox, em};
 }
 
 bool is_of_interface(char32_t character) {

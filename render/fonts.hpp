@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "render/font_search.hpp"
 
 struct ImFont;
 
@@ -43,6 +46,30 @@ struct Fonts {
 /// atlas
 ///         is as it was.
 Fonts load_fonts(float scale, std::u32string_view others = {});
+
+/// Where a letter of a font of `Fonts` comes from.
+struct LetterSource {
+    FontFile file;
+    char32_t unicode = 0;  ///< in the file; letters of formulas have other numbers in their ImFont
+    double pixels_per_em = 0.0;
+};
+/// Finds the sources of letters for those who draw them without pixels; the same as `load_fonts` takes.
+class LetterSources {
+public:
+    /// @throws std::runtime_error naming a font that is missing or damaged
+    explicit LetterSources(const Fonts& fonts);
+    ~LetterSources();
+    LetterSources(const LetterSources&) = delete;
+    LetterSources& operator=(const LetterSources&) = delete;
+
+    /// A box where no font has the character.
+    LetterSource of(const ImFont& font, char32_t character) const;
+
+private:
+    struct Faces;
+    Fonts fonts_;
+    std::unique_ptr<Faces> faces_;
+};
 
 /// True if the interface fonts have the character without asking for it.
 bool is_of_interface(char32_t character);

@@ -5,7 +5,9 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/commands/size_option.hpp"
 #include "app/export/moving_scene.hpp"
+#include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/export.hpp"
 #include "render/atomic_file.hpp"
 
@@ -19,27 +21,42 @@ struct ExportOptions {
     std::optional<int> step;
     std::string latex;  ///< file, or "-" for standard output; likewise `csv`
     std::string csv;
+    std::string svg;
+    std::string pdf;
+    std::string size = "1280x720";
     std::string gltf;
 
-    bool wants_step() const { return !latex.empty() || !csv.empty(); }
+    bool wants_picture() const { return !svg.empty() || !pdf.empty(); }
+    bool wants_step() const { return !latex.empty() || !csv.empty() || wants_picture(); }
+    /// Options that name files, with what they were given.
+    std::vector<std::pair<const char*, std::string>> outputs() const {
+        return {{"--latex", latex}, {"--csv", csv}, {"--svg", svg}, {"--pdf", pdf}, {"--gltf", gltf}};
+    }
 };
 
+// as `render`
+constexpr PixelSize kSmallestPicture{960, 540};
+constexpr PixelSize kLargestPicture{3840, 2160};
 constexpr const char* kStandardOutput = "-";
 
 void check(const ExportOptions& options) {
-    if (options.latex.empty() && options.csv.empty() && options.gltf.empty()) {
-        throw bad_option("export", "nothing to write; expected --latex, --csv or --gltf");
+    if (!options.wants_step() && options.gltf.empty()) {
+        throw bad_option("export", "nothing to write; expected --latex, --csv, --svg, --pdf or --gltf");
     }
     if (options.step && !options.wants_step()) {
-        throw bad_option("export", "--step is of --latex and --csv; --gltf is the whole motion");
+        throw bad_option("export", "--step is of single steps; --gltf is the whole motion");
     }
     if (options.latex == kStandardOutput && options.csv == kStandardOutput) {
         throw bad_option("export", "--latex and --csv both go to standard output; expected a file for one");
     }
-    if (options.gltf == kStandardOutput) { throw bad_option("export", "--gltf is no text; expected a file"); }
-    for (const auto& [name, file] :
-         {std::pair("--latex", options.latex), {"--csv", options.csv}, {"--gltf", options.gltf}}) {
-        if (!file.empty() && file != kStandardOutput) { check_output(name, file, {options.file}); }
+    for (const auto& [name, file] : options.outputs()) {
+        if (file.empty()) { continue; }
+        const bool is_text = name == std::string_view("--latex") || name == std::string_view("--csv");
+        if (file != kStandardOutput) {
+            check_output(name, file, {options.file});
+        } else if (!is_text) {
+            throw bad_option("export", std::string(name) + " is no text; expected a file");
+        }
     }
 }
 
@@ -49,6 +66,17 @@ void write(const std::string& file, const std::string& text, const Streams& stre
     } else if (!file.empty()) {
         render::write_file_atomically(file, text);
     }
+}
+
+void write_pictures(
+    const ExportOptions& options, const PixelSize& size, const Story& story, const View& view) {
+    if (!options.wants_picture()) { return; }
+    host::FramePainter painter(story, size.width, size.height);
+    const auto write_picture = [&](const std::string& file, render::VectorFormat format) {
+        if (!file.empty()) { render::write_file_atomically(file, painter.vector_file(view, format)); }
+    };
+    write_picture(options.svg, render::VectorFormat::svg);
+    write_picture(options.pdf, render::VectorFormat::pdf);
 }
 
 /// The step that is meant; without one, that at which everything is put together.
@@ -64,10 +92,11 @@ int step_of(const ExportOptions& options, const Story& story) {
 
 Exit export_command(const ExportOptions& options, const Streams& streams) {
     check(options);
+    const PixelSize size = size_option(options.size, kSmallestPicture, kLargestPicture);
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     streams.err << done_text(changed.done);
     StoryOptions how;
-    how.with_motion = !options.gltf.empty() || options.step.has_value();
+    how.with_motion = !options.gltf.empty() || options.wants_picture() || options.step.has_value();
     const Story story(changed.lesson, how);
     if (options.wants_step()) {
         const View view = view_of(story, step_of(options, story));
@@ -78,6 +107,7 @@ Exit export_command(const ExportOptions& options, const Streams& streams) {
                 matrix_latex(view.matrix, MatrixStyle::labelled),
             streams);
         write(options.csv, matrix_csv(view.matrix), streams);
+        write_pictures(options, size, story, view);
     }
     if (!options.gltf.empty()) {
         render::write_file_atomically(options.gltf, gltf::encode(moving_scene_of(story)));
@@ -106,6 +136,14 @@ void add_export(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("FILE");
     command->add_option("--csv", options->csv, "the Jacobian as a table; - for standard output")
         ->type_name("FILE");
+    command
+        ->add_option(
+            "--svg", options->svg, "the picture of the step, sharp at any size; its 3D part is pixels")
+        ->type_name("FILE");
+    command->add_option("--pdf", options->pdf, "the same as PDF, its text as text")->type_name("FILE");
+    command->add_option("--size", options->size, "of --svg and --pdf, in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
     command
         ->add_option(
             "--gltf", options->gltf, "the mechanism with its motion as a scene, binary glTF 2.0 (.glb)")

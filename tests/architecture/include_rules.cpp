@@ -20,9 +20,9 @@ struct FolderRule {
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
 constexpr std::array<std::string_view, 7> kLessons{"core/",   "lessons/", "Eigen/",  "toml++/",
                                                    "fcntl.h", "poll.h",   "unistd.h"};
-constexpr std::array<std::string_view, 11> kRender{
-    "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
-    "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
+constexpr std::array<std::string_view, 12> kRender{
+    "cairo",        "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
+    "libdeflate.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
 // of render only plain values: what there is to draw and from where it is looked at
 constexpr std::array<std::string_view, 11> kSession{
     "app/session/",
@@ -145,6 +145,7 @@ constexpr std::array kLibraries{
     LibraryRule{"ft2build.h", "render/font_face\\.cpp"},
     LibraryRule{
         "imgui.h", "render/(fonts|imgui_backend|picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+    LibraryRule{"cairo", "render/vector_picture\\.cpp"},
     LibraryRule{"libdeflate.h", "render/png\\.cpp"},
     LibraryRule{"toml++/", "lessons/.*"},
     // singular values are those of core/numerics/svd: Eigen's BDCSVD is wrong on some Jacobians

@@ -1,10 +1,12 @@
 #include "app/host/frames/frame_painter.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include <imgui.h>
 
 #include "app/host/frames/panel_context.hpp"
+#include "app/host/frames/vector_strokes.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/picture/picture_camera.hpp"
@@ -19,6 +21,9 @@
 namespace jw::host {
 
 namespace {
+
+/// Pixels of the 3D part of a vector picture for each pixel of the frame.
+constexpr double kSharper = 2.0;
 
 std::u32string characters_of(const Story& story) {
     return panels::characters_of(story.lesson()) + panels::characters_of_messages();
@@ -119,6 +124,32 @@ render::Image FramePainter::paint(const View& view, const Picture& picture) {
     s.panels.draw(*ImGui::GetDrawData(), s.size());
     s.context.leave();
     return s.read();
+}
+
+std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::VectorFormat format) {
+    Surface& s = *surface_;
+    const Picture shown = picture(view);
+    const render::Rect& scene = s.layout.scene;
+    const auto width = static_cast<int>(std::lround(kSharper * scene.width));
+    const auto height = static_cast<int>(std::lround(kSharper * scene.height));
+    s.make_current();
+    render::RenderTargets large(*s.functions, width, height);
+    large.begin_3d();
+    s.scene.draw(
+        shown.scene, s.camera, {0.0, 0.0, scene.width * kSharper, scene.height * kSharper}, large.size());
+    large.begin_2d();
+    const render::Image solid = large.read();
+
+    render::VectorPicture file(format, s.size().width, s.size().height);
+    file.fill({}, s.size().width, s.size().height, render::palette::kPaper);
+    file.image(solid, {scene.x, scene.y}, scene.width, scene.height);
+    s.context.enter();
+    VectorStrokes strokes(file, s.fonts);
+    std::vector<panels::HotSpot> nowhere;
+    const panels::Canvas canvas(strokes, s.fonts);
+    panels::draw_frame(canvas.pointed(lit_at(view), nowhere), view, shown, s.camera, s.layout);
+    s.context.leave();
+    return file.finish();
 }
 
 std::string FramePainter::renderer() const { return render::renderer_name(*surface_->functions); }

@@ -8,6 +8,7 @@
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
 #include "render/picture_layers.hpp"
+#include "render/vector_picture.hpp"
 
 namespace jw::host {
 
@@ -31,6 +32,8 @@ public:
     Picture picture(const View& view) const;
     /// Paints another 3D part than that of the step.
     render::Image paint(const View& view, const Picture& picture);
+    /// The frame as a file of lines, areas and letters; its 3D part is a picture of twice as many pixels.
+    std::vector<std::uint8_t> vector_file(const View& view, render::VectorFormat format);
     /// What draws: renderer, OpenGL and Mesa with their versions.
     std::string renderer() const;
     /// What is seen at each pixel of the 3D part.

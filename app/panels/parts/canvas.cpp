@@ -1,10 +1,12 @@
 #include "app/panels/parts/canvas.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <imgui.h>
 
 #include "app/panels/parts/text.hpp"
+#include "app/session/wording/character_classes.hpp"
 
 namespace jw::panels {
 
@@ -76,14 +78,39 @@ float Canvas::text_width(const ImFont* font, std::string_view text) const {
 }
 
 void Canvas::text(Point at, const ImFont* font, Colour colour, std::string_view text, Align align) const {
-    if (list_ == nullptr || text.empty()) { return; }
+    if (!draws() || text.empty()) { return; }
     const std::string set = with_minus_signs(text);
     if (align != Align::left) { at.x -= (align == Align::right ? 1.0F : 0.5F) * text_width(font, set); }
     const ImVec2 whole{std::round(at.x), std::round(at.y)};
+    if (strokes_ != nullptr) { return stroke_text({whole.x, whole.y}, *font, colour, set); }
     list_->AddText(font, font->FontSize, whole, packed(colour), set.data(), set.data() + set.size());
 }
 
+void Canvas::stroke_text(Point at, const ImFont& font, const Colour& colour, std::string_view text) const {
+    const float baseline = at.y + std::round(font.Ascent);
+    for (const char32_t character : from_utf8(text)) {
+        const ImFontGlyph* const glyph = font.FindGlyph(static_cast<ImWchar>(character));
+        if (glyph == nullptr) { continue; }
+        if (glyph->Visible != 0) {
+            strokes_->letter({at.x, baseline}, font, character, render::toned(colour, tone_), 1.0F);
+        }
+        at.x += glyph->AdvanceX;
+    }
+}
+
+void Canvas::stroke_glyph(Point origin, const ImFontGlyph& glyph, const Colour& colour, float stretch) const {
+    for (const ImFont* const font :
+         {fonts_->formula, fonts_->formula_script, fonts_->formula_words, fonts_->formula_words_script,
+          fonts_->formula_large, fonts_->formula_large_script}) {
+        if (&glyph < font->Glyphs.begin() || &glyph >= font->Glyphs.end() || glyph.Visible == 0) { continue; }
+        const float baseline = origin.y + stretch * std::round(font->Ascent);
+        strokes_->letter({origin.x, baseline}, *font, glyph.Codepoint, render::toned(colour, tone_), stretch);
+        return;
+    }
+}
+
 void Canvas::glyph(Point origin, const ImFontGlyph& glyph, Colour colour, float stretch) const {
+    if (strokes_ != nullptr) { return stroke_glyph(origin, glyph, colour, stretch); }
     if (list_ == nullptr || glyph.Visible == 0) { return; }
     list_->PrimReserve(6, 4);
     list_->PrimRectUV(
@@ -93,22 +120,27 @@ void Canvas::glyph(Point origin, const ImFontGlyph& glyph, Colour colour, float 
 }
 
 void Canvas::fill(const Box& box, Colour colour, float rounding) const {
+    if (strokes_ != nullptr) { return strokes_->fill(box, render::toned(colour, tone_), rounding); }
     if (list_ != nullptr) { list_->AddRectFilled(corner(box), far_corner(box), packed(colour), rounding); }
 }
 
 void Canvas::outline(const Box& box, Colour colour, float thickness, float rounding) const {
+    if (strokes_ != nullptr) {
+        return strokes_->outline(box, render::toned(colour, tone_), thickness, rounding);
+    }
     if (list_ != nullptr) {
         list_->AddRect(corner(box), far_corner(box), packed(colour), rounding, 0, thickness);
     }
 }
 
 void Canvas::line(Point from, Point to, Colour colour, float thickness) const {
+    if (strokes_ != nullptr) { return strokes_->line(from, to, render::toned(colour, tone_), thickness); }
     if (list_ != nullptr) { list_->AddLine(vec(from), vec(to), packed(colour), thickness); }
 }
 
 void Canvas::dashed_line(Point from, Point to, Colour colour, float thickness) const {
     const float length = std::hypot(to.x - from.x, to.y - from.y);
-    if (list_ == nullptr || length <= 0.0F) { return; }
+    if (!draws() || length <= 0.0F) { return; }
     const float dash = px(5.0F);
     const Point unit{(to.x - from.x) / length, (to.y - from.y) / length};
     for (float at = 0.0F; at < length; at += 2.0F * dash) {
@@ -120,10 +152,14 @@ void Canvas::dashed_line(Point from, Point to, Colour colour, float thickness) c
 }
 
 void Canvas::disc(Point centre, float radius, Colour colour) const {
+    if (strokes_ != nullptr) { return strokes_->disc(centre, radius, render::toned(colour, tone_)); }
     if (list_ != nullptr) { list_->AddCircleFilled(vec(centre), radius, packed(colour)); }
 }
 
 void Canvas::ring(Point centre, float radius, Colour colour, float thickness) const {
+    if (strokes_ != nullptr) {
+        return strokes_->ring(centre, radius, render::toned(colour, tone_), thickness);
+    }
     if (list_ != nullptr) { list_->AddCircle(vec(centre), radius, packed(colour), 0, thickness); }
 }
 
@@ -145,6 +181,12 @@ void Canvas::square(Point centre, float side, Colour colour, bool filled) const 
 }
 
 void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const {
+    if (strokes_ != nullptr) {
+        return strokes_->triangle(
+            {corners[0], corners[1], corners[2]},
+            {render::toned(colours[0], tone_), render::toned(colours[1], tone_),
+             render::toned(colours[2], tone_)});
+    }
     if (list_ == nullptr) { return; }
     list_->PrimReserve(3, 3);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -155,6 +197,16 @@ void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours
 void Canvas::gradient_mesh(
     std::span<const Point> corners, std::span<const Colour> colours,
     std::span<const unsigned short> triangles) const {
+    if (strokes_ != nullptr) {
+        for (std::size_t k = 0; k + 2 < triangles.size(); k += 3) {
+            const auto [a, b, c] = std::array{triangles[k], triangles[k + 1], triangles[k + 2]};
+            strokes_->triangle(
+                {corners[a], corners[b], corners[c]},
+                {render::toned(colours[a], tone_), render::toned(colours[b], tone_),
+                 render::toned(colours[c], tone_)});
+        }
+        return;
+    }
     if (list_ == nullptr) { return; }
     list_->PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(corners.size()));
     // after it was reserved, which may begin to count anew

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/panels/parts/box.hpp"
+#include "app/panels/parts/strokes.hpp"
 #include "app/session/picture/pointable.hpp"
 #include "app/session/view/symbols.hpp"
 #include "render/fonts.hpp"
@@ -34,9 +35,14 @@ struct HotSpot {
 class Canvas {
 public:
     Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
+    /// Canvas that draws shapes instead of pixels; `strokes` must outlive it.
+    Canvas(Strokes& strokes, const render::Fonts& fonts) : strokes_(&strokes), fonts_(&fonts) {}
 
     /// Copies a canvas to another draw list.
-    Canvas(ImDrawList* list, const Canvas& other) : Canvas(other) { list_ = list; }
+    Canvas(ImDrawList* list, const Canvas& other) : Canvas(other) {
+        list_ = list;
+        strokes_ = nullptr;
+    }
 
     /// Canvas with the same fonts that draws nothing.
     Canvas measuring() const { return {static_cast<ImDrawList*>(nullptr), *fonts_}; }
@@ -60,7 +66,7 @@ public:
     bool lit(const Pointable& link) const { return lit_ != nullptr && lit_->contains(link); }
 
     const render::Fonts& fonts() const { return *fonts_; }
-    bool draws() const { return list_ != nullptr; }
+    bool draws() const { return list_ != nullptr || strokes_ != nullptr; }
 
     /// Whole pixels for a length in a picture 720 high.
     float px(float at_720) const;
@@ -93,9 +99,12 @@ public:
         std::span<const unsigned short> triangles) const;
 
 private:
-    ImDrawList* list_;
+    ImDrawList* list_ = nullptr;
+    Strokes* strokes_ = nullptr;  ///< or that, never both
     const render::Fonts* fonts_;
     unsigned packed(const Colour& colour) const;
+    void stroke_text(Point at, const ImFont& font, const Colour& colour, std::string_view text) const;
+    void stroke_glyph(Point origin, const ImFontGlyph& glyph, const Colour& colour, float stretch) const;
 
     render::Tone tone_ = render::Tone::light;
     mutable Colour last_;  ///< colours come in runs: the last one need not be toned again
