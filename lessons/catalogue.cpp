@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "lessons/course.hpp"
+#include "lessons/data_folder.hpp"
 
 namespace jw {
 
@@ -11,7 +12,12 @@ namespace fs = std::filesystem;
 
 fs::path catalogue_folder() {
     const char* chosen = std::getenv("JOINTWISE_LESSONS");
-    return chosen != nullptr && *chosen != '\0' ? chosen : JW_CATALOGUE_FOLDER;
+    if (chosen != nullptr && *chosen != '\0') { return chosen; }
+    // in a build tree `lessons` is a link to the sources, which people know by their own name
+    const fs::path lessons = data_folder() / "lessons";
+    std::error_code error;
+    const fs::path real = fs::canonical(lessons, error);
+    return (error ? lessons : real) / "catalogue";
 }
 
 std::vector<fs::path> lessons_below(const fs::path& folder) {

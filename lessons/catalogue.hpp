@@ -7,8 +7,7 @@
 /// The lessons that come with the program.
 namespace jw {
 
-/// Folder of the shipped lessons: the environment variable JOINTWISE_LESSONS, else the one of the source
-/// tree that the program was built from.
+/// Folder of the shipped lessons: the environment variable JOINTWISE_LESSONS, else the one of `data_folder`.
 std::filesystem::path catalogue_folder();
 
 /// Lesson files (*.toml but no course.toml) below a folder, sorted by path; empty if the folder is not there

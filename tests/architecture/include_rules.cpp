@@ -18,8 +18,8 @@ struct FolderRule {
 };
 
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
-constexpr std::array<std::string_view, 7> kLessons{"core/",   "lessons/", "Eigen/",  "toml++/",
-                                                   "fcntl.h", "poll.h",   "unistd.h"};
+constexpr std::array<std::string_view, 8> kLessons{"core/",   "lessons/", "Eigen/",   "toml++/",
+                                                   "fcntl.h", "poll.h",   "unistd.h", "sys/auxv.h"};
 constexpr std::array<std::string_view, 12> kRender{
     "cairo",        "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
     "libdeflate.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
