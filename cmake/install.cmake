@@ -12,3 +12,17 @@ install(FILES docs/lesson.schema.json DESTINATION ${JW_INSTALL_DATA} COMPONENT j
 install(FILES README.md DESTINATION share/doc/jointwise COMPONENT jointwise)
 install(DIRECTORY docs DESTINATION share/doc/jointwise COMPONENT jointwise
   PATTERN "lesson.schema.json" EXCLUDE)
+
+include(CMakePackageConfigHelpers)
+set(JW_INSTALL_CMAKE lib/cmake/jointwise)
+install(TARGETS jointwise_core jointwise_lessons jointwise_render EXPORT jointwise-targets
+  ARCHIVE DESTINATION lib COMPONENT jointwise-dev)
+install(EXPORT jointwise-targets NAMESPACE jointwise:: DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)
+install(DIRECTORY include/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DESTINATION include
+  COMPONENT jointwise-dev FILES_MATCHING PATTERN "*.hpp")
+configure_package_config_file(cmake/jointwise-config.cmake.in ${PROJECT_BINARY_DIR}/jointwise-config.cmake
+  INSTALL_DESTINATION ${JW_INSTALL_CMAKE} PATH_VARS JW_INSTALL_DATA)
+# until version 1 another minor version is another interface
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/jointwise-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/jointwise-config.cmake ${PROJECT_BINARY_DIR}/jointwise-config-version.cmake
+  DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)

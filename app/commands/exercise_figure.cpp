@@ -5,9 +5,9 @@
 #include <imgui.h>
 
 #include "app/host/frames/panel_context.hpp"
-#include "app/host/lesson/still.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/picture/still.hpp"
 #include "render/fonts.hpp"
 #include "render/imgui_backend.hpp"
 #include "render/offscreen.hpp"
@@ -69,7 +69,7 @@ ExerciseFigures::ExerciseFigures(int width, int height)
 ExerciseFigures::~ExerciseFigures() { surface_->offscreen.make_current(); }
 
 std::vector<std::uint8_t> ExerciseFigures::png_of(const Lesson& lesson, bool as_given) {
-    const host::Still still(lesson, as_given);
+    const Still still(lesson, as_given);
     const render::Rect safe =
         render::shrunk(surface_->whole, kFigureMargin * static_cast<double>(surface_->fonts.scale));
     return render::encode_png(surface_->draw(still.picture(), still.camera(surface_->whole, safe)));

@@ -70,11 +70,18 @@ constexpr std::array<std::string_view, 7> kSnapshot{
 // the hard cases are run, not drawn
 constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
+// what other programs see shows nothing of what is behind it
+constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen/"};
+constexpr std::array<std::string_view, 7> kLibrary{"api/",    "jointwise/",   "core/", "lessons/",
+                                                   "render/", "app/session/", "Eigen/"};
+
 // the first folder that fits counts
 constexpr std::array kFolders{
     FolderRule{"core/", kCore},
     FolderRule{"lessons/", kLessons},
     FolderRule{"render/", kRender},
+    FolderRule{"include/", kHeadersOfLibrary},
+    FolderRule{"api/", kLibrary},
     FolderRule{"app/session/", kSession},
     FolderRule{"app/panels/", kPanels},
     FolderRule{"app/host/", kHost},

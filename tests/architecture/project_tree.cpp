@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders{".ci", "app", "cmake", "core", "docs", "lessons", "render", "tests"};
+constexpr std::array kFolders{".ci",  "api",     "app",     "cmake",  "core",
+                              "docs", "include", "lessons", "render", "tests"};
 constexpr std::array kPictures{".png", ".jpg", ".svg"};
 
 void append(std::vector<SourceFile>& files, const fs::directory_entry& entry) {

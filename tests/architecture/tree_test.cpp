@@ -45,7 +45,9 @@ std::string joint_names(bool of_joints_only) {
 }
 
 bool is_shipped(const SourceFile& file) {
-    return is_cpp(file) && !file.path.starts_with("tests/") && file.path != "core/model/joint_types.hpp";
+    // what stands in docs uses the library
+    const bool uses_it = file.path.starts_with("tests/") || file.path.starts_with("docs/");
+    return is_cpp(file) && !uses_it && file.path != "core/model/joint_types.hpp";
 }
 
 }  // namespace

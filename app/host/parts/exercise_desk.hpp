@@ -7,8 +7,8 @@
 
 #include "app/exercises/practice/practice.hpp"
 #include "app/host/lesson/lesson_file.hpp"
-#include "app/host/lesson/still.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
+#include "app/session/picture/still.hpp"
 #include "app/session/try/session.hpp"
 
 namespace jw::host {

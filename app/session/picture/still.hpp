@@ -4,7 +4,7 @@
 
 #include "app/session/picture/picture.hpp"
 
-namespace jw::host {
+namespace jw {
 
 /// A lesson's scene at rest, as figures of exercises show it: bodies, joints, their names and vectors;
 /// nothing that tells numbers, rank or rows.
@@ -29,4 +29,4 @@ private:
     Picture picture_;
 };
 
-}  // namespace jw::host
+}  // namespace jw

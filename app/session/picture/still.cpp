@@ -1,4 +1,4 @@
-#include "app/host/lesson/still.hpp"
+#include "app/session/picture/still.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/featured.hpp"
 
-namespace jw::host {
+namespace jw {
 
 namespace {
 
@@ -174,4 +174,4 @@ render::Camera Still::camera(const render::Rect& viewport, const render::Rect& s
     return camera_of(*story_, style_, viewport, safe);
 }
 
-}  // namespace jw::host
+}  // namespace jw

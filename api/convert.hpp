@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/equations/system.hpp"
+#include "jointwise/analysis.hpp"
+
+/// States and motions of core as those of the library, and back.
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+inline Pose pose_of(const jw::State& state, double t) { return {t, state.r, state.p, state.theta}; }
+inline Rates rates_of(const jw::Motion& motion) {
+    return {motion.r_dot, motion.omega_local, motion.theta_dot};
+}
+
+/// @throws std::invalid_argument if there is not one entry per body and screw
+jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose);
+jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates);
+
+/// "hinge.p1.y", the name of a row.
+std::string row_name(const jw::System& system, int row);
+
+/// @throws std::invalid_argument unless there are times, finite and ascending
+void expect_ascending(const std::vector<double>& times);
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise

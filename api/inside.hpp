@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/model/mechanism.hpp"
+#include "core/motion/loads.hpp"
+#include "jointwise/mechanism.hpp"
+
+/// What the classes of the library consist of; programs that use it see names only.
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+struct Mechanism::Inside {
+    jw::Mechanism mechanism;
+    jw::Loads loads;  ///< one entry of `masses` per body
+};
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise

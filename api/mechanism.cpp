@@ -1,0 +1,230 @@
+#include "jointwise/mechanism.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "api/inside.hpp"
+#include "core/jets/euler_parameters.hpp"
+
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+namespace {
+
+// cosine of directions that count as perpendicular, as in lesson files: typed with four digits
+constexpr double kPerpendicular = 1e-3;
+
+void expect(bool holds, const std::string& what) {
+    if (!holds) { throw std::invalid_argument("jointwise: " + what); }
+}
+
+/// @param things  bodies, joints or drivers
+template <class T>
+void expect_new_name(const std::string& name, const std::vector<T>& things) {
+    expect(!name.empty(), "a name is empty; expected one to call it by in messages");
+    for (const T& thing : things) {
+        expect(thing.name != name, "the name '" + name + "' is taken; expected another");
+    }
+}
+
+void expect_index(int index, std::size_t count, const std::string& what) {
+    expect(
+        index >= 0 && static_cast<std::size_t>(index) < count,
+        "there is no " + what + " " + std::to_string(index) + "; the last is " +
+            std::to_string(static_cast<int>(count) - 1));
+}
+
+template <class V>
+void expect_finite(const V& v, const std::string& what) {
+    expect(v.allFinite(), what + " is not finite");
+}
+
+Vector3 unit(const Vector3& v, const std::string& what) {
+    expect(v.allFinite() && v.norm() > 0.0, what + " is zero or not finite; expected a direction");
+    return v.normalized();
+}
+
+/// The way from the global frame at the start pose to that of a body.
+struct Home {
+    const jw::Body& body;
+    jw::Mat3 A = jw::rotation_matrix(body.p.normalized());
+
+    Vector3 point(const Vector3& global) const { return A.transpose() * (global - body.r); }
+    Vector3 vector(const Vector3& global) const { return A.transpose() * global; }
+};
+
+void set_sides(
+    const Home& i, const Home& j, const jw::JointType& type, const Place& place, jw::JointGeometry& g) {
+    const Vector3 axis = unit(place.axis, "axis");
+    const Vector3 side = place.side ? unit(*place.side, "side") : Vector3(jw::perpendicular_to(axis));
+    expect(std::abs(axis.dot(side)) <= kPerpendicular, "side is not perpendicular to the axis");
+    const Vector3 other = type.has_angle() ? side : Vector3(axis.cross(side));
+    g.h_i_local = i.vector(side);
+    g.h_j_local = j.vector(other);
+    g.u_i_local = g.h_i_local.normalized();
+    g.u_j_local = g.h_j_local.normalized();
+}
+
+jw::JointGeometry geometry_of(const jw::JointType& type, const Home& i, const Home& j, const Place& place) {
+    const Vector3 to = place.to.value_or(place.at);
+    expect_finite(place.at, "at");
+    expect_finite(to, "to");
+    jw::JointGeometry g;
+    g.P_i_local = i.point(place.at);
+    g.P_j_local = j.point(to);
+    if (type.uses(jw::kAxisI)) {
+        const Vector3 axis = unit(place.axis, "axis");
+        const bool arms = type.uses(jw::Role::axes_perpendicular);
+        expect(!arms || place.axis2, "axis2 is absent; expected the axis of the second body");
+        const Vector3 axis2 = arms ? unit(*place.axis2, "axis2") : axis;
+        expect(!arms || std::abs(axis.dot(axis2)) <= kPerpendicular, "axis and axis2 are not perpendicular");
+        g.s_i_local = i.vector(axis);
+        g.s_j_local = j.vector(axis2);
+    }
+    if (type.uses(jw::kSidesH) || type.has_angle()) { set_sides(i, j, type, place, g); }
+    if (type.uses(jw::Role::length)) {
+        g.length = (to - place.at).norm();
+        expect(g.length > 0.0, "at and to coincide; expected two points with a distance");
+    }
+    if (type.uses(jw::Role::screw_advance)) {
+        expect(std::isfinite(place.pitch), "pitch is not finite");
+        g.alpha = place.pitch / (2.0 * std::numbers::pi);
+        g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
+    }
+    return g;
+}
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& things) {
+    std::vector<std::string> names;
+    for (const T& thing : things) { names.push_back(thing.name); }
+    return names;
+}
+
+}  // namespace
+
+Mechanism::Mechanism() : inside_(std::make_unique<Inside>()) {
+    jw::Body ground;
+    ground.name = "ground";
+    ground.fixed = true;
+    inside_->mechanism.bodies.push_back(ground);
+    inside_->loads.masses.emplace_back();
+}
+Mechanism::Mechanism(const Inside& inside) : inside_(std::make_unique<Inside>(inside)) {
+    inside_->loads.masses.resize(inside_->mechanism.bodies.size());
+}
+Mechanism::~Mechanism() = default;
+Mechanism::Mechanism(const Mechanism& other) : inside_(std::make_unique<Inside>(*other.inside_)) {}
+Mechanism& Mechanism::operator=(const Mechanism& other) {
+    *inside_ = *other.inside_;
+    return *this;
+}
+
+int Mechanism::add_body(const std::string& name, const Vector3& r, const Vector4& p) {
+    auto& bodies = inside_->mechanism.bodies;
+    expect_new_name(name, bodies);
+    expect_finite(r, "r of body '" + name + "'");
+    expect(p.allFinite() && p.norm() > 0.0, "p of body '" + name + "' is zero or not finite");
+    jw::Body body;
+    body.name = name;
+    body.r = r;
+    body.p = p.normalized();
+    bodies.push_back(body);
+    inside_->loads.masses.emplace_back();
+    return static_cast<int>(bodies.size()) - 1;
+}
+
+int Mechanism::add_joint(
+    const std::string& name, const std::string& type, int body_i, int body_j, const Place& place) {
+    auto& [bodies, joints, drivers] = inside_->mechanism;
+    expect_new_name(name, joints);
+    expect_new_name(name, drivers);
+    expect_index(body_i, bodies.size(), "body");
+    expect_index(body_j, bodies.size(), "body");
+    expect(body_i != body_j, "joint '" + name + "' connects a body with itself; expected two bodies");
+    jw::Joint joint;
+    joint.name = name;
+    joint.type = jw::find_joint_type(type);
+    expect(joint.type != nullptr, "there is no joint type '" + type + "'; joint_types() lists them");
+    joint.body_i = body_i;
+    joint.body_j = body_j;
+    const Home i{bodies[static_cast<std::size_t>(body_i)]};
+    const Home j{bodies[static_cast<std::size_t>(body_j)]};
+    joint.geometry = geometry_of(*joint.type, i, j, place);
+    joints.push_back(joint);
+    return static_cast<int>(joints.size()) - 1;
+}
+
+int Mechanism::add_driver(const std::string& name, int joint, const Polynomial& value) {
+    auto& [bodies, joints, drivers] = inside_->mechanism;
+    expect_new_name(name, joints);
+    expect_new_name(name, drivers);
+    expect_index(joint, joints.size(), "joint");
+    for (const double c : value) { expect(std::isfinite(c), "the function of '" + name + "' is not finite"); }
+    const jw::Joint& along = joints[static_cast<std::size_t>(joint)];
+    const jw::JointType& type = *along.type;
+    expect(
+        type.has_angle() || type.has_displacement(),
+        "joint '" + along.name + "' has no angle and no displacement that could be driven");
+    jw::Driver driver;
+    driver.name = name;
+    driver.joint = joint;
+    driver.body_i = along.body_i;
+    driver.body_j = along.body_j;
+    driver.measure = type.artificial > 0 ? jw::Measure(jw::ThetaMeasure{})
+                     : type.has_angle()  ? jw::Measure(jw::angle_of(along))
+                                         : jw::Measure(jw::displacement_of(along));
+    driver.function.polynomial = value;
+    drivers.push_back(driver);
+    return static_cast<int>(drivers.size()) - 1;
+}
+
+void Mechanism::set_velocity(int body, const Vector3& r_dot, const Vector3& omega_local) {
+    auto& bodies = inside_->mechanism.bodies;
+    expect_index(body, bodies.size(), "body");
+    expect_finite(r_dot, "r_dot");
+    expect_finite(omega_local, "omega_local");
+    bodies[static_cast<std::size_t>(body)].r_dot = r_dot;
+    bodies[static_cast<std::size_t>(body)].omega_local = omega_local;
+}
+
+void Mechanism::set_mass(int body, double mass, const Matrix3& J_local, const Vector3& centre_local) {
+    expect_index(body, inside_->loads.masses.size(), "body");
+    expect(std::isfinite(mass) && mass > 0.0, "a mass is not positive");
+    expect_finite(J_local, "J_local");
+    expect_finite(centre_local, "centre_local");
+    inside_->loads.masses[static_cast<std::size_t>(body)] = jw::MassProperties{mass, centre_local, J_local};
+}
+
+void Mechanism::set_gravity(const Vector3& g) {
+    expect_finite(g, "gravity");
+    inside_->loads.gravity = g;
+}
+
+void Mechanism::add_spring(
+    int body_i, const Vector3& P_i_local, int body_j, const Vector3& P_j_local, double k, double free_length,
+    double c) {
+    const std::size_t bodies = inside_->mechanism.bodies.size();
+    expect_index(body_i, bodies, "body");
+    expect_index(body_j, bodies, "body");
+    expect(body_i != body_j, "a spring connects a body with itself; expected two bodies");
+    expect_finite(P_i_local, "P_i_local");
+    expect_finite(P_j_local, "P_j_local");
+    expect_finite(Vector3(k, free_length, c), "a spring");
+    inside_->loads.springs.push_back({body_i, body_j, P_i_local, P_j_local, k, free_length, c});
+}
+
+std::vector<std::string> Mechanism::body_names() const { return names_of(inside_->mechanism.bodies); }
+std::vector<std::string> Mechanism::joint_names() const { return names_of(inside_->mechanism.joints); }
+std::vector<std::string> Mechanism::driver_names() const { return names_of(inside_->mechanism.drivers); }
+
+std::vector<std::string> joint_types() {
+    std::vector<std::string> names;
+    for (const jw::JointType& type : jw::kJointTypes) { names.emplace_back(type.name); }
+    return names;
+}
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "jointwise/version.hpp"
+
+#if EIGEN_DEFAULT_ALIGN_BYTES != JOINTWISE_EIGEN_ALIGN_BYTES
+#error \
+    "Jointwise was compiled for other vector instructions than this file, so Eigen allocates memory in another way. Compile this file without -march=native, -mavx and the like, or build Jointwise with the same flags."
+#endif
+
+/// Mechanisms: bodies, joints, drivers, masses. SI units and radians; `docs/notation.md` has the symbols.
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+using Vector3 = Eigen::Vector3d;
+using Vector4 = Eigen::Vector4d;  ///< Euler parameters e0, e1, e2, e3
+using Matrix3 = Eigen::Matrix3d;
+
+/// Where a joint is, in the global frame at the start pose of its bodies. Each type uses its part of it.
+struct Place {
+    Vector3 at = Vector3::Zero();       ///< point of the first body [m]
+    std::optional<Vector3> to = {};     ///< point of the second body [m]; absent: `at`
+    Vector3 axis = Vector3::UnitZ();    ///< of both bodies, any length
+    std::optional<Vector3> axis2 = {};  ///< of the second body, where the two are perpendicular
+    std::optional<Vector3> side = {};   ///< perpendicular to the axis: where angles begin; absent: any
+    double pitch = 0.0;                 ///< screw: advance in one turn [m], negative for a left-hand thread
+};
+
+/// c0 + c1 t + c2 t² + ...: what a driver prescribes [rad or m].
+using Polynomial = std::vector<double>;
+
+/// A mechanism as data; a value that can be copied. Numbers that name bodies and joints count from 0, and
+/// body 0 is the ground, which does not move. Every function throws std::invalid_argument where an argument
+/// makes no sense; the mechanism is then as it was.
+class Mechanism {
+public:
+    Mechanism();
+    ~Mechanism();
+    Mechanism(const Mechanism&);
+    Mechanism& operator=(const Mechanism&);
+
+    /// Adds a moving body at its start estimate. @return its number
+    int add_body(const std::string& name, const Vector3& r, const Vector4& p = Vector4::Unit(0));
+    /// Adds a joint; `joint_types()` lists the types. @return its number
+    int add_joint(
+        const std::string& name, const std::string& type, int body_i, int body_j, const Place& place);
+    /// Prescribes the angle of a joint [rad], or where it has none its displacement [m], as a function of
+    /// time.
+    int add_driver(const std::string& name, int joint, const Polynomial& value);
+
+    /// Velocities of a body at the start: of its origin, and its angular velocity in its own frame.
+    void set_velocity(int body, const Vector3& r_dot, const Vector3& omega_local);
+    /// Mass [kg], inertia tensor about the centre of mass in axes of the body [kg m²], centre in its frame
+    /// [m].
+    void set_mass(
+        int body, double mass, const Matrix3& J_local, const Vector3& centre_local = Vector3::Zero());
+    void set_gravity(const Vector3& g);  ///< [m/s²]
+    /// Spring and damper between two points in the frames of their bodies: f = k (l - free_length) + c dl/dt.
+    void add_spring(
+        int body_i, const Vector3& P_i_local, int body_j, const Vector3& P_j_local, double k,
+        double free_length, double c = 0.0);
+
+    std::vector<std::string> body_names() const;
+    std::vector<std::string> joint_names() const;
+    std::vector<std::string> driver_names() const;
+
+    struct Inside;  ///< of the library alone
+    const Inside& inside() const { return *inside_; }
+    explicit Mechanism(const Inside& inside);
+
+private:
+    std::unique_ptr<Inside> inside_;
+};
+
+/// The names of all types of joints.
+std::vector<std::string> joint_types();
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise
