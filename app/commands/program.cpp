@@ -93,6 +93,8 @@ int run_program(
         add(app, streams, run);
     }
     add_doctor(app, streams, run, doctor_window);
+    add_completion(app, streams, run);
+    add_manual(app, streams, run);
     if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {
         streams.err << complaint;
         return status(Exit::bad_input);

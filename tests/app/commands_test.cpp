@@ -11,9 +11,9 @@
 namespace jw::test {
 namespace {
 
-const std::vector<std::string> kCommands{"open",  "list",     "new",   "check",   "explain", "schema",
-                                         "sheet", "grade",    "step",  "inspect", "try",     "newton",
-                                         "solve", "simulate", "bench", "plot",    "render",  "doctor"};
+const std::vector<std::string> kCommands{
+    "open", "list",   "new",   "check",    "explain", "schema", "sheet",  "grade",  "step",       "inspect",
+    "try",  "newton", "solve", "simulate", "bench",   "plot",   "render", "doctor", "completion", "manual"};
 
 /// A command that can write JSON, with what it needs besides its format.
 std::vector<std::vector<std::string>> commands_with_json(const std::string& driven) {
@@ -107,7 +107,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "step, "
          "inspect, try, "
          "newton, solve, simulate, bench, plot, render, "
-         "sheet, grade, doctor\n"
+         "sheet, grade, doctor, completion, manual\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},
         {{"step", crank, "--until", "99"}, "jointwise: error: --until 99: the lesson has steps 0 to 9\n"},
@@ -167,7 +167,8 @@ TEST_CASE("a wrong lesson is status 2 with file, line and column, for every comm
     const std::string wrong = folder.file("wrong.toml", "format = 1\ntitle = \"t\"\ncolor = 3\n");
     for (const std::string& command : kCommands) {
         // these read no lesson
-        const std::vector<std::string> others{"list", "new", "doctor", "explain", "schema", "grade", "sheet"};
+        const std::vector<std::string> others{"list",  "new",   "doctor",     "explain", "schema",
+                                              "grade", "sheet", "completion", "manual"};
         if (std::ranges::find(others, command) != others.end()) { continue; }
         std::vector<std::string> arguments{command, wrong};
         if (command == "render") { arguments.insert(arguments.end(), {"--out", folder.path("frames")}); }
