@@ -5,10 +5,50 @@ include(GNUInstallDirs)
 # lessons/data_folder.cpp looks for ../share/jointwise from the folder of the program
 set(JW_INSTALL_DATA share/jointwise)
 
+# libraries of the tarball; in Debian's packages the folder is not there, and those of the system are taken
+set(JW_INSTALL_BUNDLED lib/jointwise)
+set_target_properties(jointwise PROPERTIES INSTALL_RPATH "$ORIGIN/../${JW_INSTALL_BUNDLED}")
+install(CODE "
+  file(GET_RUNTIME_DEPENDENCIES EXECUTABLES $<TARGET_FILE:jointwise> RESOLVED_DEPENDENCIES_VAR found
+    PRE_INCLUDE_REGEXES \"^lib(fmt|tomlplusplus|stb|deflate)\\\\.\" PRE_EXCLUDE_REGEXES \".*\")
+  file(INSTALL \${found} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${JW_INSTALL_BUNDLED}\" FOLLOW_SYMLINK_CHAIN)"
+  COMPONENT bundled EXCLUDE_FROM_ALL)
+
 install(TARGETS jointwise RUNTIME DESTINATION bin COMPONENT jointwise)
 install(DIRECTORY lessons/catalogue lessons/exercises lessons/benchmark lessons/reference
   DESTINATION ${JW_INSTALL_DATA}/lessons COMPONENT jointwise)
 install(FILES docs/lesson.schema.json DESTINATION ${JW_INSTALL_DATA} COMPONENT jointwise)
+
+# manual and completions, made of the help of the program
+set(help ${PROJECT_BINARY_DIR}/share/help)
+file(MAKE_DIRECTORY ${help})
+add_custom_command(
+  OUTPUT ${help}/jointwise.1.gz ${help}/jointwise.bash ${help}/jointwise.zsh ${help}/jointwise.fish
+  COMMAND jointwise manual > ${help}/jointwise.1
+  COMMAND gzip -9nkf ${help}/jointwise.1
+  COMMAND jointwise completion bash > ${help}/jointwise.bash
+  COMMAND jointwise completion zsh > ${help}/jointwise.zsh
+  COMMAND jointwise completion fish > ${help}/jointwise.fish
+  DEPENDS jointwise
+  VERBATIM)
+add_custom_target(jw_help_files ALL DEPENDS ${help}/jointwise.1.gz)
+install(FILES ${help}/jointwise.1.gz DESTINATION share/man/man1 COMPONENT jointwise)
+install(FILES ${help}/jointwise.bash DESTINATION share/bash-completion/completions RENAME jointwise COMPONENT jointwise)
+install(FILES ${help}/jointwise.zsh DESTINATION share/zsh/vendor-completions RENAME _jointwise COMPONENT jointwise)
+install(FILES ${help}/jointwise.fish DESTINATION share/fish/vendor_completions.d COMPONENT jointwise)
+
+# what Debian's packages have beside their documentation, and who wrote what is linked in
+execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/cmake/debian/changelog
+  OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+foreach(component jointwise jointwise-dev)
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz cmake/debian/copyright
+    DESTINATION share/doc/${component} COMPONENT ${component})
+endforeach()
+foreach(package libimgui-dev libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
+  install(FILES /usr/share/doc/${package}/copyright DESTINATION share/doc/jointwise/third-party
+    RENAME ${package} COMPONENT jointwise OPTIONAL)
+endforeach()
+
 install(FILES README.md DESTINATION share/doc/jointwise COMPONENT jointwise)
 install(DIRECTORY docs DESTINATION share/doc/jointwise COMPONENT jointwise
   PATTERN "lesson.schema.json" EXCLUDE)
