@@ -45,6 +45,22 @@ done
     --frames 0 2>err || fail "render: $(cat err)"
 cmp -s <(head -c 8 frames/*.png) <(printf '\x89PNG\r\n\x1a\n') || fail "render wrote no picture"
 
+# the tarball has the libraries in it that other systems have in other versions
+if ! "${cmake%cmake}cpack" --config "$build/CPackConfig.cmake" -G TGZ -B "$folder/packages" >log 2>&1; then
+    fail "cpack"
+    cat log
+fi
+mkdir "$folder/an other place"
+tar xzf "$folder"/packages/*.tar.gz -C "$folder/an other place" --strip-components=1
+ldd "$folder/an other place/bin/jointwise" >libraries
+for name in fmt tomlplusplus stb deflate; do
+    grep -q "lib$name[.]so[^ ]* => $folder/an other place/.*/lib/jointwise/" libraries || fail "the tarball lacks lib$name"
+done
+listed=$("$folder/an other place/bin/jointwise" list --format json | grep -cF "/an other place/share/jointwise/lessons/catalogue/")
+[ "$listed" -eq "$shipped" ] || fail "the program of the tarball lists $listed of its $shipped lessons"
+found=$(names_of_trees "$folder/an other place")
+[ -z "$found" ] || fail "these in the tarball name the build or the sources: $found"
+
 # without its data the program says which folder it looked for
 rm -r "$tree/share/jointwise"
 ./linked doctor --format json >out 2>&1
