@@ -2,7 +2,7 @@
 # ./dev package makes them all.
 set(CPACK_PACKAGE_NAME jointwise)
 set(CPACK_PACKAGE_VENDOR "Jointwise maintainers")
-set(CPACK_PACKAGE_CONTACT "Jointwise maintainers <maintainers@users.noreply.h-seed-c850eecc.example>")
+set(CPACK_PACKAGE_CONTACT "Jointwise maintainers <maintainers@example.org>")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_FILE_NAME jointwise-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_GENERATOR DEB TGZ)
