@@ -31,7 +31,7 @@ OptionHelp help_of(const CLI::Option& option) {
 }
 
 CommandHelp help_of_command(const CLI::App& command) {
-    CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
+    CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}, {}};
     for (const CLI::Option* option : command.get_options()) {
         if (option->get_group().empty()) { continue; }  // hidden
         const bool positional = option->get_snames().empty() && option->get_lnames().empty();
@@ -40,13 +40,23 @@ CommandHelp help_of_command(const CLI::App& command) {
     return help;
 }
 
+/// Adds the commands of a program, or those that are parts of a command.
+void add_commands(const CLI::App& app, const std::string& before, std::vector<CommandHelp>& commands) {
+    for (const CLI::App* command : app.get_subcommands({})) {
+        if (command->get_group().empty()) { continue; }
+        CommandHelp help = help_of_command(*command);
+        help.name = before + help.name;
+        for (const CLI::App* part : command->get_subcommands({})) { help.parts.push_back(part->get_name()); }
+        commands.push_back(help);
+        add_commands(*command, help.name + " ", commands);
+    }
+}
+
 }  // namespace
 
 ProgramHelp help_of(const CLI::App& app) {
     ProgramHelp help{help_of_command(app), {}};
-    for (const CLI::App* command : app.get_subcommands({})) {
-        if (!command->get_group().empty()) { help.commands.push_back(help_of_command(*command)); }
-    }
+    add_commands(app, "", help.commands);
     return help;
 }
 

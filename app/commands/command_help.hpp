@@ -20,16 +20,17 @@ struct OptionHelp {
 };
 
 struct CommandHelp {
-    std::string name;
+    std::string name;  ///< "render", or "snapshot record" of one that is part of another
     std::string description;
     std::string footer;
+    std::vector<std::string> parts;  ///< words that must follow: "record", "compare"
     std::vector<OptionHelp> positionals;
     std::vector<OptionHelp> options;  ///< those that help shows
 };
 
 struct ProgramHelp {
     CommandHelp program;                ///< with the options that stand before and behind every command
-    std::vector<CommandHelp> commands;  ///< in the order of the program's help
+    std::vector<CommandHelp> commands;  ///< in the order of the program's help, parts behind their own
 };
 
 ProgramHelp help_of(const CLI::App& app);

@@ -31,14 +31,30 @@ std::vector<std::string> all_names(const CommandHelp& command) {
     return names;
 }
 
+/// "snapshot record", which is proposed after "snapshot" alone.
+bool is_part(const CommandHelp& command) { return command.name.find(' ') != std::string::npos; }
+
+/// "snapshot" of "snapshot record", nothing of "render".
+std::string whole_of(const CommandHelp& command) {
+    const std::size_t space = command.name.rfind(' ');
+    return space == std::string::npos ? "" : command.name.substr(0, space);
+}
+
+std::string last_word_of(const CommandHelp& command) {
+    return command.name.substr(is_part(command) ? command.name.rfind(' ') + 1 : 0);
+}
+
 std::vector<std::string> command_names(const ProgramHelp& help) {
     std::vector<std::string> names;
-    for (const CommandHelp& command : help.commands) { names.push_back(command.name); }
+    for (const CommandHelp& command : help.commands) {
+        if (!is_part(command)) { names.push_back(command.name); }
+    }
     return names;
 }
 
 /// Words that the arguments of a command without a name can be; empty where these are files.
 std::vector<std::string> words_of_positionals(const CommandHelp& command) {
+    if (!command.parts.empty()) { return command.parts; }
     for (const OptionHelp& positional : command.positionals) {
         if (!positional.choices.empty()) { return positional.choices; }
     }
@@ -75,17 +91,21 @@ std::string for_bash(const ProgramHelp& help) {
         "_jointwise() {\n"
         "    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} command='' k\n"
         "    for ((k = 1; k < COMP_CWORD; k++)); do\n"
-        "        case ${COMP_WORDS[k]} in\n"
-        "            " +
-        joined(commands, " | ") +
-        ") command=${COMP_WORDS[k]}; break ;;\n"
+        "        case $command:${COMP_WORDS[k]} in\n";
+    for (const CommandHelp& command : help.commands) {
+        text += "            '" + whole_of(command) + "':" + last_word_of(command) + ") command='" +
+                command.name + "' ;;\n";
+    }
+    text +=
         "        esac\n"
         "    done\n"
         "    # where nothing is said, files are completed\n"
         "    COMPREPLY=()\n"
         "    case $command:$prev in\n";
     text += bash_values(help.program, "*:");
-    for (const CommandHelp& command : help.commands) { text += bash_values(command, command.name + ":"); }
+    for (const CommandHelp& command : help.commands) {
+        text += bash_values(command, "'" + command.name + "':");
+    }
     text += "    esac\n    case $command:$cur in\n";
     text += "        :-*) " + bash_words(everywhere) + " ;;\n";
     text += "        :*) " + bash_words(commands) + " ;;\n";
@@ -95,9 +115,9 @@ std::string for_bash(const ProgramHelp& help) {
         std::ranges::sort(options);
         const auto rest = std::ranges::unique(options);
         options.erase(rest.begin(), rest.end());
-        text += "        " + command.name + ":-*) " + bash_words(options) + " ;;\n";
+        text += "        '" + command.name + "':-*) " + bash_words(options) + " ;;\n";
         const std::vector<std::string> words = words_of_positionals(command);
-        if (!words.empty()) { text += "        " + command.name + ":*) " + bash_words(words) + " ;;\n"; }
+        if (!words.empty()) { text += "        '" + command.name + "':*) " + bash_words(words) + " ;;\n"; }
     }
     return text + "    esac\n}\ncomplete -o default -F _jointwise jointwise\n";
 }
@@ -139,6 +159,18 @@ std::string zsh_positionals(const CommandHelp& command) {
     return text;
 }
 
+/// What is proposed after a command, and after each of its parts.
+std::string zsh_branch(const ProgramHelp& help, const CommandHelp& command) {
+    std::string text = "            " + last_word_of(command) + ") _arguments";
+    if (command.parts.empty()) { return text + zsh_options(command) + zsh_positionals(command) + " ;;\n"; }
+    text += " -C" + zsh_options(command) + " \\\n                '1: :(" + joined(command.parts) +
+            ")' '*:: :->parts'\n            if [ \"$state\" = parts ]; then case $line[1] in\n";
+    for (const CommandHelp& part : help.commands) {
+        if (whole_of(part) == command.name) { text += zsh_branch(help, part); }
+    }
+    return text + "            esac; fi ;;\n";
+}
+
 std::string for_zsh(const ProgramHelp& help) {
     std::string text =
         "#compdef jointwise\n"
@@ -149,6 +181,7 @@ std::string for_zsh(const ProgramHelp& help) {
         "    local -a commands\n"
         "    commands=(";
     for (const CommandHelp& command : help.commands) {
+        if (is_part(command)) { continue; }
         text += "\n        '" + command.name + ":" + zsh_text(command.description) + "'";
     }
     text += ")\n    _arguments -C" + zsh_options(help.program) +
@@ -158,8 +191,7 @@ std::string for_zsh(const ProgramHelp& help) {
             "        arguments)\n"
             "            case $line[1] in\n";
     for (const CommandHelp& command : help.commands) {
-        text += "            " + command.name + ") _arguments" + zsh_options(command) +
-                zsh_positionals(command) + " ;;\n";
+        if (!is_part(command)) { text += zsh_branch(help, command); }
     }
     return text +
            "            esac ;;\n    esac\n}\n"
@@ -194,14 +226,18 @@ std::string for_fish(const ProgramHelp& help) {
     std::string text = "# fish completion for jointwise, written by 'jointwise completion fish'\n";
     text += fish_options(help.program, "");
     for (const CommandHelp& command : help.commands) {
-        text += "complete -c jointwise -n __fish_use_subcommand -f -a " + command.name + " -d " +
-                fish_text(command.description) + "\n";
-        const std::string seen = " -n '__fish_seen_subcommand_from " + command.name + "'";
-        text += fish_options(command, seen);
-        const std::vector<std::string> words = words_of_positionals(command);
-        if (!words.empty()) {
-            text += "complete -c jointwise" + seen + " -f -a " + fish_text(joined(words)) + "\n";
+        if (!is_part(command)) {
+            text += "complete -c jointwise -n __fish_use_subcommand -f -a " + command.name + " -d " +
+                    fish_text(command.description) + "\n";
         }
+        const std::string seen = "__fish_seen_subcommand_from " +
+                                 replaced(command.name, " ", "; and __fish_seen_subcommand_from ");
+        text += fish_options(command, " -n '" + seen + "'");
+        const std::vector<std::string> words = words_of_positionals(command);
+        if (words.empty()) { continue; }
+        const std::string no_part =
+            command.parts.empty() ? "" : "; and not __fish_seen_subcommand_from " + joined(command.parts);
+        text += "complete -c jointwise -n '" + seen + no_part + "' -f -a " + fish_text(joined(words)) + "\n";
     }
     return text;
 }

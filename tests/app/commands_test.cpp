@@ -106,7 +106,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: no command 'chekc'; expected one of open, list, new, check, explain, schema, "
          "step, "
          "inspect, try, "
-         "newton, solve, simulate, bench, plot, render, "
+         "newton, solve, simulate, bench, plot, render, export, snapshot, "
          "sheet, grade, doctor, completion, manual\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},

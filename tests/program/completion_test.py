@@ -41,7 +41,11 @@ class Help:
 
 
 top = Help()
-helps = {command: Help(command) for command in top.commands}
+helps = {}
+for whole in top.commands:
+    helps[whole] = Help(whole)
+    for part in helps[whole].commands:
+        helps[f"{whole} {part}"] = Help(whole, part)
 check(len(helps) > 15, f"only {len(helps)} commands were found in the help")
 check(sum(len(h.options) for h in helps.values()) > 60, "hardly an option was found in the help")
 check("--json" not in helps["step"].options, "a hidden option is in the help")
@@ -81,11 +85,13 @@ check(bash("jointwise", "render", "x", "--out", "") == set(), "bash proposes wor
 check(bash("jointwise", "--language", "en", "step", "--u") == {"--until"}, "an option before the command irritates bash")
 for command, page in helps.items():
     expected = set(page.options) | set(top.options) - {"--version"}
-    proposed = bash("jointwise", command, "-") - {"--version"}
+    proposed = bash("jointwise", *command.split(), "-") - {"--version"}
+    if page.commands:
+        check(bash("jointwise", command, "") == set(page.commands), f"bash, {command}: not its parts")
     check(proposed == expected, f"bash, {command}: {proposed ^ expected}")
     for name, words in page.options.items():
         if words:
-            check(bash("jointwise", command, name, "") == set(words), f"bash, {command} {name}: not its words")
+            check(bash("jointwise", *command.split(), name, "") == set(words), f"bash, {command} {name}: not its words")
 
 for shell in ("zsh", "fish"):
     if shutil.which(shell):
@@ -106,7 +112,7 @@ for command, page in {"": top, **helps}.items():
     if command:
         check(f".SS {command}\n" in plain, f"manual: no section {command}")
         section = plain.split(f".SS {command}\n")[1].split("\n.S")[0]
-        branch = re.search(rf"^ +{command}\) _arguments((?:.|\n)*?) ;;$", scripts["zsh"], re.M)
+        branch = re.search(rf"^ +{command.split()[-1]}\) _arguments((?:.|\n)*?)(?: ;;|; then case .*)$", scripts["zsh"], re.M)
         check(branch, f"zsh: no branch {command}")
     for name, words in page.options.items():
         check(re.search(rf"^{name}\b|, {name}\b", section, re.M), f"manual: {command} {name} is missing")
@@ -114,7 +120,7 @@ for command, page in {"": top, **helps}.items():
             continue
         check(branch and f"'{name}[" in branch[1].replace("'*", "'"), f"zsh: {command} {name} is missing")
         flag = f"-l {name[2:]} " if name.startswith("--") else f"-s {name[1:]} "
-        lines = [line for line in scripts["fish"].splitlines() if f"from {command}'" in line and flag in line]
+        lines = [line for line in scripts["fish"].splitlines() if f"from {command.replace(' ', '; and __fish_seen_subcommand_from ')}'" in line and flag in line]
         check(len(lines) == 1, f"fish: {command} {name} is there {len(lines)} times")
         for word in words:
             check(word in section, f"manual: {command} {name} {word} is missing")
