@@ -37,8 +37,11 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     for (const CLI::App* command : app.get_subcommands({})) { names.push_back(command->get_name()); }
     if (std::ranges::find(names, arguments.front()) != names.end()) { return {}; }
     std::string hint = did_you_mean(arguments.front(), names);
-    return "jointwise: error: no command " + in_quotes(arguments.front()) + "; expected one of " +
-           comma_list(names) + "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
+    // all of them, however many
+    std::string all;
+    for (const std::string& name : names) { all += (all.empty() ? "" : ", ") + name; }
+    return "jointwise: error: no command " + in_quotes(arguments.front()) + "; expected one of " + all +
+           "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
 }
 
 /// Errors in arguments that the parser takes for right.

@@ -11,9 +11,10 @@
 namespace jw::test {
 namespace {
 
-const std::vector<std::string> kCommands{
-    "open", "list",   "new",   "check",    "explain", "schema", "sheet",  "grade",  "step",       "inspect",
-    "try",  "newton", "solve", "simulate", "bench",   "plot",   "render", "doctor", "completion", "manual"};
+const std::vector<std::string> kCommands{"open",       "list",     "new",    "check",   "explain", "schema",
+                                         "sheet",      "grade",    "step",   "inspect", "try",     "newton",
+                                         "solve",      "simulate", "bench",  "plot",    "render",  "doctor",
+                                         "completion", "manual",   "export", "snapshot"};
 
 /// A command that can write JSON, with what it needs besides its format.
 std::vector<std::vector<std::string>> commands_with_json(const std::string& driven) {
@@ -173,6 +174,10 @@ TEST_CASE("a wrong lesson is status 2 with file, line and column, for every comm
         std::vector<std::string> arguments{command, wrong};
         if (command == "render") { arguments.insert(arguments.end(), {"--out", folder.path("frames")}); }
         if (command == "plot") { arguments.insert(arguments.end(), {"--out", folder.path("plot.png")}); }
+        if (command == "export") { arguments.insert(arguments.end(), {"--csv", "-"}); }
+        if (command == "snapshot") {
+            arguments = {"snapshot", "record", wrong, "--golden", folder.path("golden")};
+        }
         const Ran ran = run(arguments);
         CHECK(ran.status == 2);
         CHECK(ran.err.find(wrong + ":3:1: error: unknown key 'color'") != std::string::npos);
