@@ -186,6 +186,19 @@ TEST_CASE("rules that would let anything pass are found by the negative controls
     CHECK(says(ran, "BLIND: two bodies have swapped their colours, and the layer of colours"));
 }
 
+TEST_CASE("a joint that nobody can see is no fault of the rules", "[snapshot]") {
+    // the hinge is inside of the plate
+    const Suite suite(
+        "format = 1\ntitle = \"T\"\n[[body]]\nname = \"plate\"\n"
+        "shape = [{ sphere = { at = [0, 0, 0], radius = 2 } }]\n"
+        "[[joint]]\nname = \"pivot\"\ntype = \"spherical\"\nbodies = [\"ground\", \"plate\"]\nat = [0, 0, "
+        "0]\n");
+    const Ran ran = suite.compare();
+    INFO(ran.out);
+    CHECK(ran.status == 0);
+    CHECK_FALSE(says(ran, "BLIND"));
+}
+
 TEST_CASE("rules with mistakes are refused with their place", "[snapshot]") {
     const Suite suite;
     std::ofstream(suite.golden() + "/rules.toml") << "[colour]\nshare = 2\n[depths]\n";
