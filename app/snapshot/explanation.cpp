@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t kLongestValue = 60;
 
 /// Keys of lengths in m; all others but angles and times are shown as they stand.
-constexpr std::array<std::string_view, 14> kLengths{
-    "radius", "size",     "at",     "at_i",   "at_j",           "from",   "to",
-    "pitch",  "position", "offset", "length", "centre_of_mass", "target", "free_length"};
+constexpr std::array<std::string_view, 17> kLengths{
+    "point", "point_i",  "point_j", "radius", "size",           "at",     "at_i",       "at_j", "from", "to",
+    "pitch", "position", "offset",  "length", "centre_of_mass", "target", "free_length"};
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
@@ -57,10 +57,15 @@ std::string amount_text(std::string_view key, double amount) {
     if (std::ranges::find(kLengths, key) != kLengths.end()) {
         return amount < 0.1 ? short_number(1000.0 * amount, 4) + " mm" : short_number(amount, 4) + " m";
     }
-    const char* unit = key.ends_with("_deg")   ? " deg"
-                       : key.ends_with("_rad") ? " rad"
-                       : key.ends_with("_s")   ? " s"
-                                               : "";
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> units{
+        {{"_deg_per_s", " deg/s"},
+         {"_rad_per_s", " rad/s"},
+         {"_deg", " deg"},
+         {"_rad", " rad"},
+         {"_s", " s"}}};
+    const auto found =
+        std::ranges::find_if(units, [key](const auto& unit) { return key.ends_with(unit.first); });
+    const char* const unit = found == units.end() ? "" : found->second;
     return short_number(amount, 4) + unit;
 }
 

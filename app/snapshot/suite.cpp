@@ -102,7 +102,8 @@ std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
     const std::string values = change.before.empty()  ? "new, " + change.after
                                : change.after.empty() ? "gone, was " + change.before
                                                       : change.before + " → " + change.after;
-    return "the lesson is as it was, and in '" + first->name + "' " + change.name + " is another: " + values;
+    return "no value of the lesson has changed, and in '" + first->name + "' " + change.name +
+           " is another: " + values;
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST_CASE("a changed number of the program is told where it matters most", "[sna
     suite.change_golden("pivot.json", R"(["rank","rank",5])", R"(["rank","rank",4])");
     const Ran ran = suite.compare();
     CHECK(ran.status == 1);
-    CHECK(says(ran, "why: the lesson is as it was, and in 'pivot' rank is another: 4 → 5"));
+    CHECK(says(ran, "why: no value of the lesson has changed, and in 'pivot' rank is another: 4 → 5"));
 }
 
 TEST_CASE("a joint that is renamed makes snapshots new and gone", "[snapshot]") {
