@@ -131,6 +131,10 @@ Snapshot GoldenFolder::read(const std::string& name) const {
     return snapshot;
 }
 
+bool GoldenFolder::is_copy_of_lesson(const fs::path& file) {
+    return file.filename() == kLesson && GoldenFolder(file.parent_path()).exists();
+}
+
 void GoldenFolder::write_head(const GoldenHead& head, const std::string& lesson_text) const {
     fs::create_directories(folder_);
     write_lesson(lesson_text);

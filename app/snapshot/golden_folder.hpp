@@ -41,6 +41,9 @@ public:
     /// @throws std::runtime_error naming the file that is missing or damaged, and what to do
     Snapshot read(const std::string& name) const;
 
+    /// True for the copies of lessons that golden folders hold: they are no lessons of a suite.
+    static bool is_copy_of_lesson(const std::filesystem::path& file);
+
     void write_head(const GoldenHead& head, const std::string& lesson_text) const;
     void write_lesson(const std::string& lesson_text) const;
     /// Its pictures first, so that a record never stands for pictures that are not there.

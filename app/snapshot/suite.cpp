@@ -17,8 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 void add(std::vector<SuiteLesson>& suite, const fs::path& file, const fs::path& name) {
-    fs::path plain = name;
-    plain.replace_extension();
+    const fs::path plain = name.parent_path() / name.stem();
+    // the name becomes a folder below that of the golden snapshots
+    if (std::ranges::any_of(plain, [](const fs::path& part) { return part == "." || part == ".."; })) {
+        throw std::runtime_error(
+            "'" + file.string() +
+            "' cannot give a folder of snapshots its name; expected a file with a name "
+            "before .toml");
+    }
     const std::string text = plain.generic_string();
     const auto other = std::ranges::find(suite, text, &SuiteLesson::name);
     if (other != suite.end()) {
@@ -116,12 +122,14 @@ std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
             add(suite, path, fs::path(path).filename());
             continue;
         }
-        const std::vector<fs::path> files = lessons_below(path);
+        std::vector<fs::path> files = lessons_below(path);
+        std::erase_if(files, GoldenFolder::is_copy_of_lesson);
         if (files.empty()) {
             throw std::runtime_error(
                 "'" + path + "': there is no lesson below this folder; expected files *.toml");
         }
-        for (const fs::path& file : files) { add(suite, file, fs::relative(file, path)); }
+        // without following links: a lesson that is one keeps its name here
+        for (const fs::path& file : files) { add(suite, file, file.lexically_relative(path)); }
     }
     return suite;
 }

@@ -309,4 +309,40 @@ TEST_CASE("lessons of two folders may not share a name", "[snapshot]") {
     CHECK(says(ran, "have the same name 'crank'"));
 }
 
+TEST_CASE("nothing is written outside of the golden folder, whatever a lesson is called", "[snapshot]") {
+    const Folder folder;
+    std::filesystem::create_directories(folder.path("lessons"));
+    std::filesystem::create_directories(folder.path("shared"));
+    folder.file("shared/crank.toml", kCrank);
+    std::filesystem::create_symlink("../shared/crank.toml", folder.path("lessons/link.toml"));
+    const auto record = [&] {
+        return Suite::snapshot(
+            {"record", folder.path("lessons"), "--golden", folder.path("golden"), "--only", "bodies"});
+    };
+    CHECK(record().status == 0);
+    CHECK(std::filesystem::exists(folder.path("golden/link/bodies.json")));
+    CHECK_FALSE(std::filesystem::exists(folder.path("shared/crank")));
+    for (const char* const name : {"lessons/...toml", "lessons/..toml"}) {
+        folder.file(name, kCrank);
+        const Ran ran = record();
+        CHECK(ran.status == 2);
+        CHECK(says(ran, "cannot give a folder of snapshots its name"));
+        CHECK_FALSE(std::filesystem::exists(folder.path("snapshots.json")));
+        CHECK_FALSE(std::filesystem::exists(folder.path("golden/snapshots.json")));
+        std::filesystem::remove(folder.path(name));
+    }
+}
+
+TEST_CASE("copies of lessons in a golden folder are no lessons", "[snapshot]") {
+    const Folder folder;
+    folder.file("crank.toml", kCrank);
+    const auto golden_below = [&](const char* verb) {
+        return Suite::snapshot({verb, folder.path(), "--golden", folder.path("golden")});
+    };
+    REQUIRE(golden_below("record").status == 0);
+    const Ran ran = golden_below("compare");
+    CHECK(ran.status == 0);
+    CHECK(says(ran, "1 lesson, 8 snapshots: 8 same"));
+}
+
 }  // namespace jw::test
