@@ -29,8 +29,8 @@ struct SnapshotOptions {
     std::string reason;
 };
 
-constexpr PixelSize kSmallest{960, 540};
-constexpr PixelSize kLargest{3840, 2160};
+constexpr PixelSize kSmallest{snapshot::kSmallestSize.width, snapshot::kSmallestSize.height};
+constexpr PixelSize kLargest{snapshot::kLargestSize.width, snapshot::kLargestSize.height};
 constexpr const char* kPage = "index.html";
 constexpr const char* kJunit = "junit.xml";
 constexpr const char* kJson = "report.json";

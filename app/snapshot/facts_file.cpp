@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <stdexcept>
 
 #include "lessons/diagnostics.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr const char* kFormat = "jointwise snapshot";
 constexpr int kVersion = 1;
+constexpr double kMostCounted = 1e9;
 
 constexpr std::array kWeights{EnumWord{Weight::failure, "failure"}, EnumWord{Weight::rank, "rank"},
                               EnumWord{Weight::count, "count"},     EnumWord{Weight::pose, "pose"},
@@ -65,6 +67,10 @@ Fact fact_of(const Json& json, const std::string& file) {
         fact.text = json[2].get<std::string>();
     } else {
         fact.value = number_in(json[2], file);
+    }
+    if (json.size() == 3 && fact.value &&
+        (!json[2].is_number_integer() || std::abs(*fact.value) > kMostCounted)) {
+        fail(file, in_quotes(fact.name) + " is no count");
     }
     if (json.size() == 5) {
         fact.unit = text_in(json[3], file);
@@ -128,7 +134,12 @@ Record record_of(const std::string& text, const std::string& file) {
     const Json& facts = at(json, "facts", file);
     if (!blessed.is_array() || !facts.is_array()) { fail(file, "a list is none"); }
     for (const Json& reason : blessed) { record.blessed.push_back(text_in(reason, file)); }
-    for (const Json& fact : facts) { record.facts.push_back(fact_of(fact, file)); }
+    std::set<std::string> names;
+    for (const Json& json_fact : facts) {
+        record.facts.push_back(fact_of(json_fact, file));
+        const std::string& fact = record.facts.back().name;
+        if (!names.insert(fact).second) { fail(file, in_quotes(fact) + " is in it twice"); }
+    }
     return record;
 }
 

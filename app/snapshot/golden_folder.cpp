@@ -19,30 +19,37 @@ constexpr const char* kHead = "snapshots.json";
 constexpr const char* kLesson = "lesson.toml";
 constexpr const char* kFormat = "jointwise snapshots";
 constexpr int kVersion = 1;
-constexpr std::uintmax_t kLargestFile = 1U << 28U;
+// what a file unpacks to is many times larger; records have about 0.05 MB, pictures at most 25 MB of bytes
+constexpr std::uintmax_t kLargestText = 1U << 23U;
+constexpr std::uintmax_t kLargestPng = 1U << 26U;
+constexpr int kMostMoments = 1000;
 
 constexpr const char* kRecord = ".json";
 constexpr const char* kColour = ".png";
 constexpr const char* kIds = ".ids.png";
 constexpr const char* kDepth = ".depth.png";
 
-std::vector<std::uint8_t> bytes_of(const fs::path& path) {
+[[noreturn]] void unreadable(const fs::path& path, const std::string& why) {
+    throw std::runtime_error(
+        "'" + path.string() + "' cannot be read" + why +
+        "; expected a file of a snapshot (restore it, or remove the snapshot and record it again)");
+}
+
+std::vector<std::uint8_t> bytes_of(const fs::path& path, std::uintmax_t largest) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
+    // before it is opened: opening a pipe would wait for ever
+    if (error) { unreadable(path, ": " + error.message()); }
     std::ifstream in(path, std::ios::binary);
-    if (error || !in) {
-        throw std::runtime_error(
-            "'" + path.string() + "' cannot be read" + (error ? ": " + error.message() : "") +
-            "; expected a file of a snapshot (restore it, or remove the snapshot and record it again)");
-    }
-    if (size > kLargestFile) {
+    if (!in) { unreadable(path, ""); }
+    if (size > largest) {
         throw std::runtime_error("'" + path.string() + "' is too large for a file of a snapshot");
     }
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string text_at(const fs::path& path) {
-    const std::vector<std::uint8_t> bytes = bytes_of(path);
+    const std::vector<std::uint8_t> bytes = bytes_of(path, kLargestText);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -58,7 +65,21 @@ int whole_number(const Json& json, const fs::path& path, int least, int most) {
     return static_cast<int>(value);
 }
 
-render::Image picture_at(const fs::path& path) { return render::decode_png(bytes_of(path), path.string()); }
+std::string text_of(const SnapshotSize& size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+/// A picture of this size: another one is not even decoded.
+render::Image picture_at(const fs::path& path, const SnapshotSize& size) {
+    const std::vector<std::uint8_t> bytes = bytes_of(path, kLargestPng);
+    const auto [width, height] = render::size_of_png(bytes, path.string());
+    if (SnapshotSize{width, height} != size) {
+        throw std::runtime_error(
+            "'" + path.string() + "' is " + text_of(SnapshotSize{width, height}) + "; expected " +
+            text_of(size) + " as " + kHead + " says");
+    }
+    return render::decode_png(bytes, path.string());
+}
 
 }  // namespace
 
@@ -86,9 +107,9 @@ GoldenHead GoldenFolder::head() const {
     }
     GoldenHead head;
     head.size = {
-        whole_number(size[0], path, 1, render::kLargestPicture),
-        whole_number(size[1], path, 1, render::kLargestPicture)};
-    head.choice.moments = whole_number(json.value("moments", Json()), path, 0, 100000);
+        whole_number(size[0], path, kSmallestSize.width, kLargestSize.width),
+        whole_number(size[1], path, kSmallestSize.height, kLargestSize.height)};
+    head.choice.moments = whole_number(json.value("moments", Json()), path, 0, kMostMoments);
     for (const Json& name : json.value("only", Json::array())) {
         if (!name.is_string()) { damaged(path, "has something else in place of a name"); }
         head.choice.only.push_back(name.get<std::string>());
@@ -124,9 +145,11 @@ Snapshot GoldenFolder::read(const std::string& name) const {
     Snapshot snapshot;
     const fs::path record = file(name, kRecord);
     snapshot.record = record_of(text_at(record), record.string());
-    snapshot.colour = picture_at(file(name, kColour));
-    snapshot.layers.ids = picture_at(file(name, kIds));
-    snapshot.layers.depth = picture_at(file(name, kDepth));
+    if (snapshot.record.name != name) { damaged(record, "is the record of another snapshot"); }
+    const SnapshotSize size = head().size;
+    snapshot.colour = picture_at(file(name, kColour), size);
+    snapshot.layers.ids = picture_at(file(name, kIds), size);
+    snapshot.layers.depth = picture_at(file(name, kDepth), size);
     snapshot.layers.things = snapshot.record.things;
     return snapshot;
 }

@@ -25,6 +25,8 @@ struct SnapshotSize {
 
     bool operator==(const SnapshotSize&) const = default;
 };
+inline constexpr SnapshotSize kSmallestSize{960, 540};
+inline constexpr SnapshotSize kLargestSize{3840, 2160};
 
 /// A lesson of which snapshots are taken, one after the other.
 class Camera {

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 #include "render/png.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/read_png.hpp"
@@ -297,6 +299,33 @@ TEST_CASE("damaged golden files are named, and nothing else is lost", "[snapshot
     // blessing replaces what cannot be read
     CHECK(suite.bless("restored").status == 0);
     CHECK(suite.compare().status == 0);
+}
+
+TEST_CASE("golden files of another kind or size are named before they cost time", "[snapshot]") {
+    const Suite suite(kPlate, {"--only", "bodies", "--only", "pivot"});
+    // opening a pipe that nobody writes into would wait for ever
+    std::filesystem::remove(suite.golden("bodies.png"));
+    REQUIRE(::mkfifo(suite.golden("bodies.png").c_str(), 0600) == 0);
+    const render::Image small{4, 3, std::vector<std::uint8_t>(3U * 4U * 3U)};
+    const std::vector<std::uint8_t> bytes = render::encode_png(small);
+    suite.write_golden("pivot.depth.png", std::string(bytes.begin(), bytes.end()));
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "bodies.png' cannot be read"));
+    CHECK(says(ran, "pivot.depth.png' is 4x3; expected 960x540 as snapshots.json says"));
+
+    suite.change_golden("snapshots.json", "960", "1");
+    const Ran thin = suite.compare();
+    CHECK(thin.status == 2);
+    CHECK(says(thin, "snapshots.json' has a number out of range"));
+}
+
+TEST_CASE("the record of another snapshot is found", "[snapshot]") {
+    const Suite suite(kPlate, {"--only", "bodies"});
+    suite.change_golden("bodies.json", R"("name": "bodies")", R"("name": "pivot")");
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "bodies.json' is the record of another snapshot"));
 }
 
 TEST_CASE("lessons of two folders may not share a name", "[snapshot]") {

@@ -55,4 +55,20 @@ TEST_CASE("a record that is cut off or changed anywhere is read or refused, neve
     CHECK(refused > 300);
 }
 
+TEST_CASE("a record with a fact twice, or a count that is none, is refused", "[snapshot]") {
+    const std::string whole = text_of(sample());
+    const std::string rank = R"(["rank","rank",5])";
+    const auto with = [&](const std::string& facts) {
+        std::string text = whole;
+        return text.replace(text.find(rank), rank.size(), facts);
+    };
+    CHECK(record_of(with(R"(["rank","rank",4])"), "a.json").facts[0].value == 4.0);
+    for (const char* const facts :
+         {R"(["rank","rank",5],["rank","rank",4])", R"(["rank","rank",0.4])", R"(["rank","rank",1e308])",
+          R"(["rank","rank",18446744073709551615])"}) {
+        INFO(facts);
+        CHECK_THROWS_AS(record_of(with(facts), "a.json"), std::runtime_error);
+    }
+}
+
 }  // namespace jw::snapshot
