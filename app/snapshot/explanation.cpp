@@ -14,6 +14,7 @@ namespace jw::snapshot {
 namespace {
 
 constexpr std::size_t kLongestValue = 60;
+constexpr std::size_t kBeforeChange = 20;  // bytes of a long text that are shown in front of its change
 
 /// Keys of lengths in m; all others but angles and times are shown as they stand.
 constexpr std::array<std::string_view, 17> kLengths{
@@ -21,6 +22,12 @@ constexpr std::array<std::string_view, 17> kLengths{
     "pitch", "position", "offset",  "length", "centre_of_mass", "target", "free_length"};
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+
+/// Which choice is right: a number, but none that is larger or smaller.
+constexpr std::string_view kChoice = "answer";
+
+/// `from` of the camera is no point.
+bool is_direction(std::string_view path) { return path == "camera.from"; }
 
 std::string_view last_part(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
 
@@ -32,7 +39,8 @@ std::string subject_of(const std::string& path) {
     if (second == std::string::npos) { return path.substr(0, first); }
     const std::string name = path.substr(first + 1, second - first - 1);
     const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
-    return is_number ? path.substr(0, first) + " " + name : name;
+    // as names of snapshots count: "answer-1" is that of the first question
+    return is_number ? path.substr(0, first) + " " + std::to_string(std::stoul(name) + 1) : name;
 }
 
 /// The number, or the numbers of a list; empty if it is neither.
@@ -87,22 +95,48 @@ std::optional<std::string> in_numbers(
     return text;
 }
 
-/// A value as it is shown: numbers as they are usually written, long ones cut.
+/// A value as it is shown: numbers as they are usually written.
 std::string shown(const std::string& value) {
     const std::vector<double> numbers = numbers_in(value);
     std::string line = numbers.empty() ? value : "";
     for (const double number : numbers) { line += (line.empty() ? "" : ", ") + short_number(number, 9); }
     if (numbers.size() > 1) { line = "[" + line + "]"; }
     std::ranges::replace(line, '\n', ' ');
-    return line.size() <= kLongestValue ? line : line.substr(0, kLongestValue) + "...";
+    return line;
+}
+
+/// The start of the character that a byte belongs to.
+std::size_t character_at(std::string_view text, std::size_t byte) {
+    while (byte > 0 && byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0U) == 0x80U) {
+        --byte;
+    }
+    return std::min(byte, text.size());
+}
+
+/// A piece of a long text, with what matters at this byte in it.
+std::string piece_of(std::string_view text, std::size_t byte) {
+    if (text.size() <= kLongestValue) { return std::string(text); }
+    const std::size_t from = character_at(text, byte < kBeforeChange ? 0 : byte - kBeforeChange);
+    const std::size_t to = character_at(text, from + kLongestValue);
+    return (from > 0 ? "..." : "") + std::string(text.substr(from, to - from)) +
+           (to < text.size() ? "..." : "");
+}
+
+/// "'before' → 'now'", of long texts the piece where they begin to differ.
+std::string both_shown(const std::string& before, const std::string& now) {
+    const std::string a = shown(before);
+    const std::string b = shown(now);
+    const auto first = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+    return piece_of(a, first) + " → " + piece_of(b, first);
 }
 
 std::string change_text(const std::string& path, const std::string& before, const std::string& now) {
     const std::string_view key = last_part(path);
     const std::string subject = subject_of(path);
-    const std::string values = shown(before) + " → " + shown(now);
+    const std::string values = both_shown(before, now);
     const std::string what = std::string(key) + (subject.empty() ? "" : " of " + subject);
-    const auto difference = in_numbers(key, before, now);
+    const auto difference = key == kChoice ? std::optional<std::string>()
+                                           : in_numbers(is_direction(path) ? "" : key, before, now);
     const std::string place = subject.empty() ? values : path + ", " + values;
     return difference ? what + ": " + *difference + " (" + place + ")" : what + ": " + values;
 }

@@ -112,6 +112,16 @@ std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
            " is another: " + values;
 }
 
+/// Why snapshots differ if neither lesson nor facts do.
+std::string differing_otherwise(const std::vector<SnapshotResult>& snapshots) {
+    const auto has = [&](Verdict verdict) {
+        return std::ranges::find(snapshots, verdict, &SnapshotResult::verdict) != snapshots.end();
+    };
+    if (has(Verdict::differs)) { return "lesson and numbers are as they were; only pixels differ"; }
+    if (has(Verdict::broken)) { return "golden snapshots are damaged; no value of the lesson has changed"; }
+    return "other steps were recorded than are compared; no value of the lesson has changed";
+}
+
 }  // namespace
 
 std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
@@ -170,7 +180,7 @@ std::string LessonResult::explanation() const {
                    s.difference.drawn_otherwise;
         }
     }
-    return "lesson and numbers are as they were; only pixels differ";
+    return differing_otherwise(snapshots);
 }
 
 RecordResult record(

@@ -41,6 +41,42 @@ TEST_CASE("a change of a lesson is one line with its amount", "[snapshot]") {
         std::vector<std::string>{"colour of crank: 'vermilion' → 'blue'"});
 }
 
+TEST_CASE("a change late in a long text is shown", "[snapshot]") {
+    CHECK(
+        changes("between 78 and 143 deg. Three", "between 79 and 143 deg. Three") ==
+        std::vector<std::string>{
+            "text of step 2: ...ker swings between 78 and 143 deg. Three equations stay redu... → ...ker "
+            "swings between 79 and 143 deg. Three equations stay redu..."});
+}
+
+TEST_CASE("characters are not cut in two", "[snapshot]") {
+    // of two, three and four bytes, and the change at every place of a longer text
+    for (const std::string letter : {"é", "漢", "𝄞"}) {
+        for (std::size_t at = 0; at < 60; ++at) {
+            std::string text;
+            for (std::size_t k = 0; k < 60; ++k) { text += k == at ? "X" : letter; }
+            const std::string before = "title = '" + text + "'";
+            const std::string line = lesson_changes(before, replaced(before, "X", "Y")).at(0);
+            std::size_t begun = 0;  // bytes that their characters still need
+            for (const char c : line) {
+                const auto byte = static_cast<unsigned char>(c);
+                REQUIRE(((byte & 0xC0U) == 0x80U) == (begun > 0));
+                begun = byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : byte >= 0xC0U ? 1 : begun > 0 ? begun - 1 : 0;
+            }
+            CHECK(line.find('X') < line.find('Y'));
+            CHECK(line.find('Y') != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("directions have no unit, and choices are not larger or smaller", "[snapshot]") {
+    CHECK(
+        changes("from = [0.35, -1, 0.3]", "from = [0.36, -1, 0.3]") ==
+        std::vector<std::string>{
+            "from of camera: x 0.01 larger (camera.from, [0.35, -1, 0.3] → [0.36, -1, 0.3])"});
+    CHECK(changes("answer = 2", "answer = 1") == std::vector<std::string>{"answer of question 5: 2 → 1"});
+}
+
 TEST_CASE("comments and layout are no changes of a lesson", "[snapshot]") {
     CHECK(changes("# 0.4 m", "# the crank").empty());
     CHECK(changes("colour = \"vermilion\"", "\n\ncolour  =  \"vermilion\"").empty());

@@ -293,6 +293,7 @@ TEST_CASE("damaged golden files are named, and nothing else is lost", "[snapshot
         if (s["verdict"] == "broken") { reasons[s["name"]] = s["reasons"][0]; }
     }
     CHECK(reasons.size() == 3);
+    CHECK(report["lessons"][0]["why"] == "golden snapshots are damaged; no value of the lesson has changed");
     CHECK(reasons["bodies"].find("cannot be read as a PNG picture") != std::string::npos);
     CHECK(reasons["pivot"].find("it is not JSON, or cut off") != std::string::npos);
     CHECK(reasons["pivot-equations"].find("pivot-equations.ids.png' cannot be read") != std::string::npos);
