@@ -38,6 +38,20 @@ TEST_CASE("a number may be off by its tolerance and no more", "[snapshot]") {
     CHECK(changes_of(before, {number("crank · r · x", 0.25, 1e-6, "mm")}).size() == 1);
 }
 
+TEST_CASE(
+    "numbers in words of the author are exact, those in sentences of the program are rounded", "[snapshot]") {
+    const auto change = [](const std::string& name) {
+        const auto text = [&](const char* words) {
+            return Fact{Weight::text, name, words, std::nullopt, {}, 0.0};
+        };
+        return changes_of({text("less than 1.2 m")}, {text("less than 1.3 m")}).size();
+    };
+    for (const char* const name : {"text of the author", "question", "choice (2)", "reason of the answer"}) {
+        CHECK(change(name) == 1);
+    }
+    CHECK(change("sentence") == 0);
+}
+
 TEST_CASE("facts that come and go are changes, but for numbers that are nothing", "[snapshot]") {
     const std::vector<Fact> none;
     const std::vector<Fact> some{number("a", 1.0, 1e-6), number("b", 5e-7, 1e-6)};
