@@ -11,6 +11,8 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
+    std::vector<std::uint8_t> alpha =
+        {};  ///< one a pixel, 255 where nothing shines through; empty: all of them
 
     bool operator==(const Image&) const = default;
 

@@ -1,9 +1,12 @@
 #include "render/png.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <libdeflate.h>
 
@@ -44,23 +47,66 @@ struct Free {
 };
 using Memory = std::unique_ptr<unsigned char, Free>;
 
+std::vector<std::uint8_t> rgba_of(const Image& image) {
+    std::vector<std::uint8_t> rgba(4 * image.alpha.size());
+    for (std::size_t n = 0; n < image.alpha.size(); ++n) {
+        std::copy_n(&image.rgb[3 * n], 3, &rgba[4 * n]);
+        rgba[4 * n + 3] = image.alpha[n];
+    }
+    return rgba;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
     const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    if (image.width <= 0 || image.height <= 0 || image.rgb.size() != 3 * pixels) {
+    const bool is_opaque = image.alpha.empty();
+    if (image.width <= 0 || image.height <= 0 || image.rgb.size() != 3 * pixels ||
+        (!is_opaque && image.alpha.size() != pixels)) {
         throw std::invalid_argument(
             "a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-            " pixels cannot have " + std::to_string(image.rgb.size()) + " bytes of colour");
+            " pixels cannot have " + std::to_string(image.rgb.size()) + " bytes of colour" +
+            (is_opaque ? "" : " and " + std::to_string(image.alpha.size()) + " of opacity"));
     }
     // once: pictures may be encoded on several threads
     static const int no_filter = stbi_write_force_png_filter = 0;
     static_cast<void>(no_filter);
+    const std::vector<std::uint8_t> rgba = is_opaque ? std::vector<std::uint8_t>() : rgba_of(image);
+    const int channels = is_opaque ? 3 : 4;
     int size = 0;
-    const Memory png(
-        stbi_write_png_to_mem(image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size));
+    const Memory png(stbi_write_png_to_mem(
+        is_opaque ? image.rgb.data() : rgba.data(), channels * image.width, image.width, image.height,
+        channels, &size));
     if (!png) { throw std::bad_alloc(); }
     return {png.get(), png.get() + size};
+}
+
+std::uint32_t png_number(std::span<const std::uint8_t> bytes) {
+    std::uint32_t value = 0;
+    for (const std::uint8_t byte : bytes.first(4)) { value = value << 8U | byte; }
+    return value;
+}
+
+std::uint32_t png_checksum(std::span<const std::uint8_t> bytes) {
+    return libdeflate_crc32(0, bytes.data(), bytes.size());
+}
+
+bool is_whole_png(std::span<const std::uint8_t> bytes) {
+    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    constexpr std::size_t around = 12;  // of a chunk: length, type and checksum
+    if (bytes.size() < signature.size() || !std::ranges::equal(signature, bytes.first(signature.size()))) {
+        return false;
+    }
+    std::span<const std::uint8_t> rest = bytes.subspan(signature.size());
+    while (rest.size() >= around) {
+        const std::uint32_t size = png_number(rest);
+        if (size > rest.size() - around) { return false; }
+        if (png_checksum(rest.subspan(4, 4 + size)) != png_number(rest.subspan(8 + size))) { return false; }
+        const auto type = rest.subspan(4, 4);
+        rest = rest.subspan(around + size);
+        if (std::ranges::equal(type, std::string_view("IEND"))) { return rest.empty(); }
+    }
+    return false;
 }
 
 std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }

@@ -1,5 +1,6 @@
 #include "render/png_reader.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -44,15 +45,40 @@ std::array<int, 2> size_of_png(std::span<const std::uint8_t> bytes, const std::s
     return size;
 }
 
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-    Image image;
-    int channels = 0;
-    const std::unique_ptr<unsigned char, Free> pixels(stbi_load_from_memory(
-        bytes.data(), length_of(bytes, name), &image.width, &image.height, &channels, 3));
-    if (!pixels) { fail(name, stbi_failure_reason()); }
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    image.rgb.assign(pixels.get(), pixels.get() + 3 * count);
+namespace {
+
+using Pixels = std::unique_ptr<unsigned char, Free>;
+
+Image opaque(const Pixels& rgb, int width, int height) {
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return {width, height, {rgb.get(), rgb.get() + 3 * count}};
+}
+
+Image transparent(const Pixels& rgba, int width, int height) {
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    Image image{width, height, std::vector<std::uint8_t>(3 * count), std::vector<std::uint8_t>(count)};
+    for (std::size_t n = 0; n < count; ++n) {
+        std::copy_n(rgba.get() + 4 * n, 3, &image.rgb[3 * n]);
+        image.alpha[n] = rgba.get()[4 * n + 3];
+    }
     return image;
+}
+
+}  // namespace
+
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, Alpha alpha) {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const int length = length_of(bytes, name);
+    if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0) {
+        fail(name, stbi_failure_reason());
+    }
+    const bool keeps_alpha = alpha == Alpha::kept && (channels == 2 || channels == 4);
+    const Pixels pixels(stbi_load_from_memory(
+        bytes.data(), length, &width, &height, &channels, keeps_alpha ? STBI_rgb_alpha : STBI_rgb));
+    if (!pixels) { fail(name, stbi_failure_reason()); }
+    return keeps_alpha ? transparent(pixels, width, height) : opaque(pixels, width, height);
 }
 
 }  // namespace jw::render
