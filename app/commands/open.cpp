@@ -7,8 +7,8 @@
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
 #include "app/exercises/grading/grade.hpp"
-#include "app/host/lesson/timeline.hpp"
 #include "app/host/screen.hpp"
+#include "app/session/story/timeline.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
 #include "render/atomic_file.hpp"
@@ -87,7 +87,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     if (!options.file.empty()) {
         // mistakes are told before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
-        if (!options.at.empty() && !host::step_at(Story(lesson), options.at)) {
+        if (!options.at.empty() && !step_at(Story(lesson), options.at)) {
             throw CommandError(
                 Exit::bad_input,
                 "jointwise: error: --at '" + options.at +

@@ -6,11 +6,11 @@
 
 #include <imgui.h>
 
-#include "app/host/lesson/timeline.hpp"
 #include "app/host/parts/browser.hpp"
 #include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
+#include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"

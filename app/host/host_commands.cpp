@@ -6,12 +6,12 @@
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/host/lesson/timeline.hpp"
 #include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/output/export.hpp"
 #include "app/session/picture/picture_camera.hpp"
+#include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/messages.hpp"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "app/host/lesson/timeline.hpp"
 #include "app/session/output/pace.hpp"
+#include "app/session/story/timeline.hpp"
 
 namespace jw::host {
 

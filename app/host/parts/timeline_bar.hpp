@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/host/lesson/timeline.hpp"
 #include "app/host/ui/ui.hpp"
+#include "app/session/story/timeline.hpp"
 
 /// The bar at the bottom: play, step, speed, and the whole lesson as one line to jump and scrub on.
 namespace jw::host {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/host/lesson/timeline.hpp"
 #include "app/session/picture/picture_parts.hpp"
+#include "app/session/story/timeline.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 
@@ -27,7 +27,7 @@ int joint_of(const Person& person, const std::string& name) {
 
 /// Goes to the step at which a joint or driver is put together.
 void go_to_closed(Person& person, const std::string& name) {
-    const auto step = host::step_at(person.session().story(), name);
+    const auto step = step_at(person.session().story(), name);
     REQUIRE(step);
     person.go_to(*step);
     while (person.session().step().kind != Step::Kind::assembled) { person.press(Key::right); }

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/host/lesson/timeline.hpp"
+#include "app/session/story/timeline.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/in_language.hpp"
 #include "lessons/math/text_parts.hpp"
@@ -55,7 +55,7 @@ std::vector<int> steps_looked_at(const Story& story) {
         steps.push_back(k);
     }
     steps.push_back(story.last_assembled());
-    steps.push_back((story.last_assembled() + host::last_step(story)) / 2);
+    steps.push_back((story.last_assembled() + last_step(story)) / 2);
     return steps;
 }
 

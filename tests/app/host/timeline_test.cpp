@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/host/lesson/timeline.hpp"
 #include "app/host/parts/timeline_bar.hpp"
 #include "app/session/output/pace.hpp"
+#include "app/session/story/timeline.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
 
@@ -17,7 +17,7 @@ constexpr const char* kMovingFourBar = "loops/four-bar.toml";
 int last_of(const Person& person) { return static_cast<int>(person.session().story().steps().size()) - 1; }
 
 int first_step_of(const Person& person, const std::string& name) {
-    for (const host::Stretch& s : host::stretches_of(person.session().story())) {
+    for (const Stretch& s : stretches_of(person.session().story())) {
         if (s.name == name) { return s.first; }
     }
     return -1;
@@ -141,7 +141,7 @@ TEST_CASE("A still that is played counts down to the next step, a motion does no
 
 TEST_CASE("M plays the motion only, from its beginning") {
     Person person(kMovingFourBar);
-    const int first = *host::first_moment(person.session().story());
+    const int first = *first_moment(person.session().story());
     play_motion(person);
     CHECK(person.host().state().playback.plays());
     CHECK(person.session().index() >= first);
@@ -187,7 +187,7 @@ TEST_CASE("A quick drag, all of it between two frames, goes to where it ends") {
 
 TEST_CASE("Every step lies on the line where a click finds it") {
     Person person(kMovingFourBar);
-    const std::vector<host::Stretch> stretches = host::stretches_of(person.session().story());
+    const std::vector<Stretch> stretches = stretches_of(person.session().story());
     const host::TimelineScale scale(stretches, 230.0F, 860.0F);
     for (int k = 0; k <= last_of(person); ++k) { REQUIRE(scale.step_at(scale.x_of(k)) == k); }
 }
@@ -196,13 +196,13 @@ TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
     Person person(kMovingFourBar);
     const Story& story = person.session().story();
     const int last = last_of(person);
-    CHECK(host::step_at(story, "12") == 11);
-    CHECK(host::step_at(story, "1") == 0);
-    CHECK(host::step_at(story, std::to_string(last + 1)) == last);
-    CHECK(host::step_at(story, "B") == first_step_of(person, "B"));
+    CHECK(step_at(story, "12") == 11);
+    CHECK(step_at(story, "1") == 0);
+    CHECK(step_at(story, std::to_string(last + 1)) == last);
+    CHECK(step_at(story, "B") == first_step_of(person, "B"));
     // behind its question
-    CHECK(host::step_at(story, "motor") == first_step_of(person, "motor") + 1);
-    const auto half = host::step_at(story, "t=0.5");
+    CHECK(step_at(story, "motor") == first_step_of(person, "motor") + 1);
+    const auto half = step_at(story, "t=0.5");
     REQUIRE(half);
     int first_moment = 0;
     while (story.steps()[static_cast<std::size_t>(first_moment)].kind != Step::Kind::motion) {
@@ -210,13 +210,13 @@ TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
     }
     // 200 intervals in 4 s
     CHECK(story.steps()[static_cast<std::size_t>(*half)].t == Approx(0.5).margin(0.0101));
-    CHECK(host::step_at(story, "t=-7") == first_moment);
+    CHECK(step_at(story, "t=-7") == first_moment);
     for (const std::string nonsense :
          {"", "0", "-1", "1.5", "b", "t=", "t=soon", "t=nan", "1e9", "12x", "t=0.5s", " 1"}) {
         CAPTURE(nonsense);
-        CHECK_FALSE(host::step_at(story, nonsense));
+        CHECK_FALSE(step_at(story, nonsense));
     }
-    CHECK_FALSE(host::step_at(story, std::to_string(last + 2)));
+    CHECK_FALSE(step_at(story, std::to_string(last + 2)));
 }
 
 }  // namespace jw::test

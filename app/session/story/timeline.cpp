@@ -1,11 +1,11 @@
-#include "app/host/lesson/timeline.hpp"
+#include "app/session/story/timeline.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
-namespace jw::host {
+namespace jw {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
     return std::nullopt;
 }
 
-}  // namespace jw::host
+}  // namespace jw

@@ -7,7 +7,7 @@
 #include "app/session/story/story.hpp"
 
 /// The story as a line to go along: its stretches, its ends, and the places to jump to.
-namespace jw::host {
+namespace jw {
 
 /// A run of steps that belong together.
 struct Stretch {
@@ -35,4 +35,4 @@ int next_joint(const Story& story, int step, int direction);
 /// @return index of the step, or nothing if `at` is none of these
 std::optional<int> step_at(const Story& story, const std::string& at);
 
-}  // namespace jw::host
+}  // namespace jw
