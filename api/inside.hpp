@@ -4,7 +4,7 @@
 #include "core/motion/loads.hpp"
 #include "jointwise/mechanism.hpp"
 
-/// What the classes of the library consist of; programs that use it see names only.
+/// Contents of the classes of the library; programs that use it see names only.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 

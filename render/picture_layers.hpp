@@ -5,8 +5,8 @@
 
 namespace jw::render {
 
-/// What is seen at each pixel of a picture, and how far away: the same scene without light, text and smooth
-/// edges. Top row first.
+/// Things seen at each pixel of a picture, and how far away they are: the same scene without light, text and
+/// smooth edges. Top row first.
 struct PictureLayers {
     /// Depth of what is as far away as the camera's target; the largest value is four times as far.
     static constexpr int kDepthOfTarget = 1 << 14;

@@ -159,7 +159,7 @@ std::string zsh_positionals(const CommandHelp& command) {
     return text;
 }
 
-/// What is proposed after a command, and after each of its parts.
+/// Proposals after a command, and after each of its parts.
 std::string zsh_branch(const ProgramHelp& help, const CommandHelp& command) {
     std::string text = "            " + last_word_of(command) + ") _arguments";
     if (command.parts.empty()) { return text + zsh_options(command) + zsh_positionals(command) + " ;;\n"; }

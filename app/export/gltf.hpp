@@ -16,7 +16,7 @@ struct Mesh {
     std::array<float, 4> colour{0.5F, 0.5F, 0.5F, 1.0F};  ///< sRGB and alpha, 0 to 1
 };
 
-/// Where a node is at the times of a scene.
+/// Places of a node at the times of a scene.
 struct Pose {
     std::array<float, 3> translation{};
     std::array<float, 4> rotation{0.0F, 0.0F, 0.0F, 1.0F};  ///< unit quaternion x, y, z, w

@@ -12,7 +12,8 @@ namespace jw {
 
 namespace {
 
-/// Of the size of the mechanism: joints are closed to 1e-10 of it, pictures are made of doubles.
+/// Largest move that is none, as a share of the size of the mechanism: joints are closed to 1e-10 of it,
+/// pictures are made of doubles.
 constexpr double kSamePlace = 1e-6;
 
 /// The frame of a body as a change of coordinates: global to body frame.

@@ -5,7 +5,7 @@
 
 #include "app/session/picture/picture.hpp"
 
-/// What of a moving picture is fixed in which body.
+/// Parts of a moving picture, and the body that each is fixed in.
 namespace jw {
 
 /// A solid that moves with a body.

@@ -68,16 +68,12 @@ public:
                     length("radius of the wire", ring.wire_radius);
                 },
                 [&](const render::Screw& screw) {
-                    kind("screw");
-                    ends(screw.from, screw.to);
-                    facts_.vector(Weight::pose, name_ + " · side", screw.side, "");
+                    turned("screw", screw);
                     length("radius", screw.radius);
                     length("pitch", screw.pitch);
                 },
                 [&](const render::Nut& nut) {
-                    kind("nut");
-                    ends(nut.from, nut.to);
-                    facts_.vector(Weight::pose, name_ + " · side", nut.side, "");
+                    turned("nut", nut);
                     length("radius of the corners", nut.corner_radius);
                     length("radius of the hole", nut.hole_radius);
                 }},
@@ -88,6 +84,12 @@ private:
     void kind(const char* word) const { facts_.text(Weight::count, name_, word); }
     void length(const char* what, double value) const {
         facts_.number(Weight::pose, name_ + " · " + what, value, "m");
+    }
+    /// A shape that shows how it is turned about its axis.
+    void turned(const char* word, const auto& shape) const {
+        kind(word);
+        ends(shape.from, shape.to);
+        facts_.vector(Weight::pose, name_ + " · side", shape.side, "");
     }
     void ends(const Vec3& from, const Vec3& to) const {
         facts_.vector(Weight::pose, name_ + " · from", from, "m");
