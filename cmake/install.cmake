@@ -10,7 +10,7 @@ set(JW_INSTALL_BUNDLED lib/jointwise)
 set_target_properties(jointwise PROPERTIES INSTALL_RPATH "$ORIGIN/../${JW_INSTALL_BUNDLED}")
 install(CODE "
   file(GET_RUNTIME_DEPENDENCIES EXECUTABLES $<TARGET_FILE:jointwise> RESOLVED_DEPENDENCIES_VAR found
-    PRE_INCLUDE_REGEXES \"^lib(fmt|tomlplusplus|stb|deflate)\\\\.\" PRE_EXCLUDE_REGEXES \".*\")
+    PRE_INCLUDE_REGEXES \"^lib(fmt|tomlplusplus|stb|deflate|gif)\\\\.\" PRE_EXCLUDE_REGEXES \".*\")
   file(INSTALL \${found} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${JW_INSTALL_BUNDLED}\" FOLLOW_SYMLINK_CHAIN)"
   COMPONENT bundled EXCLUDE_FROM_ALL)
 

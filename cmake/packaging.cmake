@@ -40,6 +40,6 @@ set(CPACK_DEBIAN_JOINTWISE_PACKAGE_SUGGESTS "python3, g++")
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_NAME jointwise-dev)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_DEPENDS
-  "jointwise (= ${PROJECT_VERSION}), libeigen3-dev, libtomlplusplus-dev, libfmt-dev, libdeflate-dev")
+  "jointwise (= ${PROJECT_VERSION}), libeigen3-dev, libtomlplusplus-dev, libfmt-dev, libdeflate-dev, libgif-dev")
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_RECOMMENDS cmake)
 include(CPack)

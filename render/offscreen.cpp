@@ -138,9 +138,9 @@ void Offscreen::begin_2d() {
     targets_->begin_2d();
 }
 
-Image Offscreen::read() {
+Image Offscreen::read(bool is_opaque) {
     make_current();
-    return targets_->read();
+    return targets_->read(is_opaque);
 }
 
 }  // namespace jw::render

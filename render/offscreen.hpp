@@ -45,7 +45,7 @@ public:
     // these make the context current
     void begin_3d(const Colour& paper = palette::kPaper, const std::optional<Rect>& drawn = {});
     void begin_2d();
-    Image read();
+    Image read(bool is_opaque = true);
 
 private:
     struct Context;

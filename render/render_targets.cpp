@@ -1,6 +1,7 @@
 #include "render/render_targets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -16,16 +17,47 @@ int integer(const GlFunctions& gl, GLenum name) {
     return value;
 }
 
-/// Mean of the `ratio` x `ratio` device pixels that stand for one pixel of the picture.
-void average_block(const std::uint8_t* rgba, std::size_t columns, std::size_t ratio, std::uint8_t* rgb) {
+/// Mean of the `ratio` x `ratio` device pixels that stand for one pixel of the picture, in `channels`
+/// channels.
+void average_block(
+    const std::uint8_t* rgba, std::size_t columns, std::size_t ratio, std::size_t channels,
+    std::uint8_t* mean) {
     const std::size_t count = ratio * ratio;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
+    for (std::size_t channel = 0; channel < channels; ++channel) {
         std::size_t sum = count / 2;
         for (std::size_t n = 0; n < count; ++n) {
             sum += rgba[4 * (n / ratio * columns + n % ratio) + channel];
         }
-        rgb[channel] = static_cast<std::uint8_t>(sum / count);
+        mean[channel] = static_cast<std::uint8_t>(sum / count);
     }
+}
+
+/// Blending has left each colour multiplied by its opacity.
+void divide_by_opacity(const std::uint8_t* rgba, std::uint8_t* rgb) {
+    const unsigned alpha = rgba[3];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const unsigned whole = alpha == 0 ? 0 : (255U * rgba[channel] + alpha / 2) / alpha;
+        rgb[channel] = static_cast<std::uint8_t>(std::min(255U, whole));
+    }
+}
+
+/// Rows of GL start at the bottom.
+Image transparent_picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
+    const auto width = static_cast<std::size_t>(size.width);
+    const auto height = static_cast<std::size_t>(size.height);
+    const auto ratio = static_cast<std::size_t>(size.pixel_ratio);
+    Image image{
+        size.width, size.height, std::vector<std::uint8_t>(3 * width * height),
+        std::vector<std::uint8_t>(width * height)};
+    for (std::size_t n = 0; n < width * height; ++n) {
+        const std::size_t row = height - 1 - n / width;
+        std::array<std::uint8_t, 4> mean{};
+        average_block(
+            &rgba[4 * ratio * (row * ratio * width + n % width)], width * ratio, ratio, 4, mean.data());
+        divide_by_opacity(mean.data(), &image.rgb[3 * n]);
+        image.alpha[n] = mean[3];
+    }
+    return image;
 }
 
 /// Rows of GL start at the bottom and carry alpha.
@@ -41,7 +73,7 @@ Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
             if (ratio == 1) {
                 std::copy_n(from, 3, to);
             } else {
-                average_block(from, width * ratio, ratio, to);
+                average_block(from, width * ratio, ratio, 3, to);
             }
         }
     }
@@ -104,7 +136,7 @@ void RenderTargets::fill(const Colour& colour, GLbitfield buffers) const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.DepthMask(GL_TRUE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.ClearColor(colour.r, colour.g, colour.b, 1.0F);
+    gl_.ClearColor(colour.r, colour.g, colour.b, colour.a);
     gl_.Clear(buffers);
 }
 
@@ -131,13 +163,13 @@ void RenderTargets::begin_2d() const {
     gl_.Viewport(0, 0, device_width(), device_height());
 }
 
-Image RenderTargets::read() {
+Image RenderTargets::read(bool is_opaque) {
     rgba_.resize(4 * static_cast<std::size_t>(device_width()) * static_cast<std::size_t>(device_height()));
     gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, device_width(), device_height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
     throw_on_gl_error(gl_, "drawing the picture");
-    return picture_of(rgba_, size_);
+    return is_opaque ? picture_of(rgba_, size_) : transparent_picture_of(rgba_, size_);
 }
 
 void RenderTargets::blit_to_window() const {

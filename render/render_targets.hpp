@@ -43,8 +43,9 @@ public:
     void begin_2d() const;
 
     /// The picture, top row first.
+    /// @param is_opaque  false: with its alpha, where the paper of `begin_3d` is transparent black
     /// @throws std::runtime_error if GL reported an error since the last call.
-    Image read();
+    Image read(bool is_opaque = true);
 
     /// Copies the picture to the lower left corner of the context's own framebuffer, which must not be
     /// multisampled, and leaves that one bound.

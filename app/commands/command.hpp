@@ -53,6 +53,8 @@ struct Streams {
     bool err_is_terminal = false;
     /// True if `out` or `err` is redirected into that file; empty: never.
     std::function<bool(const std::filesystem::path&)> goes_into = {};
+    /// The file of the running program and its arguments, to start it several times; empty: that cannot be.
+    std::vector<std::string> command_line = {};
 };
 
 /// The lesson in `path`; warnings go to `streams.err`.

@@ -52,7 +52,16 @@ int main(int argc, char** argv) {
     open_closed_streams();
     // a file that grows beyond its limit is an error that is told, and not the end
     std::signal(SIGXFSZ, SIG_IGN);
-    const jw::Streams streams{std::cout, std::cerr, ::isatty(STDERR_FILENO) != 0, jw::is_own_output};
+    std::vector<std::string> command_line{argv, argv + argc};
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error || command_line.empty()) {
+        command_line.clear();
+    } else {
+        command_line[0] = program.string();
+    }
+    const jw::Streams streams{
+        std::cout, std::cerr, ::isatty(STDERR_FILENO) != 0, jw::is_own_output, command_line};
     const int status = jw::run_program({argv + 1, argv + argc}, streams, examine_window);
     std::cout.flush();
     if (!std::cout) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/snapshot/environment.hpp"
+#include "app/host/frames/environment.hpp"
 #include "lessons/diagnostics.hpp"
 #include "render/image_difference.hpp"
 
@@ -140,7 +140,7 @@ LayerDifference compare_colours(
 Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules) {
     Difference difference;
     difference.facts = changes_of(before.record.facts, now.record.facts);
-    difference.drawn_otherwise = environment_change(before.record.drawn_with, now.record.drawn_with);
+    difference.drawn_otherwise = host::environment_change(before.record.drawn_with, now.record.drawn_with);
     compare_layers(before, now, rules, difference);
     difference.colour = compare_colours(before.colour, now.colour, rules.colour);
     return difference;

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "app/host/frames/environment.hpp"
 #include "app/session/output/json.hpp"
 #include "app/snapshot/facts.hpp"
 
 namespace jw::snapshot {
 
-/// What pictures depend on besides the lesson: the program and what it draws with.
-using Environment = std::map<std::string, std::string>;
+using host::Environment;
 
 /// A snapshot without its pictures, as its file NAME.json holds it.
 struct Record {

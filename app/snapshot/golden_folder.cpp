@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHead = "snapshots.json";
 constexpr const char* kLesson = "lesson.toml";
-constexpr const char* kFormat = "jointwise snapshots";
-constexpr int kVersion = 1;
+constexpr const char* kFolderFormat = "jointwise snapshots";
+constexpr int kFolderVersion = 1;
 // what a file unpacks to is many times larger; records have about 0.05 MB, pictures at most 25 MB of bytes
 constexpr std::uintmax_t kLargestText = 1U << 23U;
 constexpr std::uintmax_t kLargestPng = 1U << 26U;
@@ -96,8 +96,8 @@ GoldenHead GoldenFolder::head() const {
     const fs::path path = folder_ / kHead;
     const Json json = Json::parse(text_at(path), nullptr, false);
     if (json.is_discarded() || !json.is_object()) { damaged(path, "is no JSON, or cut off"); }
-    if (json.value("format", Json()) != kFormat) { damaged(path, "is another file"); }
-    if (json.value("version", Json()) != kVersion) {
+    if (json.value("format", Json()) != kFolderFormat) { damaged(path, "is another file"); }
+    if (json.value("version", Json()) != kFolderVersion) {
         damaged(path, "has a version that this program does not know");
     }
     const Json size = json.value("size", Json());
@@ -161,13 +161,12 @@ bool GoldenFolder::is_copy_of_lesson(const fs::path& file) {
 void GoldenFolder::write_head(const GoldenHead& head, const std::string& lesson_text) const {
     fs::create_directories(folder_);
     write_lesson(lesson_text);
-    const Json json{
-        {"format", kFormat},
-        {"version", kVersion},
-        {"size", {head.size.width, head.size.height}},
-        {"moments", head.choice.moments},
-        {"only", head.choice.only},
-        {"language", head.language}};
+    const Json json{{"format", kFolderFormat},
+                    {"version", kFolderVersion},
+                    {"size", {head.size.width, head.size.height}},
+                    {"moments", head.choice.moments},
+                    {"only", head.choice.only},
+                    {"language", head.language}};
     render::write_file_atomically(folder_ / kHead, json_document(json));
 }
 

@@ -1,6 +1,6 @@
 #include "app/snapshot/taken.hpp"
 
-#include "app/snapshot/environment.hpp"
+#include "app/host/frames/environment.hpp"
 
 namespace jw::snapshot {
 
@@ -20,7 +20,7 @@ Camera::Camera(const Lesson& lesson, const SnapshotSize& size, const ShotChoice&
     : story_(lesson),
       shots_(shots_of(story_, choice, unknown)),
       painter_(story_, size.width, size.height),
-      environment_(environment(painter_.renderer())) {
+      environment_(host::environment(painter_.renderer())) {
     std::vector<std::vector<Fact>*> lists;
     facts_.reserve(shots_.size());
     for (const Shot& shot : shots_) { lists.push_back(&facts_.emplace_back(facts(shot))); }

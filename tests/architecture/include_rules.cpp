@@ -20,9 +20,9 @@ struct FolderRule {
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
 constexpr std::array<std::string_view, 8> kLessons{"core/",   "lessons/", "Eigen/",   "toml++/",
                                                    "fcntl.h", "poll.h",   "unistd.h", "sys/auxv.h"};
-constexpr std::array<std::string_view, 12> kRender{
-    "cairo",        "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h",
-    "libdeflate.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
+constexpr std::array<std::string_view, 13> kRender{
+    "cairo",     "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
+    "gif_lib.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
 // of render only plain values: what there is to draw and from where it is looked at
 constexpr std::array<std::string_view, 11> kSession{
     "app/session/",
@@ -50,9 +50,9 @@ constexpr std::array<std::string_view, 10> kPanels{
     "render/palette.hpp"};
 
 // the interface knows no window and no command; exercises are practised in it, and know nothing of it
-constexpr std::array<std::string_view, 9> kHost{"app/host/",      "app/panels/", "app/session/",
-                                                "app/exercises/", "core/",       "lessons/",
-                                                "render/",        "Eigen/",      "imgui.h"};
+constexpr std::array<std::string_view, 10> kHost{"app/host/", "app/panels/", "app/session/", "app/exercises/",
+                                                 "core/",     "lessons/",    "render/",      "Eigen/",
+                                                 "imgui.h",   "sha256.h"};
 
 // programs of students: the system alone
 constexpr std::array<std::string_view, 14> kRun{
@@ -67,6 +67,10 @@ constexpr std::array<std::string_view, 6> kExport{"app/export/", "app/session/",
 // frames are drawn by the host; nothing else of the interface is known
 constexpr std::array<std::string_view, 7> kSnapshot{
     "app/snapshot/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/", "Eigen/"};
+// the same, and programs that it starts
+constexpr std::array<std::string_view, 11> kFilm{
+    "app/film/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/",
+    "Eigen/",    "fcntl.h",          "spawn.h",      "sys/",  "unistd.h"};
 // the hard cases are run, not drawn
 constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
@@ -88,6 +92,7 @@ constexpr std::array kFolders{
     FolderRule{"app/hard/", kHard},
     FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
+    FolderRule{"app/film/", kFilm},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 
@@ -154,6 +159,8 @@ constexpr std::array kLibraries{
         "imgui.h", "render/(fonts|imgui_backend|picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
     LibraryRule{"cairo", "render/vector_picture\\.cpp"},
     LibraryRule{"libdeflate.h", "render/png\\.cpp"},
+    LibraryRule{"gif_lib.h", "render/animation/gif\\.cpp"},
+    LibraryRule{"sha256.h", "app/host/frames/frame_draft\\.cpp"},
     LibraryRule{"toml++/", "lessons/.*"},
     // singular values are those of core/numerics/svd: Eigen's BDCSVD is wrong on some Jacobians
     LibraryRule{"Eigen/SVD", "tests/.*"},

@@ -53,9 +53,13 @@ fi
 mkdir "$folder/an other place"
 tar xzf "$folder"/packages/*.tar.gz -C "$folder/an other place" --strip-components=1
 ldd "$folder/an other place/bin/jointwise" >libraries
-for name in fmt tomlplusplus stb deflate; do
+for name in fmt tomlplusplus stb deflate gif; do
     grep -q "lib$name[.]so[^ ]* => $folder/an other place/.*/lib/jointwise/" libraries || fail "the tarball lacks lib$name"
 done
+# where it is not there, that is noticed
+mv "$folder/an other place/lib/jointwise" "$folder/aside"
+ldd "$folder/an other place/bin/jointwise" | grep -q "an other place/.*/lib/jointwise/" && fail "libraries are found where none are"
+mv "$folder/aside" "$folder/an other place/lib/jointwise"
 listed=$("$folder/an other place/bin/jointwise" list --format json | grep -cF "/an other place/share/jointwise/lessons/catalogue/")
 [ "$listed" -eq "$shipped" ] || fail "the program of the tarball lists $listed of its $shipped lessons"
 found=$(names_of_trees "$folder/an other place")

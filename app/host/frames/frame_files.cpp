@@ -1,7 +1,5 @@
 #include "app/host/frames/frame_files.hpp"
 
-#include <array>
-#include <cstdio>
 #include <set>
 
 #include "app/session/output/json.hpp"
@@ -9,12 +7,6 @@
 #include "render/png.hpp"
 
 namespace jw::host {
-
-std::string frame_name(int number) {
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "frame_%05d.png", number);
-    return name.data();
-}
 
 namespace {
 
@@ -26,41 +18,56 @@ std::set<std::string> names_of(int first, int last) {
 
 }  // namespace
 
-FrameFiles::FrameFiles(
-    const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson)
-    : folder_(folder, names_of(first, last), lesson) {}
-
-void FrameFiles::wait() {
-    if (!writing_.valid()) { return; }
-    writing_.get();
-}
-
-void FrameFiles::add(int number, const View& view, double seconds, render::Image image) {
-    if (frames_.empty()) { folder_.begin(); }
+void PictureWriter::add(int number, render::Image image) {
     wait();
-    writing_ = std::async(
-        std::launch::async, [path = folder_.drawn() / frame_name(number), picture = std::move(image)] {
+    writing_ =
+        std::async(std::launch::async, [path = folder_ / frame_name(number), picture = std::move(image)] {
             render::write_file_atomically(path, render::encode_png(picture));
         });
+}
+
+void PictureWriter::wait() {
+    if (writing_.valid()) { writing_.get(); }
+}
+
+Json entry_of(int number, const View& view, double seconds) {
     const bool motion = view.kind == Step::Kind::motion;
-    frames_.push_back(
-        {{"file", frame_name(number)},
-         {"frame", number},
-         {"kind", kind_name(view.kind)},
-         {"step", motion ? Json() : Json(view.step)},
-         {"time_s", view.t},
-         {"seconds", seconds},
-         {"title", view.title},
-         {"sentence", view.sentence},
-         {"rows", view.rank.rows},
-         {"columns", view.rank.columns},
-         {"rank", view.rank.rank},
-         {"dof", view.rank.dof},
-         {"residual", view.rank.residual}});
+    return {
+        {"file", frame_name(number)},
+        {"frame", number},
+        {"kind", kind_name(view.kind)},
+        {"step", motion ? Json() : Json(view.step)},
+        {"time_s", view.t},
+        {"seconds", seconds},
+        {"title", view.title},
+        {"sentence", view.sentence},
+        {"rows", view.rank.rows},
+        {"columns", view.rank.columns},
+        {"rank", view.rank.rank},
+        {"dof", view.rank.dof},
+        {"residual", view.rank.residual}};
+}
+
+FrameFiles::FrameFiles(
+    const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson)
+    : folder_(folder, names_of(first, last), lesson), writer_(folder_.draft().folder()) {}
+
+void FrameFiles::add(int number, const View& view, double seconds, render::Image image) {
+    if (!draft().is_begun()) { draft().begin({{"format", "jointwise run"}}); }
+    writer_.add(number, std::move(image));
+    add_drawn(number, view, seconds);
+}
+
+void FrameFiles::add_drawn(int number, const View& view, double seconds) {
+    frames_.push_back(entry_of(number, view, seconds));
 }
 
 void FrameFiles::finish(Json head) {
-    wait();
+    writer_.wait();
+    if (!draft().is_begun()) { draft().begin({{"format", "jointwise run"}}); }
+    for (Json& frame : frames_) {
+        frame["sha256"] = sha256_of(draft().folder() / frame["file"].get<std::string>());
+    }
     head["frames"] = std::move(frames_);
     folder_.finish(json_document(head));
 }

@@ -19,28 +19,13 @@ constexpr const char* kManifest = "manifest.json";
 constexpr const char* kUnfinished = "unfinished.json";
 constexpr const char* kDrawn = "unfinished-frames";
 
-/// "frame_00042.png", and nothing that leads out of the folder.
-bool is_frame_name(const std::string& name) {
-    constexpr std::string_view begin = "frame_";
-    constexpr std::string_view end = ".png";
-    if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size() + 5) {
-        return false;
-    }
-    const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
-    return digits.find_first_not_of("0123456789") == std::string::npos;
-}
-
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-    throw std::runtime_error("'" + path.string() + "' " + why);
-}
-
 /// The pictures that a list of ours names. A file that is cut off names none.
 /// @throws std::runtime_error if it is somebody else's
 std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) { return {}; }
-    if (!fs::is_regular_file(status)) { fail(path, "is no file; expected a folder for pictures alone"); }
+    if (!fs::is_regular_file(status)) { refuse(path, "is no file; expected a folder for pictures alone"); }
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     const Json json = Json::parse(text, nullptr, false);
@@ -48,7 +33,7 @@ std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
     const auto format = json.is_object() ? json.find("format") : json.end();
     if (format == json.end() || *format != "jointwise render") {
         if (!must_be_ours) { return {}; }
-        fail(
+        refuse(
             path,
             "is no manifest of pictures, and would be overwritten; expected a folder for pictures alone");
     }
@@ -64,32 +49,20 @@ std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
     return names;
 }
 
-/// Names in a folder; none if it cannot be read.
-std::vector<std::string> names_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
-        names.push_back(entry->path().filename().string());
-    }
-    std::ranges::sort(names);
-    return names;
-}
-
 void put_in_place(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
-    if (error) { fail(to, "cannot be replaced: " + error.message()); }
+    if (error) { refuse(to, "cannot be replaced: " + error.message()); }
 }
 
 }  // namespace
 
 FrameFolder::FrameFolder(fs::path folder, std::set<std::string> names, const fs::path& keep)
-    : folder_(std::move(folder)), drawn_(folder_ / kDrawn), names_(std::move(names)) {
+    : folder_(std::move(folder)), draft_(draft_folder(folder_)), names_(std::move(names)) {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error || !fs::is_directory(folder_, error)) {
-        fail(
+        refuse(
             folder_, "cannot be made a folder" + (error ? ": " + error.message() : "") +
                          "; expected a folder that can be written");
     }
@@ -99,14 +72,12 @@ FrameFolder::FrameFolder(fs::path folder, std::set<std::string> names, const fs:
     refuse_strangers();
 }
 
-FrameFolder::~FrameFolder() {
-    if (is_open_) { clear_drawn(); }
-}
+fs::path FrameFolder::draft_folder(const fs::path& folder) { return folder / kDrawn; }
 
 void FrameFolder::refuse_strangers() const {
     for (const std::string& name : names_in(folder_)) {
         if (!is_frame_name(name) || before_.contains(name)) { continue; }
-        fail(
+        refuse(
             folder_ / name,
             "is a picture that no manifest in this folder names; expected a folder for the "
             "pictures of one run alone (move it away, or give another folder)");
@@ -119,7 +90,7 @@ void FrameFolder::protect(const fs::path& keep) const {
             names_.contains(name) || before_.contains(name) || name == kManifest || name == kUnfinished;
         std::error_code ignored;
         if (ours && fs::equivalent(folder_ / name, keep, ignored)) {
-            fail(folder_ / name, "is the lesson that is drawn; expected another folder");
+            refuse(folder_ / name, "is the lesson that is drawn; expected another folder");
         }
     }
 }
@@ -127,38 +98,14 @@ void FrameFolder::protect(const fs::path& keep) const {
 void FrameFolder::remove(const std::string& name) const {
     std::error_code error;
     fs::remove(folder_ / name, error);
-    if (error) { fail(folder_ / name, "cannot be removed: " + error.message()); }
-}
-
-/// Removes pictures that were drawn and are not in their place; other files in that folder stay, and the
-/// folder with them.
-void FrameFolder::clear_drawn() const {
-    std::error_code ignored;
-    if (fs::is_symlink(drawn_, ignored)) { return; }
-    for (const std::string& name : names_in(drawn_)) {
-        const std::string whole = name.substr(0, name.find(".part-"));
-        if (is_frame_name(whole) || whole == kManifest) { fs::remove(drawn_ / name, ignored); }
-    }
-    fs::remove(drawn_, ignored);
-}
-
-void FrameFolder::begin() {
-    clear_drawn();
-    std::error_code error;
-    if (!fs::create_directory(drawn_, error)) {
-        fail(
-            drawn_, error
-                        ? "cannot be made a folder: " + error.message()
-                        : "is in the way, with files of somebody else; expected a folder for pictures alone");
-    }
-    is_open_ = true;
+    if (error) { refuse(folder_ / name, "cannot be removed: " + error.message()); }
 }
 
 void FrameFolder::finish(const std::string& manifest) {
-    if (!is_open_) { begin(); }
-    render::write_file_atomically(drawn_ / kManifest, manifest);
-    std::vector<std::string> drawn = names_in(drawn_);
-    std::erase(drawn, kManifest);
+    const fs::path& drawn_in = draft_.folder();
+    render::write_file_atomically(drawn_in / kManifest, manifest);
+    std::vector<std::string> drawn = names_in(drawn_in);
+    std::erase_if(drawn, [this](const std::string& name) { return !names_.contains(name); });
 
     // what is there while places are taken, should that be interrupted
     std::set<std::string> all = before_;
@@ -173,14 +120,13 @@ void FrameFolder::finish(const std::string& manifest) {
     render::write_file_atomically(folder_ / kUnfinished, json_document(unfinished, -1));
 
     remove(kManifest);
-    for (const std::string& name : drawn) { put_in_place(drawn_ / name, folder_ / name); }
+    for (const std::string& name : drawn) { put_in_place(drawn_in / name, folder_ / name); }
     for (const std::string& name : before_) {
         if (!std::ranges::binary_search(drawn, name)) { remove(name); }
     }
-    put_in_place(drawn_ / kManifest, folder_ / kManifest);
+    put_in_place(drawn_in / kManifest, folder_ / kManifest);
     remove(kUnfinished);
-    clear_drawn();
-    is_open_ = false;
+    draft_.clear();
 }
 
 }  // namespace jw::host

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "app/host/frames/frame_draft.hpp"
+
 namespace jw::host {
 
 /// A folder of pictures and the manifest that names them. Both belong together at every moment: a run draws
@@ -19,31 +21,25 @@ public:
     /// @throws std::runtime_error if that is not possible, if the folder has a manifest.json or a picture
     ///         frame_NNNNN.png of somebody else, or if one of the pictures would overwrite `keep`
     FrameFolder(std::filesystem::path folder, std::set<std::string> names, const std::filesystem::path& keep);
-    FrameFolder(const FrameFolder&) = delete;
-    FrameFolder& operator=(const FrameFolder&) = delete;
-    /// Takes away what a run has drawn that was not finished.
-    ~FrameFolder();
 
-    /// Before the first picture. @throws std::runtime_error if there is no room for it
-    void begin();
+    /// Folder beside the finished pictures of `folder` that new ones are drawn into.
+    static std::filesystem::path draft_folder(const std::filesystem::path& folder);
+
+    /// Folder that pictures are drawn into; begin it before the first one.
+    FrameDraft& draft() { return draft_; }
     /// After the last picture: the new pictures take the place of all that earlier runs have left.
     /// @throws std::runtime_error if the manifest cannot be written
     void finish(const std::string& manifest);
-
-    /// Folder that pictures are written into until then.
-    const std::filesystem::path& drawn() const { return drawn_; }
 
 private:
     void refuse_strangers() const;
     void protect(const std::filesystem::path& keep) const;
     void remove(const std::string& name) const;
-    void clear_drawn() const;
 
     std::filesystem::path folder_;
-    std::filesystem::path drawn_;
+    FrameDraft draft_;
     std::set<std::string> names_;
     std::set<std::string> before_;  ///< pictures of earlier runs
-    bool is_open_ = false;
 };
 
 }  // namespace jw::host

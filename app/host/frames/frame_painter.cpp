@@ -7,6 +7,7 @@
 
 #include "app/host/frames/panel_context.hpp"
 #include "app/host/frames/vector_strokes.hpp"
+#include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/picture/picture_camera.hpp"
@@ -24,34 +25,57 @@ namespace {
 
 /// Pixels of the 3D part of a vector picture for each pixel of the frame.
 constexpr double kSharper = 2.0;
+// what a transparent picture begins with
+constexpr render::Colour kNothing{0.0F, 0.0F, 0.0F, 0.0F};
 
 std::u32string characters_of(const Story& story) {
     return panels::characters_of(story.lesson()) + panels::characters_of_messages();
 }
 
+render::Fonts fonts_for(int width, int height, const FrameLook& look, const std::u32string& characters) {
+    return render::load_fonts(look.scale(width, height), characters);
+}
+
+panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
+    const panels::Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
+    const float scale = look.scale(width, height);
+    return look.has_panels ? panels::layout_in(frame, scale, 0.0F, static_cast<float>(look.text))
+                           : panels::layout_without_panels(frame, scale);
+}
+
 }  // namespace
 
+float FrameLook::scale(int width, int height) const {
+    const float usual =
+        has_panels ? panels::scale_of(width, height) : panels::scale_without_panels(width, height);
+    return usual * static_cast<float>(text);
+}
+
 struct FramePainter::Surface {
-    Surface(int width, int height, const std::u32string& characters)
+    Surface(int width, int height, const FrameLook& look, const std::u32string& characters)
         : offscreen(std::in_place, width, height),
           functions(&offscreen->gl()),
           scene(offscreen->gl()),
           context(width, height),
-          fonts(render::load_fonts(panels::scale_of(width, height), characters)),
+          fonts(fonts_for(width, height, look, characters)),
           panels(offscreen->gl()),
-          layout(panels::layout_of(width, height)) {}
+          layout(layout_for(width, height, look)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : targets(std::in_place, gl, width, height),
           functions(&gl),
           scene(gl),
           context(width, height),
-          fonts(render::load_fonts(panels::scale_of(width, height), characters)),
+          fonts(fonts_for(width, height, {}, characters)),
           panels(gl),
-          layout(panels::layout_of(width, height)) {}
+          layout(layout_for(width, height, {})) {}
 
-    void begin_3d() { offscreen ? offscreen->begin_3d() : targets->begin_3d(); }
+    void begin_3d(const render::Colour& paper) {
+        offscreen ? offscreen->begin_3d(paper) : targets->begin_3d(paper);
+    }
     void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
-    render::Image read() { return offscreen ? offscreen->read() : targets->read(); }
+    render::Image read(bool is_opaque) {
+        return offscreen ? offscreen->read(is_opaque) : targets->read(is_opaque);
+    }
     render::FrameSize size() const { return offscreen ? offscreen->size() : targets->size(); }
     void make_current() const {
         if (offscreen) { offscreen->make_current(); }
@@ -71,10 +95,11 @@ struct FramePainter::Surface {
     render::Camera camera;
 };
 
-FramePainter::FramePainter(const Story& story, int width, int height)
+FramePainter::FramePainter(const Story& story, int width, int height, const FrameLook& look)
     : story_(&story),
+      look_(look),
       style_(picture_style(story)),
-      surface_(std::make_unique<Surface>(width, height, characters_of(story))) {
+      surface_(std::make_unique<Surface>(width, height, look, characters_of(story))) {
     compose_camera();
 }
 
@@ -95,7 +120,10 @@ void FramePainter::compose_camera() {
 const render::Camera& FramePainter::camera() const { return surface_->camera; }
 
 Picture FramePainter::picture(const View& view) const {
-    const Step& step = story_->steps()[static_cast<std::size_t>(view.step)];
+    return picture(view, story_->steps()[static_cast<std::size_t>(view.step)]);
+}
+
+Picture FramePainter::picture(const View& view, const Step& step) const {
     Picture picture = picture_of(*story_, style_, step, view.step);
     light_up(picture, lit_at(view));
     return picture;
@@ -113,17 +141,29 @@ render::Image FramePainter::paint(const View& view) { return paint(view, picture
 render::Image FramePainter::paint(const View& view, const Picture& picture) {
     Surface& s = *surface_;
     s.context.enter();
-    s.begin_3d();
-    s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size());
+    if (look_.is_opaque) {
+        s.begin_3d(toned(render::palette::kPaper, look_.tone));
+        s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size(), look_.tone);
+    } else {
+        s.begin_3d(kNothing);
+        render::Scene scene = picture.scene;
+        scene.ground.reset();
+        s.scene.draw(scene, s.camera, s.layout.scene, s.size(), look_.tone, render::Backdrop::paper);
+    }
     s.begin_2d();
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
-    const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), s.fonts);
-    panels::draw_frame(canvas.pointed(lit_at(view), nowhere), view, picture, s.camera, s.layout);
+    const panels::Canvas canvas =
+        panels::Canvas(ImGui::GetBackgroundDrawList(), s.fonts).pointed(lit_at(view), nowhere).in(look_.tone);
+    if (look_.has_panels) {
+        panels::draw_frame(canvas, view, picture, s.camera, s.layout);
+    } else {
+        panels::draw_annotations(canvas, picture, s.camera, s.layout.scene);
+    }
     ImGui::Render();
     s.panels.draw(*ImGui::GetDrawData(), s.size());
     s.context.leave();
-    return s.read();
+    return s.read(look_.is_opaque);
 }
 
 std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::VectorFormat format) {

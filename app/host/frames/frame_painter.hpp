@@ -7,10 +7,22 @@
 #include "app/session/view/view.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
+#include "render/palette.hpp"
 #include "render/picture_layers.hpp"
 #include "render/vector_picture.hpp"
 
 namespace jw::host {
+
+/// Look of frames, beside what they show.
+struct FrameLook {
+    render::Tone tone = render::Tone::light;
+    double text = 1.0;       ///< size of text beside the usual one
+    bool has_panels = true;  ///< false: the 3D picture and its names alone
+    bool is_opaque = true;   ///< false: what is behind bodies and names shines through; without panels only
+
+    /// Size of letters in a frame, 1 as at 1280x720.
+    float scale(int width, int height) const;
+};
 
 /// Draws steps of one story into memory, panels included. The camera is composed once, so that nothing jumps
 /// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
@@ -18,7 +30,7 @@ class FramePainter {
 public:
     /// `story` must outlive this. Width and height in pixels.
     /// @throws std::runtime_error if OSMesa or a font is missing
-    FramePainter(const Story& story, int width, int height);
+    FramePainter(const Story& story, int width, int height, const FrameLook& look = {});
     /// Paints in an existing context, which must be current here, in `paint` and at destruction.
     FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl);
     ~FramePainter();
@@ -28,15 +40,17 @@ public:
     render::Image paint(const View& view);
 
     const render::Camera& camera() const;
-    /// What `paint` draws in 3D, for those who look at it or change it before it is drawn.
+    /// Picture that `paint` draws in 3D, for those who look at it or change it before it is drawn.
     Picture picture(const View& view) const;
+    /// Picture of a step in the place of that of the view: its bodies may be elsewhere.
+    Picture picture(const View& view, const Step& step) const;
     /// Paints another 3D part than that of the step.
     render::Image paint(const View& view, const Picture& picture);
     /// The frame as a file of lines, areas and letters; its 3D part is a picture of twice as many pixels.
     std::vector<std::uint8_t> vector_file(const View& view, render::VectorFormat format);
-    /// What draws: renderer, OpenGL and Mesa with their versions.
+    /// Name of the renderer, with the versions of OpenGL and Mesa.
     std::string renderer() const;
-    /// What is seen at each pixel of the 3D part.
+    /// Things seen at each pixel of the 3D part, and their depth.
     render::PictureLayers layers(const Picture& picture);
 
 private:
@@ -45,6 +59,7 @@ private:
     Emphasis lit_at(const View& view) const;
 
     const Story* story_;
+    FrameLook look_;
     PictureStyle style_;
     std::unique_ptr<Surface> surface_;
 };

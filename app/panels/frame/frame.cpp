@@ -18,15 +18,32 @@ constexpr float kColumnPart = 0.4F;
 constexpr float kCaptionPart = 0.225F;
 constexpr float kMostCaptionGrowth = 1.5F;
 
+/// Names of bodies and vectors stand around it.
+render::Rect safe_part(const Box& scene, float scale) {
+    return rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));
+}
+
 }  // namespace
 
 float scale_of(int width, int height) {
     return std::min(static_cast<float>(width) / 1280.0F, static_cast<float>(height) / 720.0F);
 }
 
+float scale_without_panels(int width, int height) {
+    // the 3D picture in a frame of 1280x720
+    return std::min(static_cast<float>(width) / 768.0F, static_cast<float>(height) / 496.0F);
+}
+
 FrameLayout layout_of(int width, int height) {
     const Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
     return layout_in(frame, scale_of(width, height), 0.0F);
+}
+
+FrameLayout layout_without_panels(const Box& frame, float scale) {
+    FrameLayout layout;
+    layout.scene = rect_of(frame);
+    layout.scene_safe = safe_part(frame, scale);
+    return layout;
 }
 
 FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float text) {
@@ -40,7 +57,7 @@ FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float te
     const Box scene = cut_top(left, left.height - std::round(caption * frame.height));
     layout.caption = left;
     layout.scene = rect_of(scene);
-    layout.scene_safe = rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));
+    layout.scene_safe = safe_part(scene, scale);
     return layout;
 }
 

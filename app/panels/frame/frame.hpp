@@ -24,6 +24,13 @@ float scale_of(int width, int height);
 
 FrameLayout layout_of(int width, int height);
 
+/// Sizes of text for a frame that is the 3D picture alone: names are as large beside the mechanism as with
+/// panels.
+float scale_without_panels(int width, int height);
+
+/// Layout of a frame that is the 3D picture alone.
+FrameLayout layout_without_panels(const Box& frame, float scale);
+
 /// Layout of a frame in a part of a window.
 /// @param scale  of text, see scale_of
 /// @param tabs_height  left free above the column of panels

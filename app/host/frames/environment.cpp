@@ -1,4 +1,4 @@
-#include "app/snapshot/environment.hpp"
+#include "app/host/frames/environment.hpp"
 
 #include <array>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include "render/font_file.hpp"
 #include "render/font_search.hpp"
 
-namespace jw::snapshot {
+namespace jw::host {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::string environment_change(const Environment& before, const Environment& now
     return text;
 }
 
-}  // namespace jw::snapshot
+}  // namespace jw::host

@@ -1,0 +1,153 @@
+#include "app/commands/render_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/film/movie.hpp"
+
+namespace jw {
+
+namespace {
+
+// below this the panels have no room; above it the letters do not fit into one texture
+constexpr PixelSize kSmallestFrame{960, 540};
+constexpr PixelSize kSmallestPicture{320, 180};  // without panels
+constexpr PixelSize kLargestFrame{3840, 2160};
+constexpr float kLargestLetters = 3.0F;  // as in the largest frame
+constexpr double kLargestText = 1.5;     // as in the window
+constexpr double kMostFps = 240.0;
+constexpr int kMostJobs = 256;
+
+CommandError wrong(const std::string& message) { return bad_option("render", message); }
+
+/// "1,-2,0.5" @throws CommandError
+Vec3 direction_of(const std::string& text) {
+    Vec3 v = Vec3::Zero();
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    bool is_good = true;
+    for (int k = 0; k < 3 && is_good; ++k) {
+        is_good = k == 0 || (at != end && *at++ == ',');
+        const auto [stop, error] = std::from_chars(at, end, v[k]);
+        is_good = is_good && error == std::errc() && std::isfinite(v[k]);
+        at = stop;
+    }
+    // what is shorter has lost its digits
+    if (is_good && at == end && v.norm() > 1e-100 && std::isfinite(v.squaredNorm())) { return v; }
+    throw wrong(
+        "--camera '" + text + "'; expected X,Y,Z, the direction in which the eye is, for example 1,-2,0.5");
+}
+
+void check_film(const RenderOptions& options, film::FilmFormat format) {
+    check_output("--out", options.out, {options.file});
+    if (options.transparent && !film::can_be_transparent(format)) {
+        throw wrong("--transparent needs .webm, .apng, .html or a folder; this format has no transparency");
+    }
+    const bool has_loop = format == film::FilmFormat::gif || format == film::FilmFormat::apng;
+    if (options.loop && !has_loop) {
+        throw wrong("--loop is of .gif and .apng; for other films players have it");
+    }
+    if (!film::needs_ffmpeg(format)) { return; }
+    check_output("--out", film::captions_file(options.out), {options.file});
+    if (!film::has_ffmpeg()) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: --out '" + options.out +
+                                 "' is made by ffmpeg, which is not there; install it (Debian: apt install "
+                                 "ffmpeg), or expected .gif, .apng or a folder");
+    }
+}
+
+void check_range(const RenderOptions& options) {
+    const int ranges = (options.frames ? 1 : 0) + (options.motion_only ? 1 : 0) +
+                       (options.from.empty() && options.to.empty() ? 0 : 1);
+    if (ranges > 1) { throw wrong("--frames, --motion-only and --from/--to exclude each other; give one"); }
+    if (options.frames && options.format()) {
+        throw wrong("--frames counts pictures of a folder; for a film give --from and --to");
+    }
+}
+
+}  // namespace
+
+host::FrameLook RenderOptions::look() const {
+    return {dark ? render::Tone::dark : render::Tone::light, text, !no_panel, !transparent};
+}
+
+CheckedRender checked(const RenderOptions& options) {
+    CheckedRender result;
+    result.size =
+        size_option(options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame);
+    if (!std::isfinite(options.fps)) {
+        throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
+    }
+    const float letters = options.look().scale(result.size.width, result.size.height);
+    if (!std::isfinite(options.text) || letters > kLargestLetters) {
+        throw wrong("--text is too large for this --size: the letters do not fit into one texture");
+    }
+    if (options.text > kLargestText && !options.no_panel) {
+        throw wrong("--text above 1.5 leaves the panels no room; expected 0.75 to 1.5, or --no-panel");
+    }
+    if (options.transparent && !options.no_panel) {
+        throw wrong("--transparent needs --no-panel: panels are opaque");
+    }
+    if (!options.camera.empty()) { result.camera = direction_of(options.camera); }
+    check_range(options);
+    if (const auto format = options.format()) {
+        check_film(options, *format);
+    } else if (options.loop || options.no_tween) {
+        throw wrong(
+            "--loop and --no-tween are of films; expected --out with .gif, .apng, .mp4, .webm or .html");
+    }
+    if (!options.shard.empty() && !film::read_part(options.shard, result.shard)) {
+        throw wrong("--shard '" + options.shard + "'; expected I/N, the I-th of N parts, for example 2/8");
+    }
+    if (!options.shard.empty() && options.resume) {
+        throw wrong("--shard goes on by itself; --resume comes after all shards");
+    }
+    return result;
+}
+
+void add_render_options(CLI::App& command, RenderOptions& options) {
+    command.add_option("FILE", options.file, "lesson file")->required()->type_name("");
+    add_try_option(command, options.experiments);
+    command
+        .add_option(
+            "--out", options.out,
+            "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, made "
+            "if needed")
+        ->required()
+        ->type_name("PATH");
+    command.add_option("--size", options.size, "pixels")->type_name("WxH")->capture_default_str();
+    command.add_option("--fps", options.fps, "pictures per second of what moves")
+        ->check(CLI::Range(0.1, kMostFps))
+        ->type_name("X")
+        ->capture_default_str();
+    command.add_option("--frames", options.frames, "draw only pictures A to B of the same numbering")
+        ->type_name("A:B");
+    command.add_flag("--motion-only", options.motion_only, "draw only the motion");
+    command.add_option("--from", options.from, "begin here: a step (from 1), a joint or driver, or t=TIME")
+        ->type_name("STEP");
+    command.add_option("--to", options.to, "end there, that step included")->type_name("STEP");
+    command.add_flag("--no-tween", options.no_tween, "bodies jump where an iteration or a joint moves them");
+    command.add_flag("--loop", options.loop, "a .gif or .apng begins again at its end");
+    command.add_flag("--dark", options.dark, "light on dark");
+    command.add_option("--text", options.text, "size of text, 1 is usual")
+        ->check(CLI::Range(0.75, 3.0))
+        ->type_name("X")
+        ->capture_default_str();
+    command.add_option("--camera", options.camera, "look from this direction instead of that of the lesson")
+        ->type_name("X,Y,Z");
+    command.add_flag("--no-panel", options.no_panel, "the mechanism and its names alone");
+    command.add_flag("--transparent", options.transparent, "nothing behind it; with --no-panel");
+    command.add_option("--jobs", options.jobs, "processes that draw; default: one per core")
+        ->check(CLI::Range(1, kMostJobs))
+        ->type_name("N");
+    command.add_option("--shard", options.shard, "draw the I-th of N parts alone, and leave it for --resume")
+        ->type_name("I/N");
+    command.add_flag("--resume", options.resume, "go on with what an interrupted run or shards have drawn");
+}
+
+}  // namespace jw

@@ -1,0 +1,231 @@
+#include "app/commands/render_run.hpp"
+
+#include <cstdlib>
+#include <thread>
+
+#include "app/film/draw_pictures.hpp"
+#include "app/host/frames/environment.hpp"
+#include "app/host/frames/frame_files.hpp"
+#include "app/panels/parts/characters.hpp"
+#include "app/session/output/pace.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "render/offscreen.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// starting a process takes as long as drawing so many
+constexpr std::size_t kPicturesWorthAJob = 8;
+
+/// One run: what is drawn, and where.
+class RenderRun {
+public:
+    RenderRun(
+        const RenderOptions& options, const CheckedRender& checked, const ChangedLesson& changed,
+        const Story& story, const FrameRange& range, const Streams& streams)
+        : options_(options),
+          checked_(checked),
+          changed_(changed),
+          story_(story),
+          range_(range),
+          streams_(streams),
+          drawn_{&story, checked.size.width, checked.size.height, options.look()} {
+        if (options.format()) {
+            film_ = film::pictures_of_film(story, range.first, range.last, {options.fps, !options.no_tween});
+            for (std::size_t k = 0; k < film_.size(); ++k) {
+                pictures_.push_back({static_cast<int>(k), film_[k]});
+            }
+        } else {
+            for (int k = range.first; k <= range.last; ++k) { pictures_.push_back({k, {k, 1.0, 0.0}}); }
+        }
+    }
+
+    void carry_out() {
+        if (const char* const part = std::getenv(film::kPartVariable)) {
+            draw_part(part);
+        } else if (options_.format()) {
+            make_film();
+        } else {
+            fill_folder();
+        }
+    }
+
+private:
+    /// A process that another one has started: its part of the pictures, and nothing else.
+    void draw_part(const std::string& text) {
+        film::end_with_parent();
+        film::Part part;
+        if (!film::read_part(text, part)) {
+            throw CommandError(
+                Exit::bad_input, std::string("jointwise: error: ") + film::kPartVariable + " is '" + text +
+                                     "', which only this program itself sets; unset it");
+        }
+        host::FrameDraft draft(draft_folder());
+        draft.join(run());
+        film::draw_missing(drawn_, film::part_of(shard(), part.part, part.parts), draft, [](std::size_t) {});
+    }
+
+    void make_film() {
+        host::FrameDraft draft(draft_folder());
+        if (!draw(draft)) { return; }
+        ProgressBar bar(streams_, "writing");
+        film::write_film(
+            {options_.out, *options_.format(), options_.fps,
+             options_.loop ? render::Repeat::without_end : render::Repeat::once},
+            story_, film_, draft, [&](double share) { bar.show(share); });
+        draft.clear();
+        streams_.err << seconds_text() << " s of film, " << pictures_.size() << " pictures, in "
+                     << options_.out << '\n';
+    }
+
+    void fill_folder() {
+        host::FrameFiles files(options_.out, range_.first, range_.last, options_.file);
+        if (!draw(files.draft())) { return; }
+        for (const film::NumberedPicture& numbered : pictures_) {
+            const View view = view_of(story_, numbered.number, ViewParts::without_matrix);
+            files.add_drawn(numbered.number, view, seconds_to_look(view, 1.0 / options_.fps));
+        }
+        files.finish(manifest());
+        streams_.err << pictures_.size() << (pictures_.size() == 1 ? " picture" : " pictures")
+                     << " and manifest.json in " << options_.out << '\n';
+    }
+
+    /// Draws what is missing. @return false if that is a shard, whose pictures wait for others
+    bool draw(host::FrameDraft& draft) {
+        const std::string advice = panels::advice_for(panels::characters_of(story_.lesson()));
+        if (!advice.empty()) { streams_.err << advice << '\n'; }
+        const bool is_shard = !options_.shard.empty();
+        if (is_shard) {
+            draft.join(run());
+        } else if (options_.resume) {
+            draft.go_on(run());
+        } else {
+            draft.begin(run());
+        }
+        // what an interrupted --resume has drawn is there for the next one
+        if (options_.resume) { draft.leave(); }
+        draw_shard(draft);
+        if (!is_shard) { return true; }
+        streams_.err << shard().size() << " of " << pictures_.size() << " pictures drawn (part "
+                     << options_.shard << "); after all parts give --resume instead of --shard\n";
+        return false;
+    }
+
+    void draw_shard(const host::FrameDraft& draft) {
+        ProgressBar bar(streams_, "drawing");
+        const std::span<const film::NumberedPicture> mine = shard();
+        const auto show = [&](std::size_t there) {
+            bar.show(static_cast<double>(there) / static_cast<double>(mine.size()));
+        };
+        const int jobs = jobs_for(mine.size());
+        if (jobs <= 1) {
+            film::draw_missing(drawn_, mine, draft, show);
+            return;
+        }
+        film::run_parts(streams_.command_line, jobs, draft.folder(), [&] {
+            show(static_cast<std::size_t>(std::ranges::count_if(mine, [&](const auto& numbered) {
+                return fs::exists(draft.folder() / host::frame_name(numbered.number));
+            })));
+        });
+    }
+
+    int jobs_for(std::size_t pictures) const {
+        const bool can_start = !streams_.command_line.empty() && fs::is_regular_file(options_.file);
+        if (!can_start) {
+            if (options_.jobs <= 1) { return 1; }
+            throw CommandError(
+                Exit::bad_input, "jointwise: error: --jobs needs a lesson in a file: each process reads it");
+        }
+        if (options_.jobs > 0) { return static_cast<int>(std::min(pictures, std::size_t(options_.jobs))); }
+        const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+        return static_cast<int>(std::min(cores, pictures / kPicturesWorthAJob));
+    }
+
+    std::span<const film::NumberedPicture> shard() const {
+        return film::part_of(pictures_, checked_.shard.part, checked_.shard.parts);
+    }
+
+    fs::path draft_folder() const {
+        return options_.format() ? fs::path(options_.out + ".unfinished")
+                                 : host::FrameFolder::draft_folder(options_.out);
+    }
+
+    /// Everything that the pictures depend on.
+    Json run() const {
+        const bool is_file = fs::is_regular_file(options_.file);
+        if (!is_file && (options_.resume || !options_.shard.empty())) {
+            throw CommandError(
+                Exit::bad_input,
+                "jointwise: error: --resume and --shard need a lesson in a file: it is compared");
+        }
+        Json run{
+            {"format", "jointwise run"},
+            {"lesson_sha256", is_file ? host::sha256_of(options_.file) : "none"},
+            {"tried", changed_.done},
+            {"size", {checked_.size.width, checked_.size.height}},
+            {"fps", options_.fps},
+            {"range", {range_.first, range_.last}},
+            {"tween", options_.format() && !options_.no_tween},
+            {"film", options_.format().has_value()},
+            {"look", look()},
+            {"camera", options_.camera},
+            {"language", language()},
+            {"drawn_with", drawn_with()}};
+        return run;
+    }
+
+    Json look() const {
+        return {
+            {"dark", options_.dark},
+            {"text", options_.text},
+            {"panels", !options_.no_panel},
+            {"transparent", options_.transparent}};
+    }
+
+    static Json drawn_with() {
+        Json with = Json::object();
+        const render::Offscreen surface(1, 1, 1);
+        for (const auto& [name, version] : host::environment(surface.renderer())) { with[name] = version; }
+        return with;
+    }
+
+    Json manifest() const {
+        Json manifest{
+            {"format", "jointwise render"},
+            {"version", kJsonVersion},
+            {"lesson", {{"file", story_.lesson().file_name}, {"title", story_.lesson().title}}},
+            {"size", {checked_.size.width, checked_.size.height}},
+            {"fps", options_.fps},
+            {"look", look()},
+            {"drawn_with", drawn_with()},
+            {"frames_in_all", story_.steps().size()}};
+        add_done(manifest, changed_.done);
+        return manifest;
+    }
+
+    std::string seconds_text() const { return fixed_text(film::seconds_of(film_), 1); }
+
+    const RenderOptions& options_;
+    const CheckedRender& checked_;
+    const ChangedLesson& changed_;
+    const Story& story_;
+    FrameRange range_;
+    const Streams& streams_;
+    film::DrawnLesson drawn_;
+    std::vector<film::FilmPicture> film_;  ///< empty for a folder
+    std::vector<film::NumberedPicture> pictures_;
+};
+
+}  // namespace
+
+void draw(
+    const RenderOptions& options, const CheckedRender& checked, const ChangedLesson& changed,
+    const Story& story, const FrameRange& range, const Streams& streams) {
+    RenderRun(options, checked, changed, story, range, streams).carry_out();
+}
+
+}  // namespace jw

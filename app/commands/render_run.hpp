@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/commands/experiment_option.hpp"
+#include "app/commands/frame_range.hpp"
+#include "app/commands/render_options.hpp"
+
+namespace jw {
+
+/// Carries out `jointwise render`: draws the steps of `range`, or the part of them that this process is asked
+/// for, and puts them together as a film or a folder.
+/// @throws CommandError, std::runtime_error where something cannot be drawn or written; what was there before
+/// stays
+void draw(
+    const RenderOptions& options, const CheckedRender& checked, const ChangedLesson& changed,
+    const Story& story, const FrameRange& range, const Streams& streams);
+
+}  // namespace jw

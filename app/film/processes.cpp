@@ -1,0 +1,130 @@
+#include "app/film/processes.hpp"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+#include "app/film/child_process.hpp"
+
+namespace jw::film {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostParts = 9999;
+
+fs::path log_of(const fs::path& folder, int part) {
+    return folder / ("part-" + std::to_string(part + 1) + ".log");
+}
+
+/// The environment of this process with the number of a part in it. Each part draws with one thread: together
+/// they use all cores, and threads of one picture wait for each other.
+std::vector<std::string> environment_of(int part, int parts) {
+    const std::array<std::string, 2> own{
+        std::string(kPartVariable) + "=" + std::to_string(part + 1) + "/" + std::to_string(parts),
+        "LP_NUM_THREADS=0"};
+    std::vector<std::string> words(own.begin(), own.end());
+    for (char** word = ::environ; *word != nullptr; ++word) {
+        const std::string name = std::string(*word).substr(0, std::strcspn(*word, "=") + 1);
+        if (std::ranges::none_of(own, [&](const std::string& o) { return o.starts_with(name); })) {
+            words.emplace_back(*word);
+        }
+    }
+    return words;
+}
+
+/// Processes that end with this, whatever happens.
+class Children {
+public:
+    Children() = default;
+    ~Children() {
+        for (const pid_t child : running_) {
+            if (child == 0) { continue; }
+            ::kill(child, SIGTERM);
+            ::waitpid(child, nullptr, 0);
+        }
+    }
+    Children(const Children&) = delete;
+    Children& operator=(const Children&) = delete;
+
+    void add(pid_t child) { running_.push_back(child); }
+
+    /// @param failed  set to the first one that has failed, from 0
+    /// @return false if all have ended
+    bool are_running(int& failed) {
+        bool any = false;
+        for (std::size_t k = 0; k < running_.size(); ++k) {
+            if (running_[k] == 0) { continue; }
+            int status = 0;
+            if (::waitpid(running_[k], &status, WNOHANG) == 0) {
+                any = true;
+                continue;
+            }
+            running_[k] = 0;
+            if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) { failed = static_cast<int>(k); }
+        }
+        return any && failed < 0;
+    }
+
+private:
+    std::vector<pid_t> running_;  ///< 0: has ended
+};
+
+bool read_number(const char*& at, const char* end, int& number) {
+    const auto [stop, error] = std::from_chars(at, end, number);
+    at = stop;
+    return error == std::errc();
+}
+
+}  // namespace
+
+bool read_part(const std::string& text, Part& part) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    Part read;
+    if (!read_number(at, end, read.part) || at == end || *at++ != '/') { return false; }
+    if (!read_number(at, end, read.parts) || at != end) { return false; }
+    if (read.part < 1 || read.part > read.parts || read.parts > kMostParts) { return false; }
+    part = {read.part - 1, read.parts};
+    return true;
+}
+
+void run_parts(
+    const std::vector<std::string>& command_line, int parts, const fs::path& folder,
+    const std::function<void()>& waiting) {
+    Children children;
+    for (int part = 0; part < parts; ++part) {
+        children.add(start({command_line, environment_of(part, parts), log_of(folder, part)}));
+    }
+    int failed = -1;
+    while (children.are_running(failed)) {
+        waiting();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    if (failed >= 0) {
+        const std::string said = last_line_of(log_of(folder, failed));
+        constexpr std::string_view prefix = "jointwise: error: ";
+        throw std::runtime_error(
+            said.empty()               ? "a process that drew pictures has ended without a word"
+            : said.starts_with(prefix) ? said.substr(prefix.size())
+                                       : said);
+    }
+    for (int part = 0; part < parts; ++part) { fs::remove(log_of(folder, part)); }
+}
+
+void end_with_parent() {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // it may have ended before
+    if (::getppid() == 1) { ::_exit(1); }
+}
+
+}  // namespace jw::film

@@ -1,0 +1,179 @@
+#include "app/host/frames/frame_draft.hpp"
+
+#include <sha256.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "render/atomic_file.hpp"
+#include "render/png.hpp"
+
+namespace jw::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRun = "run.json";
+
+std::vector<std::uint8_t> bytes_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) { refuse(path, "cannot be read"); }
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Run of the pictures in a folder; discarded where it is none of ours or is not there.
+Json run_in(const fs::path& folder) {
+    std::ifstream in(folder / kRun, std::ios::binary);
+    return Json::parse(std::string{std::istreambuf_iterator<char>(in), {}}, nullptr, false);
+}
+
+/// A number, a name or the like as a line; long ones are cut.
+std::string line_of(const Json& value) {
+    constexpr std::size_t most = 60;
+    const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return line.size() <= most ? line : line.substr(0, most) + " ...";
+}
+
+/// The first thing in which two runs differ.
+std::string difference_of(const Json& before, const Json& now) {
+    for (const auto& [key, value] : now.items()) {
+        const auto found = before.is_object() ? before.find(key) : before.end();
+        if (found == before.end()) { return key + ": nothing before, " + line_of(value) + " now"; }
+        if (*found == value) { continue; }
+        if (value.is_object() && found->is_object()) { return key + "." + difference_of(*found, value); }
+        return key + ": " + line_of(*found) + " before, " + line_of(value) + " now";
+    }
+    return "something is no longer there";
+}
+
+bool is_ours(const std::string& name) {
+    const std::string whole = name.substr(0, name.find(".part-"));
+    return is_frame_name(whole) || whole == "manifest.json" || whole == kRun || whole.starts_with("film.") ||
+           whole.starts_with("part-");
+}
+
+}  // namespace
+
+void refuse(const fs::path& path, const std::string& why) {
+    throw std::runtime_error("'" + path.string() + "' " + why);
+}
+
+std::string frame_name(int number) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%05d.png", number);
+    return name.data();
+}
+
+bool is_frame_name(const std::string& name) {
+    constexpr std::string_view begin = "frame_";
+    constexpr std::string_view end = ".png";
+    if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size() + 5) {
+        return false;
+    }
+    const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    return digits.find_first_not_of("0123456789") == std::string::npos;
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        names.push_back(entry->path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string sha256_of(const fs::path& file) {
+    const std::vector<std::uint8_t> bytes = bytes_of(file);
+    std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
+    if (SHA256Data(bytes.data(), bytes.size(), digits.data()) == nullptr) { throw std::bad_alloc(); }
+    return digits.data();
+}
+
+FrameDraft::~FrameDraft() {
+    if (is_own_) { clear(); }
+}
+
+void FrameDraft::clear() {
+    is_begun_ = is_own_ = false;
+    std::error_code ignored;
+    if (fs::is_symlink(folder_, ignored)) { return; }
+    for (const std::string& name : names_in(folder_)) {
+        if (is_ours(name)) { fs::remove(folder_ / name, ignored); }
+    }
+    fs::remove(folder_, ignored);
+}
+
+void FrameDraft::create(const Json& run) {
+    std::error_code error;
+    if (!fs::create_directory(folder_, error)) {
+        refuse(
+            folder_,
+            error ? "cannot be made a folder: " + error.message()
+                  : "is in the way, with files of somebody else; expected a folder for pictures alone");
+    }
+    is_begun_ = is_own_ = true;
+    render::write_file_atomically(folder_ / kRun, json_document(run));
+}
+
+void FrameDraft::begin(const Json& run) {
+    clear();
+    create(run);
+}
+
+void FrameDraft::check_run(const Json& run) const {
+    const Json before = run_in(folder_);
+    if (before == run) { return; }
+    if (before.is_discarded()) {
+        refuse(folder_, "has no run.json that tells what its pictures depend on; remove it to begin anew");
+    }
+    refuse(
+        folder_, "has pictures of another run (" + difference_of(before, run) +
+                     "); give the same options and lesson, or remove it to begin anew");
+}
+
+void FrameDraft::go_on(const Json& run) {
+    if (!fs::exists(folder_)) {
+        create(run);
+        return;
+    }
+    check_run(run);
+    is_begun_ = true;
+    // of writers that are no more
+    for (const std::string& name : names_in(folder_)) {
+        std::error_code ignored;
+        if (is_ours(name) && name.find(".part-") != std::string::npos) {
+            fs::remove(folder_ / name, ignored);
+        }
+    }
+}
+
+void FrameDraft::join(const Json& run) {
+    std::error_code error;
+    fs::create_directory(folder_, error);
+    if (!fs::is_directory(folder_)) { refuse(folder_, "cannot be made a folder: " + error.message()); }
+    is_begun_ = true;
+    if (!fs::exists(folder_ / kRun)) {
+        // the first of several that begin at the same time tells what all of them must depend on
+        const fs::path mine =
+            folder_ / (std::string(kRun) + ".part-" + std::to_string(std::hash<Json>()(run)));
+        render::write_file_atomically(mine, json_document(run));
+        fs::create_hard_link(mine, folder_ / kRun, error);
+        fs::remove(mine, error);
+    }
+    check_run(run);
+}
+
+bool FrameDraft::has(int number) const {
+    const fs::path path = folder_ / frame_name(number);
+    return fs::is_regular_file(path) && render::is_whole_png(bytes_of(path));
+}
+
+}  // namespace jw::host

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/session/output/json.hpp"
+
+namespace jw::host {
+
+/// "frame_00042.png"
+std::string frame_name(int number);
+/// True for such a name, which so leads out of no folder.
+bool is_frame_name(const std::string& name);
+
+/// A folder of pictures that are being drawn, by one process or by several, now or in several runs.
+/// `run.json` in it says what they depend on: only pictures of equal runs come together. Whoever has begun it
+/// alone takes it away in the end, unless it is left for others.
+class FrameDraft {
+public:
+    explicit FrameDraft(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    ~FrameDraft();
+    FrameDraft(const FrameDraft&) = delete;
+    FrameDraft& operator=(const FrameDraft&) = delete;
+
+    /// Begins an empty folder; what a run of ours has left in it is taken away.
+    /// @param run  everything that the pictures depend on
+    /// @throws std::runtime_error if there is no room for it, or if it has files of somebody else
+    void begin(const Json& run);
+    /// Goes on with what an equal run has left; begins anew where there is nothing.
+    /// @throws std::runtime_error as `begin`, and naming what differs if it was another run
+    void go_on(const Json& run);
+    /// Draws into it beside others of an equal run, and leaves it to them. @throws std::runtime_error as
+    /// `go_on`
+    void join(const Json& run);
+    /// The folder stays as it is, even if this ends early.
+    void leave() { is_own_ = false; }
+
+    /// True if the picture is there, whole.
+    bool has(int number) const;
+    bool is_begun() const { return is_begun_; }
+
+    const std::filesystem::path& folder() const { return folder_; }
+    /// Takes away what is in it of ours, and the folder where nothing else is.
+    void clear();
+
+private:
+    void check_run(const Json& run) const;
+    void create(const Json& run);
+
+    std::filesystem::path folder_;
+    bool is_begun_ = false;
+    bool is_own_ = false;
+};
+
+/// @throws std::runtime_error "'PATH' WHY"
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why);
+
+/// Names in a folder, sorted; none if it cannot be read.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+
+/// SHA-256 of a file as hexadecimal digits. @throws std::runtime_error if it cannot be read
+std::string sha256_of(const std::filesystem::path& file);
+
+}  // namespace jw::host

@@ -1,0 +1,99 @@
+#include <catch2/catch.hpp>
+
+#include "app/host/frames/frame_draft.hpp"
+#include "app/host/frames/frame_files.hpp"
+#include "render/png.hpp"
+#include "tests/app/program.hpp"
+
+namespace jw::host::test {
+namespace {
+
+using jw::test::bytes_of;
+using jw::test::Folder;
+
+const Json kThis{{"format", "jointwise run"}, {"size", {960, 540}}, {"look", {{"dark", false}}}};
+const Json kOther{{"format", "jointwise run"}, {"size", {960, 540}}, {"look", {{"dark", true}}}};
+
+void draw(const FrameDraft& draft, int number) {
+    PictureWriter writer(draft.folder());
+    writer.add(number, {1, 1, {1, 2, 3}});
+    writer.wait();
+}
+
+}  // namespace
+
+TEST_CASE("An equal run goes on with what is there, another one is told what differs", "[film]") {
+    const Folder folder;
+    const std::string path = folder.path("draft");
+    {
+        FrameDraft draft(path);
+        draft.begin(kThis);
+        draw(draft, 3);
+        draft.leave();
+    }
+    {
+        FrameDraft other(path);
+        CHECK_THROWS_WITH(
+            other.go_on(kOther),
+            Catch::Contains("has pictures of another run (look.dark: false before, true now)"));
+        CHECK_THROWS_WITH(other.join(kOther), Catch::Contains("look.dark"));
+    }
+    FrameDraft again(path);
+    again.go_on(kThis);
+    CHECK(again.has(3));
+    CHECK_FALSE(again.has(2));
+    // begun anew there is nothing
+    FrameDraft anew(path);
+    anew.begin(kOther);
+    CHECK_FALSE(anew.has(3));
+}
+
+TEST_CASE("A picture that is cut off is drawn again", "[film]") {
+    const Folder folder;
+    FrameDraft draft(folder.path("draft"));
+    draft.begin(kThis);
+    draw(draft, 0);
+    REQUIRE(draft.has(0));
+    const std::string whole = bytes_of(draft.folder() / frame_name(0));
+    for (const std::size_t size : {std::size_t{0}, std::size_t{8}, whole.size() / 2, whole.size() - 1}) {
+        folder.file("draft/" + frame_name(0), whole.substr(0, size));
+        CHECK_FALSE(draft.has(0));
+    }
+    folder.file("draft/" + frame_name(0), whole);
+    CHECK(draft.has(0));
+}
+
+TEST_CASE(
+    "Who begins a folder takes it away, who joins leaves it, and nobody touches what is not ours", "[film]") {
+    const Folder folder;
+    const std::string path = folder.path("draft");
+    {
+        FrameDraft draft(path);
+        draft.begin(kThis);
+        FrameDraft beside(path);
+        beside.join(kThis);
+        draw(beside, 1);
+    }
+    CHECK_FALSE(std::filesystem::exists(path));
+    {
+        FrameDraft first(path);
+        first.join(kThis);
+        draw(first, 1);
+    }
+    CHECK(std::filesystem::exists(path + "/frame_00001.png"));
+    folder.file("draft/notes.txt", "mine");
+    FrameDraft next(path);
+    CHECK_THROWS_WITH(next.begin(kThis), Catch::Contains("is in the way"));
+    CHECK(bytes_of(path + "/notes.txt") == "mine");
+}
+
+TEST_CASE("The hash of a file is the one that sha256sum prints", "[film]") {
+    const Folder folder;
+    // FIPS 180-2, appendix B.1
+    CHECK(
+        sha256_of(folder.file("abc", "abc")) ==
+        "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK_THROWS_WITH(sha256_of(folder.path("none")), Catch::Contains("cannot be read"));
+}
+
+}  // namespace jw::host::test
