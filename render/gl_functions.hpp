@@ -48,6 +48,7 @@ namespace jw::render {
     X(PFNGLDRAWELEMENTSINSTANCEDPROC,          DrawElementsInstanced)  \
     X(PFNGLENABLEPROC,                         Enable)                 \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC,        EnableVertexAttribArray) \
+    X(PFNGLFINISHPROC,                         Finish)                 \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC,        FramebufferRenderbuffer) \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC,           FramebufferTexture2D)   \
     X(PFNGLGENBUFFERSPROC,                     GenBuffers)             \

@@ -106,6 +106,12 @@ void SceneRenderer::draw(
     gl_.Disable(GL_DEPTH_TEST);
 }
 
+void SceneRenderer::draw_shadows(
+    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const {
+    const Pass pass(scene, camera, viewport, frame, Tone::light);
+    shadow_map_.update(meshes_, pass.lists.bodies, pass.shadow);
+}
+
 void SceneRenderer::draw_backdrop(Tone tone) const {
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);

@@ -35,6 +35,10 @@ public:
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
         Tone tone = Tone::light, Backdrop backdrop = Backdrop::sky) const;
 
+    /// Draws the shadows of a scene alone; `draw` of the same scene then has nothing more to do for them.
+    void draw_shadows(
+        const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const;
+
     /// Meshes for an `IdBuffer` of the same context.
     const SceneMeshes& meshes() const { return meshes_; }
 

@@ -6,11 +6,13 @@
 
 #include "app/commands/bench_hard.hpp"
 #include "app/commands/bench_kinematics.hpp"
+#include "app/commands/bench_render.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/dynamics_options.hpp"
 #include "app/commands/format_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/plot_picture.hpp"
+#include "app/commands/size_option.hpp"
 #include "app/panels/plot/price_panel.hpp"
 #include "app/session/benchmark/prices.hpp"
 #include "app/session/output/csv.hpp"
@@ -34,6 +36,8 @@ struct BenchOptions {
     std::string picture;
     bool hard = false;
     bool kinematics = false;
+    bool render = false;
+    std::string size = "1280x720";
 };
 
 struct SceneResult {
@@ -189,6 +193,10 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
             "hint: jointwise bench --help");
     }
     if (options.kinematics) { return bench_kinematics(options.scenes, options.format, streams); }
+    if (options.render) {
+        return bench_render(
+            options.scenes, size_option(options.size, {960, 540}, {3840, 2160}), options.format, streams);
+    }
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
@@ -260,10 +268,18 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::Option* hard = command->add_flag(
         "--hard", options->hard,
         "run the hard cases of kinematics and dynamics instead; SCENE then selects some of them");
-    for (CLI::Option* other : {kinematics, hard}) {
+    CLI::Option* drawing = command->add_flag(
+        "--render", options->render,
+        "what a picture of the motion costs, stage by stage, beside a plain loop with stb_image_write");
+    command->add_option("--size", options->size, "of the pictures of --render")
+        ->type_name("WxH")
+        ->capture_default_str()
+        ->needs(drawing);
+    for (CLI::Option* other : {kinematics, hard, drawing}) {
         other->excludes(method, treatment, coordinates, picture);
     }
-    hard->excludes(kinematics);
+    hard->excludes(kinematics, drawing);
+    kinematics->excludes(drawing);
     add_format_option(
         *command, options->format, {"table", "csv", "json", "markdown"},
         "table, csv or json; with --hard also markdown");

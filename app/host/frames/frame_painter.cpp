@@ -138,19 +138,21 @@ Emphasis FramePainter::lit_at(const View& view) const {
 
 render::Image FramePainter::paint(const View& view) { return paint(view, picture(view)); }
 
-render::Image FramePainter::paint(const View& view, const Picture& picture) {
+void FramePainter::draw_scene(const Picture& picture) {
     Surface& s = *surface_;
-    s.context.enter();
     if (look_.is_opaque) {
         s.begin_3d(toned(render::palette::kPaper, look_.tone));
         s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size(), look_.tone);
-    } else {
-        s.begin_3d(kNothing);
-        render::Scene scene = picture.scene;
-        scene.ground.reset();
-        s.scene.draw(scene, s.camera, s.layout.scene, s.size(), look_.tone, render::Backdrop::paper);
+        return;
     }
-    s.begin_2d();
+    s.begin_3d(kNothing);
+    render::Scene scene = picture.scene;
+    scene.ground.reset();
+    s.scene.draw(scene, s.camera, s.layout.scene, s.size(), look_.tone, render::Backdrop::paper);
+}
+
+void FramePainter::draw_panels(const View& view, const Picture& picture) {
+    Surface& s = *surface_;
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
     const panels::Canvas canvas =
@@ -162,8 +164,28 @@ render::Image FramePainter::paint(const View& view, const Picture& picture) {
     }
     ImGui::Render();
     s.panels.draw(*ImGui::GetDrawData(), s.size());
+}
+
+render::Image FramePainter::paint(const View& view, const Picture& picture, const OnPaintStage& ended) {
+    Surface& s = *surface_;
+    const auto end = [&](PaintStage stage) {
+        if (!ended) { return; }
+        s.functions->Finish();
+        ended(stage);
+    };
+    s.context.enter();
+    s.make_current();
+    if (ended) { s.scene.draw_shadows(picture.scene, s.camera, s.layout.scene, s.size()); }
+    end(PaintStage::shadow);
+    draw_scene(picture);
+    s.begin_2d();
+    end(PaintStage::scene);
+    draw_panels(view, picture);
+    end(PaintStage::panels);
     s.context.leave();
-    return s.read(look_.is_opaque);
+    render::Image image = s.read(look_.is_opaque);
+    end(PaintStage::read);
+    return image;
 }
 
 std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::VectorFormat format) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,6 +25,11 @@ struct FrameLook {
     float scale(int width, int height) const;
 };
 
+/// Parts of painting a frame, in their order.
+enum class PaintStage { shadow, scene, panels, read };
+/// Told when each of them has ended, for those who measure: then, and only then, each is waited for.
+using OnPaintStage = std::function<void(PaintStage)>;
+
 /// Draws steps of one story into memory, panels included. The camera is composed once, so that nothing jumps
 /// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
 class FramePainter {
@@ -45,7 +51,7 @@ public:
     /// Picture of a step in the place of that of the view: its bodies may be elsewhere.
     Picture picture(const View& view, const Step& step) const;
     /// Paints another 3D part than that of the step.
-    render::Image paint(const View& view, const Picture& picture);
+    render::Image paint(const View& view, const Picture& picture, const OnPaintStage& ended = {});
     /// The frame as a file of lines, areas and letters; its 3D part is a picture of twice as many pixels.
     std::vector<std::uint8_t> vector_file(const View& view, render::VectorFormat format);
     /// Name of the renderer, with the versions of OpenGL and Mesa.
@@ -56,6 +62,8 @@ public:
 private:
     struct Surface;
     void compose_camera();
+    void draw_scene(const Picture& picture);
+    void draw_panels(const View& view, const Picture& picture);
     Emphasis lit_at(const View& view) const;
 
     const Story* story_;
