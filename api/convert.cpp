@@ -27,19 +27,34 @@ std::string name_of_constraint(const jw::System& system, const jw::RowOrigin& or
 
 }  // namespace
 
-jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose) {
+void read_state(const jw::Mechanism& mechanism, const Pose& pose, jw::State& state) {
     expect_size(pose.r.size(), mechanism.bodies.size(), "r of a pose");
     expect_size(pose.p.size(), mechanism.bodies.size(), "p of a pose");
     expect_size(pose.theta.size(), static_cast<std::size_t>(mechanism.thetas_count()), "theta of a pose");
-    return {pose.r, pose.p, pose.theta};
+    state.r = pose.r;
+    state.p = pose.p;
+    state.theta = pose.theta;
+}
+
+void read_motion(const jw::Mechanism& mechanism, const Rates& rates, jw::Motion& motion) {
+    expect_size(rates.r_dot.size(), mechanism.bodies.size(), "r_dot");
+    expect_size(rates.omega_local.size(), mechanism.bodies.size(), "omega_local");
+    expect_size(rates.theta_dot.size(), static_cast<std::size_t>(mechanism.thetas_count()), "theta_dot");
+    motion.r_dot = rates.r_dot;
+    motion.omega_local = rates.omega_local;
+    motion.theta_dot = rates.theta_dot;
+}
+
+jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose) {
+    jw::State state;
+    read_state(mechanism, pose, state);
+    return state;
 }
 
 jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates) {
-    const auto thetas = static_cast<std::size_t>(mechanism.thetas_count());
-    expect_size(rates.r_dot.size(), mechanism.bodies.size(), "r_dot");
-    expect_size(rates.omega_local.size(), mechanism.bodies.size(), "omega_local");
-    expect_size(rates.theta_dot.size(), thetas, "theta_dot");
-    return {rates.r_dot, rates.omega_local, rates.theta_dot};
+    jw::Motion motion;
+    read_motion(mechanism, rates, motion);
+    return motion;
 }
 
 std::string row_name(const jw::System& system, int row) {

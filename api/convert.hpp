@@ -13,6 +13,8 @@ inline Rates rates_of(const jw::Motion& motion) {
 }
 
 /// @throws std::invalid_argument if there is not one entry per body and screw
+void read_state(const jw::Mechanism& mechanism, const Pose& pose, jw::State& state);
+void read_motion(const jw::Mechanism& mechanism, const Rates& rates, jw::Motion& motion);
 jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose);
 jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates);
 

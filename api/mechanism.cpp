@@ -1,6 +1,7 @@
 #include "jointwise/mechanism.hpp"
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -105,40 +106,42 @@ std::vector<std::string> names_of(const std::vector<T>& things) {
 
 }  // namespace
 
-Mechanism::Mechanism() : inside_(std::make_unique<Inside>()) {
+Mechanism::Mechanism() : inside_(std::make_shared<Inside>()) {
     jw::Body ground;
     ground.name = "ground";
     ground.fixed = true;
     inside_->mechanism.bodies.push_back(ground);
     inside_->loads.masses.emplace_back();
 }
-Mechanism::Mechanism(const Inside& inside) : inside_(std::make_unique<Inside>(inside)) {
+Mechanism::Mechanism(const Inside& inside) : inside_(std::make_shared<Inside>(inside)) {
     inside_->loads.masses.resize(inside_->mechanism.bodies.size());
 }
-Mechanism::~Mechanism() = default;
-Mechanism::Mechanism(const Mechanism& other) : inside_(std::make_unique<Inside>(*other.inside_)) {}
-Mechanism& Mechanism::operator=(const Mechanism& other) {
-    *inside_ = *other.inside_;
-    return *this;
+
+/// The data, for a change: of no other mechanism any more.
+Mechanism::Inside& Mechanism::own() {
+    if (inside_.use_count() > 1) { inside_ = std::make_shared<Inside>(*inside_); }
+    // the copy that was given up last may have been read in another thread: that reading comes first
+    std::atomic_thread_fence(std::memory_order_acquire);
+    return *inside_;
 }
 
 int Mechanism::add_body(const std::string& name, const Vector3& r, const Vector4& p) {
-    auto& bodies = inside_->mechanism.bodies;
-    expect_new_name(name, bodies);
+    expect_new_name(name, inside_->mechanism.bodies);
     expect_finite(r, "r of body '" + name + "'");
     expect(p.allFinite() && p.norm() > 0.0, "p of body '" + name + "' is zero or not finite");
     jw::Body body;
     body.name = name;
     body.r = r;
     body.p = p.normalized();
-    bodies.push_back(body);
-    inside_->loads.masses.emplace_back();
-    return static_cast<int>(bodies.size()) - 1;
+    Inside& mine = own();
+    mine.mechanism.bodies.push_back(body);
+    mine.loads.masses.emplace_back();
+    return static_cast<int>(mine.mechanism.bodies.size()) - 1;
 }
 
 int Mechanism::add_joint(
     const std::string& name, const std::string& type, int body_i, int body_j, const Place& place) {
-    auto& [bodies, joints, drivers] = inside_->mechanism;
+    const auto& [bodies, joints, drivers] = inside_->mechanism;
     expect_new_name(name, joints);
     expect_new_name(name, drivers);
     expect_index(body_i, bodies.size(), "body");
@@ -153,12 +156,12 @@ int Mechanism::add_joint(
     const Home i{bodies[static_cast<std::size_t>(body_i)]};
     const Home j{bodies[static_cast<std::size_t>(body_j)]};
     joint.geometry = geometry_of(*joint.type, i, j, place);
-    joints.push_back(joint);
-    return static_cast<int>(joints.size()) - 1;
+    own().mechanism.joints.push_back(joint);
+    return static_cast<int>(inside_->mechanism.joints.size()) - 1;
 }
 
 int Mechanism::add_driver(const std::string& name, int joint, const Polynomial& value) {
-    auto& [bodies, joints, drivers] = inside_->mechanism;
+    const auto& [bodies, joints, drivers] = inside_->mechanism;
     expect_new_name(name, joints);
     expect_new_name(name, drivers);
     expect_index(joint, joints.size(), "joint");
@@ -177,17 +180,17 @@ int Mechanism::add_driver(const std::string& name, int joint, const Polynomial& 
                      : type.has_angle()  ? jw::Measure(jw::angle_of(along))
                                          : jw::Measure(jw::displacement_of(along));
     driver.function.polynomial = value;
-    drivers.push_back(driver);
-    return static_cast<int>(drivers.size()) - 1;
+    own().mechanism.drivers.push_back(driver);
+    return static_cast<int>(inside_->mechanism.drivers.size()) - 1;
 }
 
 void Mechanism::set_velocity(int body, const Vector3& r_dot, const Vector3& omega_local) {
-    auto& bodies = inside_->mechanism.bodies;
-    expect_index(body, bodies.size(), "body");
+    expect_index(body, inside_->mechanism.bodies.size(), "body");
     expect_finite(r_dot, "r_dot");
     expect_finite(omega_local, "omega_local");
-    bodies[static_cast<std::size_t>(body)].r_dot = r_dot;
-    bodies[static_cast<std::size_t>(body)].omega_local = omega_local;
+    jw::Body& mine = own().mechanism.bodies[static_cast<std::size_t>(body)];
+    mine.r_dot = r_dot;
+    mine.omega_local = omega_local;
 }
 
 void Mechanism::set_mass(int body, double mass, const Matrix3& J_local, const Vector3& centre_local) {
@@ -195,12 +198,12 @@ void Mechanism::set_mass(int body, double mass, const Matrix3& J_local, const Ve
     expect(std::isfinite(mass) && mass > 0.0, "a mass is not positive");
     expect_finite(J_local, "J_local");
     expect_finite(centre_local, "centre_local");
-    inside_->loads.masses[static_cast<std::size_t>(body)] = jw::MassProperties{mass, centre_local, J_local};
+    own().loads.masses[static_cast<std::size_t>(body)] = jw::MassProperties{mass, centre_local, J_local};
 }
 
 void Mechanism::set_gravity(const Vector3& g) {
     expect_finite(g, "gravity");
-    inside_->loads.gravity = g;
+    own().loads.gravity = g;
 }
 
 void Mechanism::add_spring(
@@ -213,7 +216,7 @@ void Mechanism::add_spring(
     expect_finite(P_i_local, "P_i_local");
     expect_finite(P_j_local, "P_j_local");
     expect_finite(Vector3(k, free_length, c), "a spring");
-    inside_->loads.springs.push_back({body_i, body_j, P_i_local, P_j_local, k, free_length, c});
+    own().loads.springs.push_back({body_i, body_j, P_i_local, P_j_local, k, free_length, c});
 }
 
 std::vector<std::string> Mechanism::body_names() const { return names_of(inside_->mechanism.bodies); }

@@ -1,3 +1,5 @@
+#include "api/motion.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -47,14 +49,13 @@ jw::SimulationSettings settings_of(const Simulation& simulation) {
 
 }  // namespace
 
-std::vector<Moment> follow(const Mechanism& mechanism, const std::vector<double>& times) {
+void follow_into(const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive) {
     expect_ascending(times);
     const jw::Mechanism& inside = mechanism.inside().mechanism;
     const jw::State start = state_of(inside, assemble(mechanism, times.front()));
     jw::System system(inside, jw::everything(inside));
     system.choose_rows(start);
     jw::MotionTracker tracker(system, start, times.front());
-    std::vector<Moment> moments;
     for (const double t : times) {
         if (!tracker.advance_to(t)) {
             throw NotReached(
@@ -62,29 +63,39 @@ std::vector<Moment> follow(const Mechanism& mechanism, const std::vector<double>
                 " s: " + row_name(system, tracker.failure()->row) + " cannot be satisfied beyond it");
         }
         const jw::MotionFrame& frame = tracker.frame();
-        moments.push_back(
-            {pose_of(frame.state, t), rates_of(frame.velocity), rates_of(frame.acceleration), 0.0});
+        receive({pose_of(frame.state, t), rates_of(frame.velocity), rates_of(frame.acceleration), 0.0});
     }
-    return moments;
 }
 
-std::vector<Moment> simulate(
-    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings) {
+void simulate_into(
+    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings,
+    const Receive& receive) {
     expect_ascending(times);
     if (times.front() < 0.0) {
         throw std::invalid_argument("jointwise: a time is below 0; motion starts at 0");
     }
     const auto& [inside, loads] = mechanism.inside();
     jw::Simulation simulation(inside, loads, settings_of(settings));
-    std::vector<Moment> moments;
     const jw::SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
         const jw::Snapshot now = simulation.snapshot(t, y);
         const jw::Motion acceleration = simulation.acceleration_as_given(t, y);
-        moments.push_back(
+        receive(
             {pose_of(now.state, t), rates_of(now.velocity), rates_of(acceleration),
              now.kinetic + now.potential});
     });
     if (outcome.failure) { throw ended(*outcome.failure); }
+}
+
+std::vector<Moment> follow(const Mechanism& mechanism, const std::vector<double>& times) {
+    std::vector<Moment> moments;
+    follow_into(mechanism, times, [&](const Moment& moment) { moments.push_back(moment); });
+    return moments;
+}
+
+std::vector<Moment> simulate(
+    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings) {
+    std::vector<Moment> moments;
+    simulate_into(mechanism, times, settings, [&](const Moment& moment) { moments.push_back(moment); });
     return moments;
 }
 

@@ -65,9 +65,12 @@ Image draw(const Lesson& lesson, const Pose& pose, int width, int height) {
     return drawn(still_of(lesson.inside().lesson, pose), width, height);
 }
 
+std::vector<std::uint8_t> png_of(const Image& image) {
+    return jw::render::encode_png({image.width, image.height, image.rgb});
+}
+
 void write_png(const Image& image, const std::filesystem::path& file) {
-    const auto bytes = jw::render::encode_png({image.width, image.height, image.rgb});
-    jw::render::write_file_atomically(file, bytes);
+    jw::render::write_file_atomically(file, png_of(image));
 }
 
 }  // namespace JOINTWISE_ABI

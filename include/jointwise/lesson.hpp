@@ -9,10 +9,26 @@
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
+/// One mistake in a lesson. Line and column count from 1; line 0 is the file as a whole.
+struct Mistake {
+    std::string file;
+    int line = 0;
+    int column = 0;       ///< in characters
+    std::string code;     ///< "JW201", as `jointwise explain` takes it
+    std::string message;  ///< what is wrong; what was expected
+    std::string hint;     ///< what to do, may be empty
+};
+
 /// Mistakes in a lesson: `what()` is the report that the program would print, with line and column.
 class LessonError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    LessonError(const std::string& report, std::vector<Mistake> mistakes)
+        : std::runtime_error(report), mistakes_(std::move(mistakes)) {}
+    /// In the order of the file, at least one.
+    const std::vector<Mistake>& mistakes() const { return mistakes_; }
+
+private:
+    std::vector<Mistake> mistakes_;
 };
 
 /// A lesson that was read; a value that can be copied.
@@ -21,6 +37,8 @@ public:
     const std::string& title() const { return title_; }
     const std::string& text() const { return text_; }
     const Mechanism& mechanism() const { return mechanism_; }
+    /// Times of the motion that the lesson shows [s], as `jointwise solve` solves it; empty if it shows none.
+    std::vector<double> motion_times() const;
     /// What the reader warned of; empty if of nothing.
     const std::string& warnings() const { return warnings_; }
 

@@ -41,9 +41,9 @@ using Polynomial = std::vector<double>;
 class Mechanism {
 public:
     Mechanism();
-    ~Mechanism();
-    Mechanism(const Mechanism&);
-    Mechanism& operator=(const Mechanism&);
+    /// Copies share their data until one of them is changed.
+    Mechanism(const Mechanism&) = default;
+    Mechanism& operator=(const Mechanism&) = default;
 
     /// Adds a moving body at its start estimate. @return its number
     int add_body(const std::string& name, const Vector3& r, const Vector4& p = Vector4::Unit(0));
@@ -75,7 +75,9 @@ public:
     explicit Mechanism(const Inside& inside);
 
 private:
-    std::unique_ptr<Inside> inside_;
+    Inside& own();
+
+    std::shared_ptr<Inside> inside_;
 };
 
 /// The names of all types of joints.

@@ -22,6 +22,8 @@ Image draw(const Mechanism& mechanism, const Pose& pose, int width = 1280, int h
 /// The same with the shapes and colours of the lesson, from the direction that it asks for.
 Image draw(const Lesson& lesson, const Pose& pose, int width = 1280, int height = 720);
 
+/// The bytes of a PNG file.
+std::vector<std::uint8_t> png_of(const Image& image);
 /// Writes a PNG file, whole or not at all. @throws std::runtime_error
 void write_png(const Image& image, const std::filesystem::path& file);
 

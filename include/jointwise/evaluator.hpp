@@ -1,0 +1,53 @@
+#pragma once
+
+#include "jointwise/analysis.hpp"
+
+/// The functions of analysis.hpp for many poses of one mechanism.
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+/// Equations of one mechanism at many poses: structure and memory are made once, by the constructor. Its
+/// results are those of the functions of the same names. Not to be used by two threads at once.
+class Evaluator {
+public:
+    /// The mechanism is taken as it is now; later changes of it are not seen. Rows of p1 and p2 are those
+    /// that the rule keeps at its start pose.
+    explicit Evaluator(
+        const Mechanism& mechanism, Coordinates coordinates = Coordinates::modified_euler_parameters);
+    ~Evaluator();
+    Evaluator(Evaluator&&) noexcept;
+    Evaluator& operator=(Evaluator&&) noexcept;
+
+    int rows() const;
+    int columns() const;
+    /// "hinge.p1.y", one per row, of the choice that holds now.
+    const std::vector<std::string>& row_names() const;
+    /// "crank.x", "crank.omega_local.z", "jack.angle": the coordinate or the velocity that a column belongs
+    /// to.
+    std::vector<std::string> column_names() const;
+
+    /// Applies the rule of slide 5 at a pose; a row is kept until its condition becomes bad. @return true if
+    /// rows have changed
+    bool choose_rows(const Pose& pose);
+
+    /// Φ, Φq, ν and γ with the rows as they are chosen.
+    /// @param out its memory is used again where it has the right size
+    void equations_at(const Pose& pose, const Rates& velocities, Equations& out);
+    /// Φ alone. @param out [rows]
+    void phi_at(const Pose& pose, Eigen::VectorXd& out);
+    /// Velocities (or accelerations) as the numbers of the columns: ṙ and ṗ, ω′ or ω of every moving body,
+    /// then θ̇.
+    Eigen::VectorXd columns_of(const Pose& pose, const Rates& rates) const;
+
+    Pose assemble(const Pose& estimate, double t);
+    Rank rank_at(const Pose& pose);
+    Rates velocities_at(const Pose& pose);
+    Rates accelerations_at(const Pose& pose, const Rates& velocities);
+
+private:
+    struct Inside;
+    std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "jointwise/analysis.hpp"
+
+/// Motions as tables: a row per time, a column per number.
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+/// Row-major: what belongs to one time lies together.
+using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A motion at ascending times, the same numbers as a Moment each.
+struct Trajectory {
+    Eigen::VectorXd t;       ///< [s]
+    int bodies = 0;          ///< the ground included
+    Table q;                 ///< r and p of every body, 7 columns each, then the angles of screws
+    Table q_dot;             ///< ṙ and ω′ of every body, 6 columns each, then their rates
+    Table q_ddot;            ///< r̈ and ω̇′, likewise
+    Eigen::VectorXd energy;  ///< kinetic and potential [J]; 0 in `follow`
+
+    int times() const { return static_cast<int>(t.size()); }
+    /// One row. @throws std::invalid_argument if there is no such row
+    Moment moment(int row) const;
+};
+
+/// `follow` and `simulate` of analysis.hpp into a table; no moment is kept beside it.
+Trajectory follow_trajectory(const Mechanism& mechanism, const std::vector<double>& times);
+Trajectory simulate_trajectory(
+    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings = {});
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise
