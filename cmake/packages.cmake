@@ -39,3 +39,11 @@ add_library(RapidCheck::RapidCheck UNKNOWN IMPORTED)
 set_target_properties(RapidCheck::RapidCheck PROPERTIES IMPORTED_LOCATION ${RAPIDCHECK_LIBRARY})
 # tests only: what the program computes does not depend on which LAPACK a machine has
 pkg_check_modules(lapacke REQUIRED IMPORTED_TARGET lapacke)
+
+# the Python of the system, whatever other is first in the path: its headers, pybind11 and numpy are Debian's
+if(NOT JW_SANITIZE)
+  find_program(JW_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  set(Python_EXECUTABLE ${JW_PYTHON})
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 REQUIRED CONFIG)
+endif()

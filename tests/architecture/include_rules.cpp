@@ -79,6 +79,9 @@ constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen
 constexpr std::array<std::string_view, 7> kLibrary{"api/",    "jointwise/",   "core/", "lessons/",
                                                    "render/", "app/session/", "Eigen/"};
 
+// the module is thin: of the project it knows what other programs know
+constexpr std::array<std::string_view, 3> kPython{"app/python/", "jointwise/", "pybind11/"};
+
 // the first folder that fits counts
 constexpr std::array kFolders{
     FolderRule{"core/", kCore},
@@ -93,6 +96,7 @@ constexpr std::array kFolders{
     FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/film/", kFilm},
+    FolderRule{"app/python/", kPython},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 
@@ -166,6 +170,7 @@ constexpr std::array kLibraries{
     LibraryRule{"Eigen/SVD", "tests/.*"},
     LibraryRule{"Eigen/Dense", "tests/.*"},
     LibraryRule{"fmt/", "app/session/wording/messages\\.[ch]pp"},
+    LibraryRule{"pybind11/", "app/python/.*"},
     LibraryRule{"lapacke.h", "tests/support/lapack_svd\\.hpp"},
 };
 

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include "jointwise/mechanism.hpp"
+
+/// Numbers between Python and the library: arguments are read from anything that numpy takes for numbers,
+/// results are seen in place.
+namespace jointwise::python {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Numbers of an argument, in rows. @throws py::value_error that names it, if they are no numbers
+Numbers numbers_of(const py::handle& value, const char* what);
+std::vector<double> list_of(const py::handle& value, const char* what);
+
+/// One vector of N. @throws py::value_error if there are more or fewer
+template <int N>
+Eigen::Matrix<double, N, 1> vector_of(const py::handle& value, const char* what) {
+    const Numbers numbers = numbers_of(value, what);
+    if (numbers.ndim() != 1 || numbers.size() != N) {
+        throw py::value_error(
+            std::string("jointwise: ") + what + " has " + std::to_string(numbers.size()) +
+            " numbers; expected " + std::to_string(N) + " in a row");
+    }
+    return Eigen::Map<const Eigen::Matrix<double, N, 1>>(numbers.data());
+}
+
+std::optional<Vector3> optional_vector_of(const py::handle& value, const char* what);
+Matrix3 matrix_of(const py::handle& value, const char* what);
+
+/// Rows of N numbers as a vector each.
+template <int N>
+std::vector<Eigen::Matrix<double, N, 1>> rows_of(const py::handle& value, const char* what) {
+    const Numbers numbers = numbers_of(value, what);
+    if (numbers.ndim() != 2 || numbers.shape(1) != N) {
+        throw py::value_error(
+            std::string("jointwise: ") + what + " is no table of " + std::to_string(N) + " columns");
+    }
+    std::vector<Eigen::Matrix<double, N, 1>> rows;
+    for (py::ssize_t k = 0; k < numbers.shape(0); ++k) { rows.emplace_back(numbers.data(k, 0)); }
+    return rows;
+}
+
+/// An array of its own, for few numbers.
+inline Numbers copied(const Eigen::VectorXd& v) { return Numbers(v.size(), v.data()); }
+
+enum class Access { read, write };
+
+/// Numbers of `owner` in place: the array keeps it alive. Strides in numbers, not in bytes.
+py::array view_of(
+    const double* data, const std::vector<py::ssize_t>& shape, const std::vector<py::ssize_t>& strides,
+    const py::handle& owner, Access access);
+
+py::array view_of(const Eigen::VectorXd& v, const py::handle& owner);
+py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< columns lie together
+
+/// Vectors of N as an array of rows of N, which can be written.
+template <int N>
+py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::handle& owner) {
+    const double* data = rows.empty() ? nullptr : rows.front().data();
+    return view_of(data, {static_cast<py::ssize_t>(rows.size()), N}, {N, 1}, owner, Access::write);
+}
+py::array view_of(std::vector<double>& numbers, const py::handle& owner);
+
+/// Takes other numbers into rows that views may see: there must be as many.
+template <class T>
+void assign(std::vector<T>& to, std::vector<T> from, const char* what) {
+    if (to.size() != from.size()) {
+        throw py::value_error(
+            std::string("jointwise: ") + what + " has " + std::to_string(from.size()) +
+            " entries; expected " + std::to_string(to.size()));
+    }
+    std::copy(from.begin(), from.end(), to.begin());
+}
+
+}  // namespace jointwise::python

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "jointwise/evaluator.hpp"
+
+/// The parts of the module, in the order in which module.cpp adds them: each adds the types that later ones
+/// name.
+namespace jointwise::python {
+
+namespace py = pybind11;
+
+void add_errors(py::module_& module);
+void add_mechanism(py::module_& module);
+void add_poses(py::module_& module);
+void add_equations(py::module_& module);
+void add_evaluator(py::module_& module);
+void add_motion(py::module_& module);
+void add_measures(py::module_& module);
+void add_lessons(py::module_& module);
+void add_pictures(py::module_& module);
+
+/// Calls `f` while other threads of Python may run: f touches nothing that belongs to Python, and its
+/// arguments are its own.
+template <class F>
+auto in_parallel(F&& f) {
+    const py::gil_scoped_release release;
+    return std::forward<F>(f)();
+}
+
+/// An argument `coordinates`: a member of Coordinates or its name. @throws py::value_error
+Coordinates coordinates_of(const py::object& value);
+
+/// An argument `velocities`: None is rest. @return the argument itself, or `at_rest`, filled
+const Rates& rates_or_rest(const py::object& value, const Pose& pose, Rates& at_rest);
+
+/// "4 bodies": a count in words for __repr__.
+std::string counted(std::size_t count, const char* thing);
+
+}  // namespace jointwise::python

@@ -1,0 +1,78 @@
+#include <pybind11/stl.h>
+
+#include "app/python/arrays.hpp"
+#include "app/python/bindings.hpp"
+
+namespace jointwise::python {
+
+namespace {
+
+/// Into `out`, whose views see the new numbers, or into Equations of its own.
+py::object written_equations(
+    Evaluator& evaluator, const Pose& pose, const py::object& velocities, const py::object& out) {
+    Rates at_rest;
+    const Rates& rates = rates_or_rest(velocities, pose, at_rest);
+    if (out.is_none()) {
+        auto made = std::make_unique<Equations>();
+        evaluator.equations_at(pose, rates, *made);
+        return py::cast(std::move(made));
+    }
+    auto& into = out.cast<Equations&>();
+    // another size would move the numbers away from views of them
+    if (into.phi.size() != evaluator.rows() || into.jacobian.cols() != evaluator.columns()) {
+        throw py::value_error("jointwise: out is of another mechanism or of other coordinates");
+    }
+    evaluator.equations_at(pose, rates, into);
+    return out;
+}
+
+Numbers phi_of(Evaluator& evaluator, const Pose& pose) {
+    Eigen::VectorXd phi;
+    evaluator.phi_at(pose, phi);
+    return copied(phi);
+}
+
+}  // namespace
+
+void add_evaluator(py::module_& module) {
+    using namespace py::literals;
+    py::class_<Evaluator>(
+        module, "Evaluator",
+        "The equations of one mechanism at many poses: structure and memory are made once. The mechanism is "
+        "taken as it "
+        "is now. Rows of p1 and p2 are chosen at the start pose, and anew by `choose_rows` only.")
+        .def(
+            py::init([](const Mechanism& mechanism, const py::object& coordinates) {
+                return Evaluator(mechanism, coordinates_of(coordinates));
+            }),
+            "mechanism"_a, "coordinates"_a = Coordinates::modified_euler_parameters)
+        .def_property_readonly("row_names", &Evaluator::row_names, "'hinge.p1.y', one per row.")
+        .def_property_readonly(
+            "column_names", &Evaluator::column_names,
+            "'crank.x', 'crank.omega_local.z', 'jack.angle', one per column.")
+        .def(
+            "choose_rows", &Evaluator::choose_rows, "pose"_a,
+            "Applies the rule of slide 5 at a pose. True if rows have changed.")
+        .def(
+            "equations_at", &written_equations, "pose"_a, "velocities"_a = py::none(), "out"_a = py::none(),
+            "Φ, Φq, ν and γ. `out`: Equations of this evaluator that are written again, views of them "
+            "included.")
+        .def("phi_at", &phi_of, "pose"_a, "Φ alone [rows].")
+        .def(
+            "columns_of",
+            [](const Evaluator& evaluator, const Pose& pose, const Rates& rates) {
+                return copied(evaluator.columns_of(pose, rates));
+            },
+            "pose"_a, "rates"_a,
+            "Velocities as the numbers of the columns: ṙ and ṗ, ω′ or ω of every moving body, then θ̇.")
+        .def("assemble", &Evaluator::assemble, "estimate"_a, "t"_a = 0.0)
+        .def("rank_at", &Evaluator::rank_at, "pose"_a)
+        .def("velocities_at", &Evaluator::velocities_at, "pose"_a)
+        .def("accelerations_at", &Evaluator::accelerations_at, "pose"_a, "velocities"_a)
+        .def("__repr__", [](const Evaluator& e) {
+            return "<jointwise.Evaluator: " + counted(static_cast<std::size_t>(e.rows()), "row") + ", " +
+                   counted(static_cast<std::size_t>(e.columns()), "column") + ">";
+        });
+}
+
+}  // namespace jointwise::python
