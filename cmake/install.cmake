@@ -8,14 +8,19 @@ set(JW_INSTALL_DATA share/jointwise)
 # libraries of the tarball; in Debian's packages the folder is not there, and those of the system are taken
 set(JW_INSTALL_BUNDLED lib/jointwise)
 set_target_properties(jointwise PROPERTIES INSTALL_RPATH "$ORIGIN/../${JW_INSTALL_BUNDLED}")
-install(CODE "
-  file(GET_RUNTIME_DEPENDENCIES EXECUTABLES $<TARGET_FILE:jointwise> RESOLVED_DEPENDENCIES_VAR found
-    PRE_INCLUDE_REGEXES \"^lib(fmt|tomlplusplus|stb|deflate|gif)\\\\.\" PRE_EXCLUDE_REGEXES \".*\")
-  file(INSTALL \${found} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${JW_INSTALL_BUNDLED}\" FOLLOW_SYMLINK_CHAIN)"
-  COMPONENT bundled EXCLUDE_FROM_ALL)
+# jw_install_bundled(EXECUTABLES|MODULES target folder component): those that the target needs
+function(jw_install_bundled kind target folder component)
+  install(CODE "
+    file(GET_RUNTIME_DEPENDENCIES ${kind} $<TARGET_FILE:${target}> RESOLVED_DEPENDENCIES_VAR found
+      PRE_INCLUDE_REGEXES \"^lib(fmt|tomlplusplus|stb|deflate|gif)\\\\.\" PRE_EXCLUDE_REGEXES \".*\")
+    file(INSTALL \${found} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${folder}\" FOLLOW_SYMLINK_CHAIN)"
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+jw_install_bundled(EXECUTABLES jointwise ${JW_INSTALL_BUNDLED} bundled)
 
 install(TARGETS jointwise RUNTIME DESTINATION bin COMPONENT jointwise)
-install(DIRECTORY lessons/catalogue lessons/exercises lessons/benchmark lessons/reference
+set(JW_DATA_FOLDERS lessons/catalogue lessons/exercises lessons/benchmark lessons/reference)
+install(DIRECTORY ${JW_DATA_FOLDERS}
   DESTINATION ${JW_INSTALL_DATA}/lessons COMPONENT jointwise)
 install(FILES docs/lesson.schema.json DESTINATION ${JW_INSTALL_DATA} COMPONENT jointwise)
 
