@@ -1,6 +1,9 @@
 #include "api/convert.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "core/quantity/names.hpp"
@@ -17,6 +20,15 @@ void expect_size(std::size_t size, std::size_t expected, const char* what) {
         std::to_string(expected) + ", one each of the mechanism");
 }
 
+template <class V>
+bool all_finite(const std::vector<V>& vectors) {
+    return std::ranges::all_of(vectors, [](const V& v) { return v.allFinite(); });
+}
+
+bool all_finite(const std::vector<double>& numbers) {
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
 std::string name_of_constraint(const jw::System& system, const jw::RowOrigin& origin) {
     const jw::Constraint& constraint = system.constraints()[static_cast<std::size_t>(origin.index)];
     const jw::Joint& joint = system.mechanism().joints[static_cast<std::size_t>(constraint.joint)];
@@ -31,6 +43,9 @@ void read_state(const jw::Mechanism& mechanism, const Pose& pose, jw::State& sta
     expect_size(pose.r.size(), mechanism.bodies.size(), "r of a pose");
     expect_size(pose.p.size(), mechanism.bodies.size(), "p of a pose");
     expect_size(pose.theta.size(), static_cast<std::size_t>(mechanism.thetas_count()), "theta of a pose");
+    if (!std::isfinite(pose.t) || !all_finite(pose.r) || !all_finite(pose.p) || !all_finite(pose.theta)) {
+        throw std::invalid_argument("jointwise: a number of a pose is not finite");
+    }
     state.r = pose.r;
     state.p = pose.p;
     state.theta = pose.theta;
@@ -40,6 +55,9 @@ void read_motion(const jw::Mechanism& mechanism, const Rates& rates, jw::Motion&
     expect_size(rates.r_dot.size(), mechanism.bodies.size(), "r_dot");
     expect_size(rates.omega_local.size(), mechanism.bodies.size(), "omega_local");
     expect_size(rates.theta_dot.size(), static_cast<std::size_t>(mechanism.thetas_count()), "theta_dot");
+    if (!all_finite(rates.r_dot) || !all_finite(rates.omega_local) || !all_finite(rates.theta_dot)) {
+        throw std::invalid_argument("jointwise: a number of velocities or accelerations is not finite");
+    }
     motion.r_dot = rates.r_dot;
     motion.omega_local = rates.omega_local;
     motion.theta_dot = rates.theta_dot;
@@ -55,6 +73,12 @@ jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates) {
     jw::Motion motion;
     read_motion(mechanism, rates, motion);
     return motion;
+}
+
+std::string number_text(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
 }
 
 std::string row_name(const jw::System& system, int row) {
@@ -74,7 +98,7 @@ void expect_ascending(const std::vector<double>& times) {
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (std::isfinite(times[k]) && (k == 0 || times[k] >= times[k - 1])) { continue; }
         throw std::invalid_argument(
-            "jointwise: time " + std::to_string(k) + " is " + std::to_string(times[k]) +
+            "jointwise: time " + std::to_string(k) + " is " + number_text(times[k]) +
             "; expected finite times in ascending order");
     }
 }

@@ -12,11 +12,14 @@ inline Rates rates_of(const jw::Motion& motion) {
     return {motion.r_dot, motion.omega_local, motion.theta_dot};
 }
 
-/// @throws std::invalid_argument if there is not one entry per body and screw
+/// @throws std::invalid_argument if there is not one entry per body and screw, or a number is not finite
 void read_state(const jw::Mechanism& mechanism, const Pose& pose, jw::State& state);
 void read_motion(const jw::Mechanism& mechanism, const Rates& rates, jw::Motion& motion);
 jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose);
 jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates);
+
+/// A number in messages, six digits of it.
+std::string number_text(double value);
 
 /// "hinge.p1.y", the name of a row.
 std::string row_name(const jw::System& system, int row);

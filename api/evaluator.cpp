@@ -1,6 +1,6 @@
 #include "jointwise/evaluator.hpp"
 
-#include <array>
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -38,7 +38,7 @@ AnyAssembler assembler_of(const jw::System& system, Coordinates coordinates) {
 NotReached contradicted(
     const jw::System& system, const jw::LinearVerdict& verdict, const char* what, double t) {
     return NotReached(
-        std::string("jointwise: ") + what + " at t = " + std::to_string(t) +
+        std::string("jointwise: ") + what + " at t = " + number_text(t) +
         " s contradict each other; the largest residual is that of " + row_name(system, verdict.worst_row));
 }
 
@@ -196,12 +196,13 @@ Eigen::VectorXd Evaluator::columns_of(const Pose& pose, const Rates& rates) cons
 Pose Evaluator::assemble(const Pose& estimate, double t) {
     Inside& in = *inside_;
     read_state(in.data(), estimate, in.state);
+    if (!std::isfinite(t)) { throw std::invalid_argument("jointwise: the time is not finite"); }
     const jw::PositionOutcome outcome = jw::solve_position<jw::OmegaLocal>(in.system, in.state, t);
     if (outcome.ok()) { return pose_of(in.state, t); }
     const jw::PositionFailure& failure = *outcome.failure;
     throw NotReached(
-        "jointwise: the mechanism cannot be assembled at t = " + std::to_string(t) +
-        " s: " + row_name(in.system, failure.row) + " stays off by " + std::to_string(failure.value));
+        "jointwise: the mechanism cannot be assembled at t = " + number_text(t) +
+        " s: " + row_name(in.system, failure.row) + " stays off by " + number_text(failure.value));
 }
 
 Rank Evaluator::rank_at(const Pose& pose) {

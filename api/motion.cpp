@@ -35,7 +35,7 @@ constexpr std::array kCauses{
 NotReached ended(const jw::SimulationFailure& failure) {
     const std::string of = failure.equation_of.empty() ? "" : " (" + failure.equation_of + ")";
     return NotReached(
-        "jointwise: the motion ends at t = " + std::to_string(failure.t) +
+        "jointwise: the motion ends at t = " + number_text(failure.t) +
         " s: " + kCauses[static_cast<std::size_t>(failure.cause)] + of);
 }
 
@@ -59,7 +59,7 @@ void follow_into(const Mechanism& mechanism, const std::vector<double>& times, c
     for (const double t : times) {
         if (!tracker.advance_to(t)) {
             throw NotReached(
-                "jointwise: the motion ends at t = " + std::to_string(tracker.frame().t) +
+                "jointwise: the motion ends at t = " + number_text(tracker.frame().t) +
                 " s: " + row_name(system, tracker.failure()->row) + " cannot be satisfied beyond it");
         }
         const jw::MotionFrame& frame = tracker.frame();

@@ -32,7 +32,7 @@ auto in_parallel(F&& f) {
 Coordinates coordinates_of(const py::object& value);
 
 /// An argument `velocities`: None is rest. @return the argument itself, or `at_rest`, filled
-const Rates& rates_or_rest(const py::object& value, const Pose& pose, Rates& at_rest);
+const Rates& rates_or_rest(const Rates* velocities, const Pose& pose, Rates& at_rest);
 
 /// "4 bodies": a count in words for __repr__.
 std::string counted(std::size_t count, const char* thing);

@@ -76,8 +76,7 @@ void add_results(py::module_& module) {
 }
 
 Equations equations_of(
-    const Mechanism& mechanism, const Pose& pose, const py::object& velocities,
-    const py::object& coordinates) {
+    const Mechanism& mechanism, const Pose& pose, const Rates* velocities, const py::object& coordinates) {
     Rates at_rest;
     return equations_at(
         mechanism, pose, rates_or_rest(velocities, pose, at_rest), coordinates_of(coordinates));
@@ -110,13 +109,19 @@ void add_equations(py::module_& module) {
         "of screws. Without velocities γ is that of rest.");
     module.def(
         "assemble",
-        [](const Mechanism& mechanism, const std::optional<Pose>& estimate, double t) {
+        [](const Mechanism& mechanism, double t) {
             const Mechanism own = mechanism;
-            return in_parallel([&] { return assemble(own, estimate ? *estimate : start_pose(own), t); });
+            return in_parallel([&] { return assemble(own, t); });
         },
-        "mechanism"_a, "estimate"_a = py::none(), "t"_a = 0.0,
-        "Puts everything together at a time [s]: Φ(q, t) = 0 from the start estimate, or another, on. Raises "
-        "NotReached.");
+        "mechanism"_a, "t"_a = 0.0,
+        "Puts everything together at a time [s]: Φ(q, t) = 0 from the start estimate on. Raises NotReached.");
+    module.def(
+        "assemble",
+        [](const Mechanism& mechanism, Pose estimate, double t) {
+            const Mechanism own = mechanism;
+            return in_parallel([&] { return assemble(own, estimate, t); });
+        },
+        "mechanism"_a, "estimate"_a, "t"_a = 0.0, "The same from another estimate.");
     module.def(
         "rank_at",
         [](const Mechanism& mechanism, Pose pose) {

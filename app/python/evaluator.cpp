@@ -9,21 +9,20 @@ namespace {
 
 /// Into `out`, whose views see the new numbers, or into Equations of its own.
 py::object written_equations(
-    Evaluator& evaluator, const Pose& pose, const py::object& velocities, const py::object& out) {
+    Evaluator& evaluator, const Pose& pose, const Rates* velocities, Equations* out) {
     Rates at_rest;
     const Rates& rates = rates_or_rest(velocities, pose, at_rest);
-    if (out.is_none()) {
+    if (out == nullptr) {
         auto made = std::make_unique<Equations>();
         evaluator.equations_at(pose, rates, *made);
         return py::cast(std::move(made));
     }
-    auto& into = out.cast<Equations&>();
     // another size would move the numbers away from views of them
-    if (into.phi.size() != evaluator.rows() || into.jacobian.cols() != evaluator.columns()) {
+    if (out->phi.size() != evaluator.rows() || out->jacobian.cols() != evaluator.columns()) {
         throw py::value_error("jointwise: out is of another mechanism or of other coordinates");
     }
-    evaluator.equations_at(pose, rates, into);
-    return out;
+    evaluator.equations_at(pose, rates, *out);
+    return py::cast(out);  // the object that was given
 }
 
 Numbers phi_of(Evaluator& evaluator, const Pose& pose) {

@@ -7,9 +7,17 @@ namespace jointwise::python {
 
 namespace {
 
-/// An argument that names a body or a joint: its number, or its name. @throws py::value_error
+/// An argument that names a body or a joint: its number, or its name.
+/// @throws py::value_error for a name of none, py::type_error for what is neither
 int number_of(const py::object& value, const std::vector<std::string>& names, const std::string& what) {
-    if (!py::isinstance<py::str>(value)) { return value.cast<int>(); }
+    if (!py::isinstance<py::str>(value)) {
+        const long number = PyIndex_Check(value.ptr()) != 0 ? PyLong_AsLong(py::int_(value).ptr()) : -1;
+        if (PyErr_Occurred() != nullptr) { throw py::error_already_set(); }
+        if (PyIndex_Check(value.ptr()) == 0 || number != static_cast<int>(number)) {
+            throw py::type_error("jointwise: a " + what + " is given by its number or its name");
+        }
+        return static_cast<int>(number);
+    }
     const auto name = value.cast<std::string>();
     std::string all;
     for (std::size_t k = 0; k < names.size(); ++k) {

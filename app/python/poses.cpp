@@ -84,8 +84,8 @@ void add_rates(py::module_& module) {
 
 }  // namespace
 
-const Rates& rates_or_rest(const py::object& value, const Pose& pose, Rates& at_rest) {
-    if (!value.is_none()) { return value.cast<const Rates&>(); }
+const Rates& rates_or_rest(const Rates* velocities, const Pose& pose, Rates& at_rest) {
+    if (velocities != nullptr) { return *velocities; }
     at_rest.r_dot.assign(pose.r.size(), Vector3::Zero());
     at_rest.omega_local.assign(pose.r.size(), Vector3::Zero());
     at_rest.theta_dot.assign(pose.theta.size(), 0.0);

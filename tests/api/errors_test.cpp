@@ -47,6 +47,14 @@ TEST_CASE("Arguments that make no sense are said and leave the mechanism as it w
 TEST_CASE("Poses, times and methods that make no sense are said", "[api]") {
     const Mechanism m = pair_of_bodies();
     CHECK_THROWS_WITH(rank_at(m, Pose{}), Contains("r of a pose has 0 entries; expected 3"));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Pose nowhere = start_pose(m);
+    nowhere.r[1].x() = nan;
+    Rates unknown = start_rates(m);
+    unknown.omega_local[2].y() = nan;
+    CHECK_THROWS_WITH(rank_at(m, nowhere), Contains("a number of a pose is not finite"));
+    CHECK_THROWS_WITH(assemble(m, nan), Contains("the time is not finite"));
+    CHECK_THROWS_WITH(equations_at(m, start_pose(m), unknown), Contains("velocities"));
     CHECK_THROWS_WITH(follow(m, {1.0, 0.0}), Contains("ascending"));
     CHECK_THROWS_WITH(follow(m, {}), Contains("no times"));
     CHECK_THROWS_WITH(

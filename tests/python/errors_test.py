@@ -53,11 +53,27 @@ class Errors(unittest.TestCase):
             ("of another mechanism", lambda: evaluator.equations_at(pose, out=small)),
             ("r has 2 entries; expected 4", lambda: setattr(pose, "r", [[1, 2, 3], [1, 2, 3]])),
             ("r is no table of 3 columns", lambda: setattr(pose, "r", [1, 2, 3])),
+            ("time is not finite", lambda: jw.assemble(m, np.nan)),
             ("one row per body", lambda: jw.Pose(0, [[0, 0, 0]], np.eye(4))),
             ("no lesson 'loops/none'", lambda: jw.lesson_file("loops/none")),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 call()
+
+    def test_arguments_of_another_kind_are_type_errors(self):
+        m = four_bar()
+        pose = jw.start_pose(m)
+        for call in (
+            lambda: jw.equations_at(m, pose, np.zeros(3)),
+            lambda: jw.Evaluator(m).equations_at(pose, out=pose),
+            lambda: m.add_joint("x", "revolute", 1.5, 2),
+            lambda: m.add_joint("x", "revolute", None, 2),
+            lambda: jw.rank_at(pose, m),
+            lambda: jw.read_lesson_text(5),
+        ):
+            self.assertRaises(TypeError, call)
+        # what numpy counts with is a number of a body
+        self.assertEqual(m.add_joint("x", "revolute", np.int64(1), 2), 4)
 
     def test_what_cannot_be_assembled_is_not_reached_and_names_the_row(self):
         m = jw.Mechanism()
