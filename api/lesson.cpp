@@ -25,6 +25,17 @@ Lesson lesson_of(jw::ReadResult read) {
     return Lesson(std::make_shared<Lesson::Inside>(std::move(*read.lesson)), std::move(warnings));
 }
 
+/// Of a simulation, as the program shows it unless it is asked for others.
+constexpr int kIntervals = 100;
+
+std::vector<double> equal_times(double from, double to, int intervals) {
+    std::vector<double> times;
+    const double step = (to - from) / intervals;
+    for (int k = 0; k < intervals; ++k) { times.push_back(from + k * step); }
+    times.push_back(to);
+    return times;
+}
+
 Mechanism mechanism_of(const jw::Lesson& lesson) {
     Mechanism::Inside inside{lesson.mechanism, {}};
     if (lesson.dynamics) { inside.loads = lesson.dynamics->loads; }
@@ -41,13 +52,24 @@ Lesson::Lesson(std::shared_ptr<const Inside> inside, std::string warnings)
       warnings_(std::move(warnings)) {}
 
 std::vector<double> Lesson::motion_times() const {
-    std::vector<double> times;
-    if (!inside_->lesson.motion) { return times; }
+    if (!inside_->lesson.motion) { return {}; }
     const jw::MotionPlan& plan = *inside_->lesson.motion;
-    const double step = (plan.to - plan.from) / plan.steps;
-    for (int k = 0; k < plan.steps; ++k) { times.push_back(plan.from + k * step); }
-    times.push_back(plan.to);
-    return times;
+    return equal_times(plan.from, plan.to, plan.steps);
+}
+
+std::vector<double> Lesson::simulation_times() const {
+    if (!inside_->lesson.dynamics) { return {}; }
+    return equal_times(0.0, inside_->lesson.dynamics->duration, kIntervals);
+}
+
+Simulation Lesson::simulation() const {
+    Simulation simulation;
+    if (!inside_->lesson.dynamics) { return simulation; }
+    const jw::DynamicsPlan& plan = *inside_->lesson.dynamics;
+    simulation.method = jw::entry_of(plan.method).name;
+    simulation.tolerance = plan.tolerance;
+    simulation.step = plan.step;
+    return simulation;
 }
 
 Lesson read_lesson(const std::filesystem::path& file) { return lesson_of(jw::read_lesson_file(file)); }

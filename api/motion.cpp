@@ -76,13 +76,18 @@ void simulate_into(
     }
     const auto& [inside, loads] = mechanism.inside();
     jw::Simulation simulation(inside, loads, settings_of(settings));
-    const jw::SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+    const auto receive_state = [&](double t, const std::vector<double>& y) {
         const jw::Snapshot now = simulation.snapshot(t, y);
         const jw::Motion acceleration = simulation.acceleration_as_given(t, y);
         receive(
             {pose_of(now.state, t), rates_of(now.velocity), rates_of(acceleration),
              now.kinetic + now.potential});
-    });
+    };
+    jw::RunWatch watch;
+    if (settings.go_on) {
+        watch = [&](const jw::RunState&) { return settings.go_on(); };
+    }
+    const jw::SimulationOutcome outcome = simulation.run(times, receive_state, watch);
     if (outcome.failure) { throw ended(*outcome.failure); }
 }
 

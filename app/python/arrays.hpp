@@ -52,6 +52,10 @@ std::vector<Eigen::Matrix<double, N, 1>> rows_of(const py::handle& value, const 
 /// An array of its own, for few numbers.
 inline Numbers copied(const Eigen::VectorXd& v) { return Numbers(v.size(), v.data()); }
 
+inline Numbers copied_list(const std::vector<double>& v) {
+    return Numbers(static_cast<py::ssize_t>(v.size()), v.data());
+}
+
 enum class Access { read, write };
 
 /// Numbers of `owner` in place: the array keeps it alive. Strides in numbers, not in bytes.

@@ -17,12 +17,18 @@ void add_lessons(py::module_& module) {
         .def_property_readonly(
             "warnings", &Lesson::warnings, "What the reader warned of; empty if of nothing.")
         .def_property_readonly(
-            "motion_times",
-            [](const Lesson& lesson) {
-                const std::vector<double> times = lesson.motion_times();
-                return Numbers(static_cast<py::ssize_t>(times.size()), times.data());
-            },
+            "motion_times", [](const Lesson& lesson) { return copied_list(lesson.motion_times()); },
             "Times of the motion that the lesson shows [s]; empty if it shows none.")
+        .def_property_readonly(
+            "simulation_times", [](const Lesson& lesson) { return copied_list(lesson.simulation_times()); },
+            "Times of its motion by masses and forces [s]; empty if there are none.")
+        .def_property_readonly(
+            "simulation",
+            [](const Lesson& lesson) {
+                const Simulation own = lesson.simulation();
+                return py::dict("method"_a = own.method, "tolerance"_a = own.tolerance, "step"_a = own.step);
+            },
+            "Arguments `method`, `tolerance` and `step` of simulate that the lesson asks for.")
         .def("__repr__", [](const Lesson& lesson) { return "<jointwise.Lesson '" + lesson.title() + "'>"; });
     module.def("read_lesson", &read_lesson, "file"_a, "Reads a lesson file. Raises LessonError.");
     module.def(

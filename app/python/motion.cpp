@@ -66,6 +66,12 @@ void add_tables(py::class_<Trajectory>& type) {
     }
 }
 
+/// True if a signal asks Python to stop: a notebook is interrupted, Ctrl-C. The exception is set then.
+bool is_interrupted() {
+    const py::gil_scoped_acquire acquire;
+    return PyErr_CheckSignals() != 0;
+}
+
 Moment moment_of(const Trajectory& trajectory, int index) {
     const int row = index < 0 ? index + trajectory.times() : index;
     if (row < 0 || row >= trajectory.times()) {
@@ -93,6 +99,11 @@ void add_motion(py::module_& module) {
             "Kinetic and potential energy [J]; 0 in `follow`.")
         .def("__len__", &Trajectory::times)
         .def("__getitem__", &moment_of, "index"_a)
+        .def(
+            "__iter__",
+            [](const py::object& self) {
+                return py::reinterpret_steal<py::iterator>(PySeqIter_New(self.ptr()));
+            })
         .def("__repr__", [](const Trajectory& trajectory) {
             return "<jointwise.Trajectory: " + counted(static_cast<std::size_t>(trajectory.times()), "time") +
                    ", " + counted(static_cast<std::size_t>(trajectory.bodies), "body") + ">";
@@ -115,9 +126,17 @@ void add_motion(py::module_& module) {
            double step) {
             const Mechanism own = mechanism;
             const std::vector<double> at = list_of(times, "times");
-            const Simulation settings{method, tolerance, step};
-            return in_parallel(
-                [&] { return std::make_unique<Trajectory>(simulate_trajectory(own, at, settings)); });
+            bool interrupted = false;
+            const Simulation settings{
+                method, tolerance, step, [&] { return !(interrupted = is_interrupted()); }};
+            try {
+                return in_parallel(
+                    [&] { return std::make_unique<Trajectory>(simulate_trajectory(own, at, settings)); });
+            } catch (const NotReached&) {
+                // what the handler of the signal has raised comes before the reason that this gave up
+                if (interrupted) { throw py::error_already_set(); }
+                throw;
+            }
         },
         "mechanism"_a, "times"_a, py::kw_only(), "method"_a = usual.method, "tolerance"_a = usual.tolerance,
         "step"_a = usual.step,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 
 #include "jointwise/mechanism.hpp"
@@ -91,6 +92,8 @@ struct Simulation {
     std::string method = "explicit-8";  ///< as for `jointwise simulate --method`
     double tolerance = 1e-6;            ///< of adaptive methods
     double step = 1e-3;                 ///< of the others [s]
+    /// Asked every few hundred steps; false gives up, as NotReached.
+    std::function<bool()> go_on = {};
 };
 /// Motion by masses and forces, from t = 0 through ascending times. Every moving body needs a mass.
 /// @throws NotReached where it ends early

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "jointwise/mechanism.hpp"
+#include "jointwise/analysis.hpp"
 
 /// Lesson files, as docs/writing-a-lesson.md describes them.
 namespace jointwise {
@@ -39,6 +39,11 @@ public:
     const Mechanism& mechanism() const { return mechanism_; }
     /// Times of the motion that the lesson shows [s], as `jointwise solve` solves it; empty if it shows none.
     std::vector<double> motion_times() const;
+    /// Times of the motion by masses and forces [s], as `jointwise simulate` shows it; empty if there are
+    /// none.
+    std::vector<double> simulation_times() const;
+    /// Method, tolerance and step that the lesson asks for; the usual ones if it asks for none.
+    Simulation simulation() const;
     /// What the reader warned of; empty if of nothing.
     const std::string& warnings() const { return warnings_; }
 

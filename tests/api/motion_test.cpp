@@ -56,6 +56,29 @@ TEST_CASE("What follows a driver has velocities that are the differences of its 
     }
 }
 
+TEST_CASE("A simulation that is told not to go on is not reached", "[api]") {
+    const Mechanism m = read_lesson(catalogue("dynamics/simple-pendulum.toml")).mechanism();
+    int asked = 0;
+    Simulation settings{.method = "euler", .step = 1e-4};
+    settings.go_on = [&] { return ++asked < 3; };
+    CHECK_THROWS_AS(simulate(m, {0.0, 100.0}, settings), NotReached);
+    CHECK(asked == 3);
+}
+
+TEST_CASE("A lesson of dynamics moves by its own method and times", "[api]") {
+    const Lesson lesson = read_lesson(catalogue("dynamics/governor.toml"));
+    CHECK(lesson.motion_times().empty());
+    const std::vector<double> times = lesson.simulation_times();
+    CHECK(times.size() == 101);
+    CHECK(times.front() == 0.0);
+    CHECK(lesson.simulation().method != Simulation().method);  // it is stiff, and says so
+    CHECK(simulate(lesson.mechanism(), {0.0, times.back() / 10.0}, lesson.simulation()).size() == 2);
+    const Lesson without = read_lesson(catalogue("loops/four-bar.toml"));
+    CHECK(without.simulation_times().empty());
+    CHECK(without.simulation().method == Simulation().method);
+    CHECK(without.motion_times().size() > 2);
+}
+
 TEST_CASE("A pendulum of the library keeps its energy and swings with the period of small swings", "[api]") {
     Mechanism m;
     const double angle = 1e-3;

@@ -1,5 +1,6 @@
 """Threads: long calls run beside each other, and each has the mechanism of the moment when it was called."""
 
+import signal
 import threading
 import unittest
 
@@ -73,6 +74,23 @@ class Threads(unittest.TestCase):
             else:
                 np.testing.assert_array_equal(q, alone)
             self.assertEqual(len(m.body_names), 202)
+
+
+    def test_a_signal_ends_a_long_simulation(self):
+        class Interrupted(Exception):
+            pass
+
+        def interrupt(number, frame):
+            raise Interrupted
+
+        before = signal.signal(signal.SIGALRM, interrupt)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.05)
+            # ten million steps: many seconds, unless something ends it
+            self.assertRaises(Interrupted, jw.simulate, pendulum(1.0), [0, 1000], method="euler", step=1e-4)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
 
 
 if __name__ == "__main__":
