@@ -51,30 +51,25 @@ class Threads(unittest.TestCase):
                 np.testing.assert_array_equal(one, other)
 
     def test_a_mechanism_that_changes_meanwhile_is_computed_as_it_was(self):
-        times = np.linspace(0, 0.3, 31)
-        alone = jw.simulate(pendulum(1.0), times).q
+        times = np.linspace(0, 0.5, 501)
+        alone = jw.follow(four_bar(), times).r
         for repeat in range(5):
-            m = pendulum(1.0)
+            m = four_bar()
             started = threading.Event()
 
-            def simulated():
+            def followed():
                 started.set()
-                return jw.simulate(m, times).q
+                return jw.follow(m, times).r
 
             def changed():
                 started.wait()
-                for k in range(200):
+                for k in range(20):
                     m.add_body(f"more {k}", [0, 0, 0])
 
-            # the change comes before the call, and there is a body without mass, or after it, and changes nothing
-            try:
-                q, _ = in_threads(simulated, changed)
-            except ValueError as error:
-                self.assertIn("mass", str(error))
-            else:
-                np.testing.assert_array_equal(q, alone)
-            self.assertEqual(len(m.body_names), 202)
-
+            r, _ = in_threads(followed, changed)
+            # what came before the call moves along: other sums, rounded otherwise
+            np.testing.assert_allclose(r[:, :4], alone, rtol=0, atol=1e-9)
+            self.assertEqual(len(m.body_names), 24)
 
     def test_a_signal_ends_a_long_simulation(self):
         class Interrupted(Exception):
@@ -83,14 +78,23 @@ class Threads(unittest.TestCase):
         def interrupt(number, frame):
             raise Interrupted
 
+        ended_by = None
         before = signal.signal(signal.SIGALRM, interrupt)
         try:
             signal.setitimer(signal.ITIMER_REAL, 0.05)
-            # ten million steps: many seconds, unless something ends it
-            self.assertRaises(Interrupted, jw.simulate, pendulum(1.0), [0, 1000], method="euler", step=1e-4)
+            # twenty million steps: more than are taken, after many seconds, unless something ends it
+            try:
+                jw.simulate(pendulum(1.0), [0, 2000], method="euler", step=1e-4)
+            except jw.NotReached:
+                ended_by = "itself"
+            except Interrupted:
+                ended_by = "the signal"
+        except Interrupted:  # as soon as Python is asked again
+            pass
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
+        self.assertEqual(ended_by, "the signal")
 
 
 if __name__ == "__main__":
