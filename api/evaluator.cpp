@@ -172,6 +172,23 @@ void Evaluator::equations_at(const Pose& pose, const Rates& velocities, Equation
     if (out.rows != in.names) { out.rows = in.names; }
 }
 
+EquationsTable Evaluator::equations_along(const Trajectory& trajectory) {
+    const Eigen::Index times = trajectory.times();
+    EquationsTable table;
+    for (Table* t : {&table.phi, &table.nu, &table.gamma}) { t->resize(times, rows()); }
+    table.jacobian.resize(times, Eigen::Index{rows()} * columns());
+    Equations now;
+    for (int k = 0; k < trajectory.times(); ++k) {
+        const Moment moment = trajectory.moment(k);
+        equations_at(moment.pose, moment.velocity, now);
+        table.phi.row(k) = now.phi;
+        table.nu.row(k) = now.nu;
+        table.gamma.row(k) = now.gamma;
+        Eigen::Map<Table>(table.jacobian.row(k).data(), rows(), columns()) = now.jacobian;
+    }
+    return table;
+}
+
 void Evaluator::phi_at(const Pose& pose, Eigen::VectorXd& out) {
     Inside& in = *inside_;
     read_state(in.data(), pose, in.state);

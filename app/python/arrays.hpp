@@ -7,7 +7,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include "jointwise/mechanism.hpp"
+#include "jointwise/trajectory.hpp"
 
 /// Numbers between Python and the library: arguments are read from anything that numpy takes for numbers,
 /// results are seen in place.
@@ -65,6 +65,7 @@ py::array view_of(
 
 py::array view_of(const Eigen::VectorXd& v, const py::handle& owner);
 py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< columns lie together
+py::array view_of(const Table& m, const py::handle& owner);            ///< rows lie together
 
 /// Vectors of N as an array of rows of N, which can be written.
 template <int N>

@@ -31,10 +31,49 @@ Numbers phi_of(Evaluator& evaluator, const Pose& pose) {
     return copied(phi);
 }
 
+/// Equations along a motion, with the shape that a row of the Jacobian's table has.
+struct AlongMotion {
+    EquationsTable table;
+    py::ssize_t rows;
+    py::ssize_t columns;
+};
+
+py::array jacobians_of(const py::object& self) {
+    const auto& along = self.cast<const AlongMotion&>();
+    return view_of(
+        along.table.jacobian.data(), {along.table.jacobian.rows(), along.rows, along.columns},
+        {along.rows * along.columns, along.columns, 1}, self, Access::read);
+}
+
+void add_along_motion(py::module_& module) {
+    py::class_<AlongMotion> type(
+        module, "EquationsTable",
+        "Equations at all times of a motion: row-major views of its memory that cannot be written.");
+    const auto add = [&type](const char* name, Table EquationsTable::*member, const char* doc) {
+        type.def_property_readonly(
+            name,
+            [member](const py::object& self) {
+                return view_of(self.cast<const AlongMotion&>().table.*member, self);
+            },
+            doc);
+    };
+    add("phi", &EquationsTable::phi, "Φ [times x rows].");
+    add("nu", &EquationsTable::nu, "ν [times x rows].");
+    add("gamma", &EquationsTable::gamma, "γ [times x rows].");
+    type.def_property_readonly("jacobian", &jacobians_of, "Φq [times x rows x columns].")
+        .def("__repr__", [](const AlongMotion& along) {
+            return "<jointwise.EquationsTable: " +
+                   counted(static_cast<std::size_t>(along.table.phi.rows()), "time") + ", " +
+                   counted(static_cast<std::size_t>(along.rows), "row") + ", " +
+                   counted(static_cast<std::size_t>(along.columns), "column") + ">";
+        });
+}
+
 }  // namespace
 
 void add_evaluator(py::module_& module) {
     using namespace py::literals;
+    add_along_motion(module);
     py::class_<Evaluator>(
         module, "Evaluator",
         "The equations of one mechanism at many poses: structure and memory are made once. The mechanism is "
@@ -56,6 +95,13 @@ void add_evaluator(py::module_& module) {
             "equations_at", &written_equations, "pose"_a, "velocities"_a = py::none(), "out"_a = py::none(),
             "Φ, Φq, ν and γ. `out`: Equations of this evaluator that are written again, views of them "
             "included.")
+        .def(
+            "equations_along",
+            [](Evaluator& evaluator, const Trajectory& trajectory) {
+                return std::make_unique<AlongMotion>(AlongMotion{
+                    evaluator.equations_along(trajectory), evaluator.rows(), evaluator.columns()});
+            },
+            "trajectory"_a, "The same at all times of a motion, with the rows as they are chosen before.")
         .def("phi_at", &phi_of, "pose"_a, "Φ alone [rows].")
         .def(
             "columns_of",

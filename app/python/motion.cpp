@@ -50,9 +50,7 @@ void add_tables(py::class_<Trajectory>& type) {
         type.def_property_readonly(
             name,
             [member](const py::object& self) {
-                const Table& table = self.cast<const Trajectory&>().*member;
-                return view_of(
-                    table.data(), {table.rows(), table.cols()}, {table.cols(), 1}, self, Access::read);
+                return view_of(self.cast<const Trajectory&>().*member, self);
             },
             doc);
     };

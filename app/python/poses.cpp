@@ -52,6 +52,13 @@ void add_pose(py::module_& module) {
         "[bodies x 4] Euler parameters, the ground first; `theta` [screws] in rad.");
     type.def(py::init(&pose_with), "t"_a, "r"_a, "p"_a, "theta"_a = py::tuple())
         .def_readwrite("t", &Pose::t, "Time [s].")
+        .def(py::pickle(
+            [](const py::object& self) {
+                return py::make_tuple(self.attr("t"), self.attr("r"), self.attr("p"), self.attr("theta"));
+            },
+            [](const py::tuple& saved) {
+                return pose_with(saved[0].cast<double>(), saved[1], saved[2], saved[3]);
+            }))
         .def("__repr__", [](const Pose& pose) {
             return "<jointwise.Pose at t = " + py::str(py::float_(pose.t)).cast<std::string>() +
                    " s: " + counted(pose.r.size(), "body") + ", " + counted(pose.theta.size(), "screw") + ">";
@@ -71,6 +78,11 @@ void add_rates(py::module_& module) {
         "m/s, `omega_local` [bodies x 3] in rad/s and in the frame of the body, `theta_dot` [screws] in "
         "rad/s.");
     type.def(py::init(&rates_with), "r_dot"_a, "omega_local"_a, "theta_dot"_a = py::tuple())
+        .def(py::pickle(
+            [](const py::object& self) {
+                return py::make_tuple(self.attr("r_dot"), self.attr("omega_local"), self.attr("theta_dot"));
+            },
+            [](const py::tuple& saved) { return rates_with(saved[0], saved[1], saved[2]); }))
         .def("__repr__", [](const Rates& rates) {
             return "<jointwise.Rates: " + counted(rates.r_dot.size(), "body") + ", " +
                    counted(rates.theta_dot.size(), "screw") + ">";

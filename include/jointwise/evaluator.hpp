@@ -1,10 +1,18 @@
 #pragma once
 
-#include "jointwise/analysis.hpp"
+#include "jointwise/trajectory.hpp"
 
 /// The functions of analysis.hpp for many poses of one mechanism.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
+
+/// Equations at all times of a motion, a row each.
+struct EquationsTable {
+    Table phi;       ///< [times x rows]
+    Table jacobian;  ///< [times x (rows columns)]: Φq of a time, one of its rows after the other
+    Table nu;        ///< [times x rows]
+    Table gamma;     ///< [times x rows]
+};
 
 /// Equations of one mechanism at many poses: structure and memory are made once, by the constructor. Its
 /// results are those of the functions of the same names. Not to be used by two threads at once.
@@ -33,6 +41,8 @@ public:
     /// Φ, Φq, ν and γ with the rows as they are chosen.
     /// @param out its memory is used again where it has the right size
     void equations_at(const Pose& pose, const Rates& velocities, Equations& out);
+    /// The same at all times of a motion, with the rows as they are chosen before.
+    EquationsTable equations_along(const Trajectory& trajectory);
     /// Φ alone. @param out [rows]
     void phi_at(const Pose& pose, Eigen::VectorXd& out);
     /// Velocities (or accelerations) as the numbers of the columns: ṙ and ṗ, ω′ or ω of every moving body,

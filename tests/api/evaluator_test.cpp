@@ -75,6 +75,27 @@ TEST_CASE("An evaluator keeps the mechanism of the moment when it was made", "[a
             .redundant == 3);
 }
 
+TEST_CASE("Equations along a motion are those at its moments", "[api]") {
+    const Mechanism m = lesson_mechanism("joints/screw");
+    const Trajectory motion = follow_trajectory(m, {0.0, 0.2, 0.4});
+    Evaluator evaluator(m, Coordinates::omega_local);
+    const EquationsTable table = evaluator.equations_along(motion);
+    REQUIRE(table.phi.rows() == 3);
+    for (int k = 0; k < 3; ++k) {
+        Equations e;
+        const Moment moment = motion.moment(k);
+        evaluator.equations_at(moment.pose, moment.velocity, e);
+        CHECK(table.phi.row(k).transpose() == e.phi);
+        CHECK(table.nu.row(k).transpose() == e.nu);
+        CHECK(table.gamma.row(k).transpose() == e.gamma);
+        for (Eigen::Index row = 0; row < e.jacobian.rows(); ++row) {
+            CHECK(
+                table.jacobian.row(k).segment(row * e.jacobian.cols(), e.jacobian.cols()) ==
+                e.jacobian.row(row));
+        }
+    }
+}
+
 TEST_CASE("Rows of a trajectory are the moments of the same motion", "[api]") {
     const Mechanism m = lesson_mechanism("joints/screw");
     const std::vector<double> times{0.0, 0.2, 0.4};

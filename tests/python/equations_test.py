@@ -94,6 +94,19 @@ class Equations(unittest.TestCase):
         np.testing.assert_array_equal(evaluator.assemble(jw.start_pose(m)).r, pose.r)
         self.assertEqual(evaluator.rank_at(pose).rank, jw.rank_at(m, pose).rank)
 
+    def test_equations_along_a_motion_are_those_at_its_moments(self):
+        m = four_bar()
+        motion = jw.follow(m, np.linspace(0, 0.5, 6))
+        evaluator = jw.Evaluator(m, "omega_local")
+        along = evaluator.equations_along(motion)
+        self.assertEqual(along.jacobian.shape, (6, 21, 18))
+        for k, moment in enumerate(motion):
+            e = evaluator.equations_at(moment.pose, moment.velocity)
+            for name in ("phi", "jacobian", "nu", "gamma"):
+                np.testing.assert_array_equal(getattr(along, name)[k], getattr(e, name))
+        # all velocities of the motion at once: rounding of products of numbers up to 40
+        np.testing.assert_allclose(np.einsum("trc,tc->tr", along.jacobian, motion.q_dot[:, 6:]), along.nu, atol=1e-10)
+
     def test_velocities_and_accelerations_satisfy_their_equations_column_by_column(self):
         m = four_bar()
         pose = jw.assemble(m)

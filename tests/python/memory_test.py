@@ -2,6 +2,7 @@
 
 import copy
 import gc
+import pickle
 import unittest
 import weakref
 
@@ -30,6 +31,10 @@ RESULTS = (
     (assembled, ("r", "p")),
     (lambda: jw.velocities_at(four_bar(), assembled()), ("r_dot", "omega_local")),
     (lambda: jw.follow(four_bar(), np.linspace(0, 0.5, 50)), MOTION),
+    (
+        lambda: jw.Evaluator(four_bar()).equations_along(jw.follow(four_bar(), [0, 0.1, 0.2])),
+        ("phi", "jacobian", "nu", "gamma"),
+    ),
     (lambda: jw.draw(four_bar(), assembled(), 64, 48), ("rgb",)),
 )
 
@@ -104,6 +109,15 @@ class Memory(unittest.TestCase):
         del motion
         gc.collect()
         np.testing.assert_array_equal(r, expected)
+
+    def test_poses_and_rates_are_kept_by_pickle(self):
+        lesson = jw.read_lesson(jw.lesson_file("joints/screw"))
+        pose = jw.assemble(lesson.mechanism, t=0.3)
+        rates = jw.velocities_at(lesson.mechanism, pose)
+        for what, names in ((pose, ("t", "r", "p", "theta")), (rates, ("r_dot", "omega_local", "theta_dot"))):
+            again = pickle.loads(pickle.dumps(what))
+            for name in names:
+                np.testing.assert_array_equal(getattr(again, name), getattr(what, name))
 
     def test_copies_are_independent(self):
         m = four_bar()

@@ -8,6 +8,7 @@ from pathlib import Path
 from ._jointwise import (
     Coordinates,
     Equations,
+    EquationsTable,
     Evaluator,
     Image,
     Lesson,
@@ -44,6 +45,7 @@ from ._jointwise import (
 __all__ = [
     "Coordinates",
     "Equations",
+    "EquationsTable",
     "Evaluator",
     "Image",
     "Lesson",
