@@ -49,10 +49,18 @@ foreach(component jointwise jointwise-dev)
   install(FILES ${PROJECT_BINARY_DIR}/changelog.gz cmake/debian/copyright
     DESTINATION share/doc/${component} COMPONENT ${component})
 endforeach()
-foreach(package libimgui-dev libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
-  install(FILES /usr/share/doc/${package}/copyright DESTINATION share/doc/jointwise/third-party
-    RENAME ${package} COMPONENT jointwise OPTIONAL)
-endforeach()
+# jw_install_copyrights(folder component package...)
+function(jw_install_copyrights folder component)
+  foreach(package IN LISTS ARGN)
+    install(FILES /usr/share/doc/${package}/copyright DESTINATION ${folder}
+      RENAME ${package} COMPONENT ${component} OPTIONAL ${JW_NOT_BY_DEFAULT})
+  endforeach()
+endfunction()
+set(JW_BUNDLED_PACKAGES libfmt-dev libtomlplusplus-dev libstb-dev libdeflate-dev)
+jw_install_copyrights(share/doc/jointwise/third-party jointwise
+  libimgui-dev libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
+set(JW_NOT_BY_DEFAULT EXCLUDE_FROM_ALL)
+jw_install_copyrights(share/doc/jointwise/third-party bundled ${JW_BUNDLED_PACKAGES})
 
 install(FILES README.md DESTINATION share/doc/jointwise COMPONENT jointwise)
 install(DIRECTORY docs DESTINATION share/doc/jointwise COMPONENT jointwise

@@ -35,6 +35,14 @@ for kind in catalogue exercises benchmark reference; do
     diff -rq "$sources/lessons/$kind" "$package/share/jointwise/lessons/$kind" || fail "other files in $kind"
 done
 
+# who wrote what is linked in
+for name in copyright third-party/libeigen3-dev third-party/libfmt-dev third-party/pybind11-dev; do
+    [ -s "$package/share/doc/jointwise/$name" ] || fail "the wheel lacks the copyright $name"
+done
+
+"$sources/app/python/wheel.sh" "$cmake" "$sources" "$build" "$version" "$python" "$folder/again" || exit 1
+cmp "$wheel" "$folder/again/$(basename "$wheel")" || fail "the same files give another wheel"
+
 cd "$folder" || exit 1
 "$folder/venv/bin/python" - "$folder" <<'PYTHON' || fail "the installed module does not run"
 import sys
