@@ -27,11 +27,10 @@ jw::NamedQuantity quantity_named(const std::string& name, const jw::Mechanism& m
 }
 
 std::string unit_of(const jw::NamedQuantity& named) {
-    constexpr std::array kPer{"", "/s", "/s²", "/s³"};
     const jw::UnitRate dimension = jw::dimension_of(named.quantity);
+    const std::string per(jw::per_seconds(dimension.per_s + named.derivative));
     const std::string symbol(jw::symbol_of(dimension.unit));
-    return (symbol.empty() ? "1" : symbol) +
-           kPer[static_cast<std::size_t>(dimension.per_s + named.derivative)];
+    return (symbol.empty() ? "1" : symbol) + per;
 }
 
 /// Masses and forces, if every moving body has a mass.

@@ -34,6 +34,7 @@ py::array view_of(
     const py::handle& owner, Access access) {
     constexpr auto kSize = static_cast<py::ssize_t>(sizeof(double));
     std::vector<py::ssize_t> bytes;
+    bytes.reserve(strides.size());
     for (const py::ssize_t stride : strides) { bytes.push_back(stride * kSize); }
     py::array array(py::dtype::of<double>(), shape, bytes, data, owner);
     if (access == Access::read) {

@@ -44,7 +44,7 @@ void add_errors(py::module_& module) {
         "those of the first.";
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
-            std::rethrow_exception(thrown);
+            std::rethrow_exception(std::move(thrown));
         } catch (const LessonError& error) { raise(lesson_error, error); }
     });
 }

@@ -74,7 +74,7 @@ void add_pictures(py::module_& module) {
     module.def(
         "draw", &drawn<Lesson>, "lesson"_a, "pose"_a, "width"_a = kWidth, "height"_a = kHeight,
         "The same with the shapes and colours of the lesson, from the direction that it asks for.");
-    const auto add_to = [](py::object type, const char* name, const py::cpp_function& f) {
+    const auto add_to = [](const py::object& type, const char* name, const py::cpp_function& f) {
         type.attr(name) = f;
     };
     const py::object mechanism = module.attr("Mechanism");

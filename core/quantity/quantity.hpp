@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <variant>
 
@@ -32,6 +33,12 @@ constexpr std::string_view symbol_of(Unit unit) {
         case Unit::newton_metre: break;
     }
     return "N m";
+}
+
+/// "/s²": so many "per second", up to three.
+constexpr std::string_view per_seconds(int count) {
+    constexpr std::array<std::string_view, 4> kWords{"", "/s", "/s²", "/s³"};
+    return kWords[static_cast<std::size_t>(count)];
 }
 
 /// A measure of drivers.hpp. A SquaredDistanceMeasure stands for the distance itself (its root).

@@ -1,7 +1,5 @@
 #include "app/session/wording/quantity_text.hpp"
 
-#include <array>
-
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
@@ -16,8 +14,7 @@ bool is_shown_in_degrees(const Quantity& quantity) {
 }  // namespace
 
 std::string unit_text(UnitRate dimension, int derivative, bool in_degrees) {
-    constexpr std::array per_time{"", "/s", "/s²", "/s³"};
-    const std::string per = per_time[static_cast<std::size_t>(dimension.per_s + derivative)];
+    const std::string per(per_seconds(dimension.per_s + derivative));
     const bool is_angle = dimension.unit == Unit::radian;
     const std::string symbol(in_degrees && is_angle ? "deg" : symbol_of(dimension.unit));
     return symbol.empty() && !per.empty() ? "1" + per : symbol + per;
