@@ -11,6 +11,7 @@
 
 #include "app/host/guarded_screen.hpp"
 #include "render/gl_functions.hpp"
+#include "render/mesa_settings.hpp"
 
 namespace jw {
 
@@ -38,6 +39,7 @@ std::string last_glfw_error;
 class GlfwWindow {
 public:
     GlfwWindow(int width, int height, bool visible) {
+        render::settle_mesa();
         glfwSetErrorCallback([](int, const char* text) { last_glfw_error = text; });
         if (glfwInit() == GLFW_FALSE) { fail("no display can be opened"); }
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "render/mesa_settings.hpp"
 #include "render/render_targets.hpp"
 
 #include <GL/osmesa.h>
@@ -24,7 +25,7 @@ struct OsMesa {
     decltype(&OSMesaMakeCurrent) make_current = nullptr;
     decltype(&OSMesaGetProcAddress) get_function = nullptr;
 
-    /// @throws std::runtime_error with the words of the system's loader
+    /// @throws std::runtime_error with the words of the system's loader, or of `settle_mesa`
     static const OsMesa& get() {
         static const OsMesa library;
         return library;
@@ -32,6 +33,7 @@ struct OsMesa {
 
 private:
     OsMesa() {
+        settle_mesa();
         void* library = nullptr;
         std::string why;
         for (const char* const name : kLibraries) {

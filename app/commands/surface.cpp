@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "render/mesa_settings.hpp"
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
 #include "render/scene_renderer.hpp"
@@ -47,6 +48,7 @@ const std::array<Ball, 5>& balls() {
 constexpr std::size_t kSeen = 4;
 // a library that takes longer is not damaged, but something else is wrong [s]
 constexpr unsigned kLoadingTime = 20;
+constexpr Library kOffscreenLibrary{"libOSMesa.so.8", "libosmesa6"};
 // the backdrop is paper
 constexpr int kPale = 220;
 
@@ -74,6 +76,52 @@ std::string hex(const std::uint8_t* pixel) {
 std::string text_of(const render::GlFunctions& gl, GLenum name) {
     const auto* const found = reinterpret_cast<const char*>(gl.GetString(name));
     return found == nullptr ? "unknown" : found;
+}
+
+/// Runs `work` in another process, for `kLoadingTime` at the most.
+/// @return the signal that ended it; 0 if it came to its end, took too long, or no process was to be had
+int signal_that_ends(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(kLoadingTime);
+        ::signal(SIGALRM, SIG_DFL);
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFSIGNALED(status)) { return 0; }
+    return WTERMSIG(status) == SIGALRM ? 0 : WTERMSIG(status);
+}
+
+/// Draws the test picture in memory; what the driver says of it is of no interest here.
+void try_offscreen() {
+    try {
+        const render::Offscreen offscreen(kTestWidth, kTestHeight);
+        render::RenderTargets targets(offscreen.gl(), kTestWidth, kTestHeight);
+        draw_test_picture(offscreen.gl(), targets);
+    } catch (const std::exception&) { return; }
+}
+
+/// Fills in what settings of the environment make of drawing, if they forbid it or end the program.
+/// @return whether they do; else `report` stays as it is
+bool blame_settings(SurfaceReport& report) {
+    try {
+        render::settle_mesa();
+    } catch (const std::exception& error) {
+        report.state = SurfaceReport::State::draws_wrong;
+        report.problem = error.what();
+        return true;
+    }
+    // loaded already, it has drawn here; a second process would wait for threads that are none of its own
+    if (::dlopen(kOffscreenLibrary.name, RTLD_NOW | RTLD_NOLOAD) != nullptr) { return false; }
+    const int signal = signal_that_ends(try_offscreen);
+    if (signal == 0) { return false; }
+    report.state = SurfaceReport::State::draws_wrong;
+    report.problem = "drawing the test picture ends the program (signal " + std::to_string(signal) + ")";
+    report.remedy =
+        "unset variables that begin with DRAW_, GALLIUM_, LP_ or MESA_; or another version of "
+        "the graphics driver (Mesa) may work";
+    return true;
 }
 
 }  // namespace
@@ -174,8 +222,7 @@ bool blame_library(SurfaceReport& report, std::span<const Library> libraries) {
 SurfaceReport examine_offscreen() {
     SurfaceReport report;
     report.name = "offscreen";
-    constexpr std::array libraries{Library{"libOSMesa.so.8", "libosmesa6"}};
-    if (blame_library(report, libraries)) { return report; }
+    if (blame_library(report, std::array{kOffscreenLibrary}) || blame_settings(report)) { return report; }
     try {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
         examine(offscreen.gl(), report);

@@ -14,7 +14,7 @@ namespace jw {
 struct SurfaceReport {
     enum class State {
         right,        ///< it loads, and the test picture is as it should be
-        draws_wrong,  ///< it loads, and the test picture is not
+        draws_wrong,  ///< it loads, and the test picture is not, or drawing it ends the program
         missing,      ///< it does not load, and something can be installed or set
         damaged,      ///< it does not load, because a library is there and no library: install it again
         absent,       ///< there is none here, and nothing is wrong with that: no display
