@@ -1,12 +1,22 @@
 # jw_warnings: what every target of the project is compiled with.
 add_library(jw_warnings INTERFACE)
-target_compile_options(jw_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+target_compile_options(jw_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in `"text" + string` that are not there (GCC bug 105651)
-  -Wno-restrict)
+  target_compile_options(jw_warnings INTERFACE -Wno-restrict)
+else()
+  # clang warns of conversions of signs and of braces left out, GCC does not
+  target_compile_options(jw_warnings INTERFACE -Wno-sign-conversion -Wno-missing-braces)
+endif()
 if(JW_WERROR)
   target_compile_options(jw_warnings INTERFACE -Werror)
 endif()
-if(JW_SANITIZE)
+if(JW_LIBFUZZER)
+  # a number too large for an int is undefined behaviour, too, and no part of `undefined`
+  target_compile_options(jw_warnings INTERFACE -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
+                                               -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(jw_warnings INTERFACE -fsanitize=address,undefined)
+elseif(JW_SANITIZE)
   # GCC 12 takes Eigen's small storages for uninitialised once the sanitizers split their loads. What the address
   # sanitizer sees as well is left to it: checks of every pointer double the time to compile.
   target_compile_options(jw_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all

@@ -1,0 +1,44 @@
+#include <set>
+
+#include "lessons/exercise/handed_in.hpp"
+#include "tests/fuzz/diagnostics.hpp"
+#include "tests/fuzz/targets.hpp"
+#include "tests/fuzz/tasks.hpp"
+
+namespace jw::fuzz {
+
+namespace {
+
+bool is_answered_in_text(const Task& task) {
+    const ExerciseKind kind = task.exercise().kind;
+    return std::string(kind_of(kind).file).empty() && kind != ExerciseKind::experiment;
+}
+
+/// A right answer under other words of the file would be graded a second time.
+void promise_graded_once(const HandedIn& handed) {
+    std::set<std::string> graded;
+    double points = 0.0;
+    double most = 0.0;
+    for (const Task& task : tasks()) {
+        const auto answer = handed.answers.find(task.exercise().name);
+        if (!is_answered_in_text(task) || answer == handed.answers.end()) { continue; }
+        promise(graded.insert(answer->first).second, answer->first + " is graded once");
+        points += judged(task, {answer->second.text, {}}).share * task.exercise().points;
+        most += task.exercise().points;
+    }
+    promise(points <= most, "no more points than there are");
+}
+
+}  // namespace
+
+void check_answers(const std::string& input) {
+    const HandedIn handed = read_answers_text(input);
+    if (!handed.problem.empty()) { return promise_reported_places(handed.problem, input); }
+    promise(fault_of_student(handed.student).empty(), "a submission has a student");
+    promise_graded_once(handed);
+    // the file cannot be a right one and hand in the same once more
+    const std::string twice = input + "\n[answers]\n";
+    promise(!read_answers_text(twice).problem.empty(), "a second table of answers is refused");
+}
+
+}  // namespace jw::fuzz

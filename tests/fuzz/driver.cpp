@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "lessons/reader.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace jw::fuzz {
+
+namespace {
+
+constexpr const char* kScene = R"(format = 1
+title = "driven"
+[[body]]
+name = "base"
+[[body]]
+name = "arm"
+[[joint]]
+name = "pin"
+type = "revolute"
+bodies = ["base", "arm"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+[motion]
+from_s = 0
+to_s = 2
+[[driver]]
+name = "motor"
+joint = "pin"
+)";
+constexpr int kMoments = 20;
+
+/// Sizes of all terms with those of their third derivatives, at times up to 2 s: rounding and truncation of
+/// differences are in proportion to it.
+double size_of(const TimeFunction& function) {
+    double size = 1.0;
+    for (std::size_t k = 0; k < function.polynomial.size(); ++k) {
+        const auto power = static_cast<double>(k);
+        size += std::abs(function.polynomial[k]) * std::pow(2.0, power) * (1.0 + power * power * power);
+    }
+    for (const auto& h : function.harmonics) {
+        size += std::abs(h.amplitude) * (1.0 + std::pow(std::abs(h.omega), 3));
+    }
+    for (const auto& s : function.steps) {
+        size += (std::abs(s.from) + std::abs(s.to)) * (1.0 + 60.0 * std::pow(s.end - s.start, -3));
+    }
+    return size;
+}
+
+/// Change of the function over 2h against its rate in the middle: they differ by h² f‴ / 6 and rounding, eps
+/// f / h.
+void promise_derivatives(const TimeFunction& function, double t) {
+    constexpr double h = 1e-5;
+    const TimeFunction::Value before = function.at(t - h);
+    const TimeFunction::Value here = function.at(t);
+    const TimeFunction::Value after = function.at(t + h);
+    for (const double x : {here.f, here.f_dot, here.f_ddot}) {
+        promise(std::isfinite(x), "a value is finite");
+    }
+    const double limit = 1e-9 * size_of(function);
+    promise(std::abs((after.f - before.f) / (2 * h) - here.f_dot) < limit, "the rate is the derivative");
+    promise(std::abs((after.f_dot - before.f_dot) / (2 * h) - here.f_ddot) < limit, "so is the acceleration");
+}
+
+}  // namespace
+
+/// Keys of a driver as they stand in a lesson.
+void check_driver(const std::string& input) {
+    const ReadResult read = read_lesson(kScene + input, "driver.toml");
+    if (!read.lesson || read.lesson->mechanism.drivers.empty()) { return; }
+    for (const Driver& driver : read.lesson->mechanism.drivers) {
+        for (int k = 0; k <= kMoments; ++k) { promise_derivatives(driver.function, 2.0 * k / kMoments); }
+    }
+}
+
+}  // namespace jw::fuzz

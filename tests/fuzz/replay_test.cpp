@@ -1,0 +1,77 @@
+#include <catch2/catch.hpp>
+
+#include <random>
+
+#include "tests/fuzz/targets.hpp"
+#include "tests/fuzz/words.hpp"
+#include "tests/support/mutated_text.hpp"
+
+namespace jw::fuzz {
+namespace {
+
+const std::filesystem::path kFolder = JW_FUZZ;
+constexpr unsigned kSeed = 20261125;
+
+/// What went wrong, empty if nothing did.
+std::string fault_of(const Target& target, const std::string& input) {
+    try {
+        target.check(input);
+    } catch (const std::exception& broken) { return broken.what(); }
+    return {};
+}
+
+void check(const Target& target, const std::string& name, const std::string& input) {
+    const std::string fault = fault_of(target, input);
+    if (fault.empty()) { return; }
+    FAIL_CHECK(
+        std::string(target.name) + " promises that " + target.promises + "\nbroken by " + name + ": " +
+        fault + "\n" + input);
+}
+
+const Target& any_target() {
+    std::vector<const Target*> all;
+    for (const Target& target : targets()) { all.push_back(&target); }
+    return *GENERATE_REF(from_range(all));
+}
+
+/// So many damaged inputs take each target about a second.
+int damaged_inputs(const Target& target) {
+    const std::string name = target.name;
+    if (name == "experiments" || name == "story" || name == "files") { return 20; }
+    return 400;
+}
+
+}  // namespace
+
+TEST_CASE("kept inputs break no promise of those who read what strangers wrote", "[fuzz]") {
+    const Target& target = any_target();
+    const std::vector<Kept> kept = kept_inputs(kFolder / "corpus" / target.name);
+    CAPTURE(target.name);
+    CHECK(!kept.empty());
+    for (const Kept& input : kept) { check(target, input.name, input.text); }
+    for (const char* edge : {"", "a", "\n", "\xFF", "[[[[", "{\"\":"}) { check(target, "an edge", edge); }
+}
+
+TEST_CASE("damaged kept inputs break no promise either", "[fuzz]") {
+    const Target& target = any_target();
+    const std::vector<Kept> kept = kept_inputs(kFolder / "corpus" / target.name);
+    const std::vector<std::string> words =
+        read_words(kFolder / "words" / (target.name + std::string(".dict")));
+    std::mt19937 random(kSeed);
+    for (int k = 0; k < damaged_inputs(target); ++k) {
+        const Kept& input = kept[random() % kept.size()];
+        check(
+            target, "mutant " + std::to_string(k) + " of " + input.name,
+            test::mutated(input.text, random, words));
+    }
+}
+
+TEST_CASE("a broken promise is noticed", "[fuzz]") {
+    const Target broken{"broken", "no input has a z", [](const std::string& input) {
+                            promise(input.find('z') == std::string::npos, "there is a z");
+                        }};
+    CHECK(fault_of(broken, "a") == "");
+    CHECK(fault_of(broken, "az") == "there is a z");
+}
+
+}  // namespace jw::fuzz

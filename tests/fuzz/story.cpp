@@ -1,0 +1,42 @@
+#include "app/session/story/story.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/picture/picture.hpp"
+#include "app/session/view/view.hpp"
+#include "lessons/reader.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace jw::fuzz {
+
+namespace {
+
+// a lesson takes longer with every body and joint; what is promised here does not depend on their number
+constexpr std::size_t kMostBodies = 6;
+constexpr std::size_t kMostAdditions = 8;
+
+bool is_small(const Mechanism& m) {
+    return m.bodies.size() <= kMostBodies && m.joints.size() + m.drivers.size() <= kMostAdditions;
+}
+
+}  // namespace
+
+void check_story(const std::string& input) {
+    const ReadResult read = read_lesson(input, "input.toml");
+    if (!read.lesson || !is_small(read.lesson->mechanism)) { return; }
+    StoryOptions options;
+    options.with_motion = false;
+    const Story story(*read.lesson, options);
+    promise(!story.steps().empty(), "a story has steps");
+    const PictureStyle style = picture_style(story);
+    for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+        promise(!describe(view_of(story, k)).empty(), "a step has a text");
+        const render::Bounds bounds = style.bounds;
+        promise(!picture_of(story, style, k).scene.shapes.empty(), "a step has something to draw");
+        promise(bounds.low.allFinite() && bounds.high.allFinite(), "what is drawn is somewhere");
+    }
+    const int last = static_cast<int>(story.steps().size()) - 1;
+    const Json json = Json::parse(json_document(json_of(story, last)), nullptr, false);
+    promise(json.is_object() || json.is_array(), "a story has a JSON document");
+}
+
+}  // namespace jw::fuzz

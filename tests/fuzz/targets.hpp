@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// Everything that reads what strangers wrote, with what it promises for any bytes at all. libFuzzer and the
+/// replay of kept inputs run the same functions.
+namespace jw::fuzz {
+
+/// An input for which a promise was not kept: what was promised, and what came instead.
+class Broken : public std::logic_error {
+public:
+    using std::logic_error::logic_error;
+};
+
+/// @throws Broken with `promise` if it was not kept
+void promise(bool kept, const std::string& promise);
+
+struct Target {
+    const char* name;  ///< of its folder in tests/fuzz/corpus, and of its words there
+    const char* promises;
+    /// @throws Broken if a promise is not kept; nothing else may be thrown
+    void (*check)(const std::string& input);
+};
+std::span<const Target> targets();
+/// @throws std::invalid_argument naming all targets, if there is none of this name
+const Target& target_called(std::string_view name);
+
+// the targets
+void check_lesson(const std::string& input);
+void check_story(const std::string& input);
+void check_experiments(const std::string& input);
+void check_answers(const std::string& input);
+void check_files(const std::string& input);
+void check_record(const std::string& input);
+void check_picture(const std::string& input);
+void check_formula(const std::string& input);
+void check_driver(const std::string& input);
+
+}  // namespace jw::fuzz
