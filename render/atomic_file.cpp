@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <deque>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -30,7 +31,7 @@ fs::path folder_of(const fs::path& target) {
     return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-/// A file under construction: gone again unless `publish` was reached.
+/// A file under construction: gone again unless `publish` was reached, after `finish`.
 class Draft {
 public:
     explicit Draft(const fs::path& target) : target_(target) {
@@ -64,7 +65,8 @@ public:
         }
     }
 
-    void publish() {
+    /// Nothing is missing any more, under the name of a draft.
+    void finish() {
         if (name_.empty()) {
             const std::string nameless = "/proc/self/fd/" + std::to_string(file_);
             with_free_name([&](const char* name) {
@@ -73,6 +75,9 @@ public:
         }
         // a full disk may show only now
         if (::close(std::exchange(file_, -1)) != 0) { fail_to_write(target_, errno); }
+    }
+
+    void publish() {
         if (std::rename(name_.c_str(), target_.c_str()) != 0) { fail_to_write(target_, errno); }
         name_.clear();
     }
@@ -117,14 +122,24 @@ void check_can_be_written(const fs::path& path) {
     if (!fs::is_directory(folder)) { fail_to_write(path, ENOTDIR); }
 }
 
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+void write_files_atomically(std::span<const WholeFile> files) {
+    std::deque<Draft> drafts;
+    for (const WholeFile& file : files) { drafts.emplace_back(file.path).write(file.bytes); }
+    for (Draft& draft : drafts) { draft.finish(); }
+    for (Draft& draft : drafts) { draft.publish(); }
+}
+
 void write_file_atomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    Draft draft(path);
-    draft.write(bytes);
-    draft.publish();
+    const WholeFile file{path, bytes};
+    write_files_atomically({&file, 1});
 }
 
 void write_file_atomically(const fs::path& path, std::string_view text) {
-    write_file_atomically(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    write_file_atomically(path, bytes_of(text));
 }
 
 }  // namespace jw::render

@@ -1,6 +1,7 @@
 #include "app/snapshot/golden_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -176,10 +177,16 @@ void GoldenFolder::write_lesson(const std::string& lesson_text) const {
 
 void GoldenFolder::write(const Snapshot& snapshot) const {
     const std::string& name = snapshot.record.name;
-    render::write_file_atomically(file(name, kColour), render::encode_png(snapshot.colour));
-    render::write_file_atomically(file(name, kIds), render::encode_png(snapshot.layers.ids));
-    render::write_file_atomically(file(name, kDepth), render::encode_png(snapshot.layers.depth));
-    render::write_file_atomically(file(name, kRecord), text_of(snapshot.record));
+    const std::string record = text_of(snapshot.record);
+    const std::vector<std::uint8_t> colour = render::encode_png(snapshot.colour);
+    const std::vector<std::uint8_t> ids = render::encode_png(snapshot.layers.ids);
+    const std::vector<std::uint8_t> depth = render::encode_png(snapshot.layers.depth);
+    const std::array<render::WholeFile, 4> files{
+        {{file(name, kColour), colour},
+         {file(name, kIds), ids},
+         {file(name, kDepth), depth},
+         {file(name, kRecord), render::bytes_of(record)}}};
+    render::write_files_atomically(files);
 }
 
 void GoldenFolder::remove(const std::string& name) const {

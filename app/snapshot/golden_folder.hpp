@@ -46,7 +46,7 @@ public:
 
     void write_head(const GoldenHead& head, const std::string& lesson_text) const;
     void write_lesson(const std::string& lesson_text) const;
-    /// Its pictures first, so that a record never stands for pictures that are not there.
+    /// All four files or none, so that a record never stands for the pictures of another.
     void write(const Snapshot& snapshot) const;
     void remove(const std::string& name) const;
 

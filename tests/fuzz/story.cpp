@@ -32,7 +32,7 @@ void check_story(const std::string& input) {
         promise(!describe(view_of(story, k)).empty(), "a step has a text");
         const render::Bounds bounds = style.bounds;
         promise(!picture_of(story, style, k).scene.shapes.empty(), "a step has something to draw");
-        promise(bounds.low.allFinite() && bounds.high.allFinite(), "what is drawn is somewhere");
+        promise(bounds.lowest.allFinite() && bounds.highest.allFinite(), "what is drawn is somewhere");
     }
     const int last = static_cast<int>(story.steps().size()) - 1;
     const Json json = Json::parse(json_document(json_of(story, last)), nullptr, false);

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <csignal>
 #include <fstream>
 
@@ -99,6 +100,28 @@ TEST_CASE("a write that fails half-way leaves the old file and nothing else", "[
     }
     CHECK(content(path) == "old");
     CHECK(folder.files() == 1);
+}
+
+TEST_CASE(
+    "of files that belong together all stay as they were where one cannot be written", "[render][png]") {
+    const TemporaryFolder folder;
+    const auto first = folder.path() / "frame.png";
+    const auto second = folder.path() / "frame.json";
+    std::ofstream(first) << "old";
+    const std::vector<std::uint8_t> small(10, 1);
+    const std::vector<std::uint8_t> large(100000, 1);
+    {
+        const FileSizeLimit limit(4096);
+        const std::array<WholeFile, 2> files{{{first, small}, {second, large}}};
+        CHECK_THROWS_WITH(write_files_atomically(files), Catch::Contains(second.string()));
+    }
+    CHECK(content(first) == "old");
+    CHECK(folder.files() == 1);
+    const std::array<WholeFile, 2> files{{{first, bytes_of("new")}, {second, bytes_of("new too")}}};
+    write_files_atomically(files);
+    CHECK(content(first) == "new");
+    CHECK(content(second) == "new too");
+    CHECK(folder.files() == 2);
 }
 
 TEST_CASE("a device, a pipe or a loop of links is not replaced by a file", "[render][png]") {
