@@ -11,16 +11,16 @@ endif()
 if(JW_WERROR)
   target_compile_options(jw_warnings INTERFACE -Werror)
 endif()
-if(JW_LIBFUZZER)
-  # a number too large for an int is undefined behaviour, too, and no part of `undefined`
-  target_compile_options(jw_warnings INTERFACE -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
-                                               -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(jw_warnings INTERFACE -fsanitize=address,undefined)
-elseif(JW_SANITIZE)
+if(JW_SANITIZE)
   # GCC 12 takes Eigen's small storages for uninitialised once the sanitizers split their loads. What the address
   # sanitizer sees as well is left to it: checks of every pointer double the time to compile.
   target_compile_options(jw_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                -fno-sanitize=null,alignment,object-size,vptr
-                                               -fno-omit-frame-pointer -Wno-maybe-uninitialized)
+                                               -fno-omit-frame-pointer
+                                               $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(jw_warnings INTERFACE -fsanitize=address,undefined)
+endif()
+if(JW_LIBFUZZER)
+  # a number too large for an int is undefined behaviour, too, and no part of `undefined`
+  target_compile_options(jw_warnings INTERFACE -fsanitize=fuzzer-no-link,float-cast-overflow)
 endif()

@@ -105,7 +105,21 @@ bool check_depth(std::string_view source, Problems& problems) {
     return true;
 }
 
-void report_syntax(const toml::parse_error& error, Problems& problems) {
+/// The parser counts the end of the file as one more character: where a line ends with it, that is no place
+/// any more.
+SourceSpan within(SourceSpan span, std::string_view source) {
+    std::size_t from = 0;
+    for (int line = 1; line < span.line; ++line) {
+        from = std::min(source.find('\n', from), source.size() - 1) + 1;
+    }
+    const std::string_view text = source.substr(from, source.find('\n', from) - from);
+    const auto is_begin = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+    const auto behind = static_cast<int>(std::ranges::count_if(text, is_begin)) + 1;
+    span.column = std::min(span.column, behind);
+    return span;
+}
+
+void report_syntax(const toml::parse_error& error, std::string_view source, Problems& problems) {
     std::string description(error.description());
     const std::string_view prefix = "Error while parsing ";
     if (description.starts_with(prefix)) { description.erase(0, prefix.size()); }
@@ -116,7 +130,8 @@ void report_syntax(const toml::parse_error& error, Problems& problems) {
     } else if (description.find("could not") != std::string::npos) {
         hint = "texts need quotes, numbers have a decimal point and no comma, true and false are lower case";
     }
-    problems.add(Code::no_toml, span_of(error.source()), "this is not TOML, in " + description, hint);
+    problems.add(
+        Code::no_toml, within(span_of(error.source()), source), "this is not TOML, in " + description, hint);
 }
 
 }  // namespace
@@ -132,7 +147,7 @@ std::optional<toml::table> parse_toml(std::string& source, Problems& problems) {
     try {
         return toml::parse(source);
     } catch (const toml::parse_error& error) {
-        report_syntax(error, problems);
+        report_syntax(error, source, problems);
         return std::nullopt;
     }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "render/address_space.hpp"
 #include "render/mesa_settings.hpp"
 #include "render/render_targets.hpp"
 
@@ -67,7 +68,9 @@ struct Offscreen::Context {
     std::array<std::uint8_t, 16 * 16 * 4> unused{};
     GlFunctions gl;
 
-    Context() {
+    /// @param width, height  of the picture that is drawn, for the room that it needs
+    Context(int width, int height) {
+        check_address_space(width, height);
         constexpr std::array attributes{
             OSMESA_FORMAT,
             OSMESA_RGBA,
@@ -103,7 +106,7 @@ struct Offscreen::Context {
 };
 
 Offscreen::Offscreen(int width, int height, int samples)
-    : context_(std::make_unique<Context>()),
+    : context_(std::make_unique<Context>(width, height)),
       wanted_samples_(samples),
       targets_(std::make_unique<RenderTargets>(context_->gl, width, height, samples)) {}
 
@@ -124,6 +127,7 @@ std::string Offscreen::renderer() const {
 }
 
 void Offscreen::resize(int width, int height) {
+    check_address_space(width, height);
     make_current();
     targets_ = std::make_unique<RenderTargets>(gl(), width, height, wanted_samples_);
 }

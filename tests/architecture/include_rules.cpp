@@ -20,9 +20,9 @@ struct FolderRule {
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
 constexpr std::array<std::string_view, 8> kLessons{"core/",   "lessons/", "Eigen/",   "toml++/",
                                                    "fcntl.h", "poll.h",   "unistd.h", "sys/auxv.h"};
-constexpr std::array<std::string_view, 13> kRender{
+constexpr std::array<std::string_view, 14> kRender{
     "cairo",     "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
-    "gif_lib.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h"};
+    "gif_lib.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h",        "sys/mman.h"};
 // of render only plain values: what there is to draw and from where it is looked at
 constexpr std::array<std::string_view, 11> kSession{
     "app/session/",

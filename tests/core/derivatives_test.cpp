@@ -2,11 +2,10 @@
 
 #include "core/equations/assembler.hpp"
 #include "core/jets/body_kinematics.hpp"
+#include "tests/support/moved_positions.hpp"
 #include "tests/support/random_mechanisms.hpp"
-#include "tests/support/reference_phi.hpp"
 
 using namespace jw;
-using reference::Positions;
 using reference::Real;
 using reference::VX;
 
@@ -17,43 +16,6 @@ namespace {
 constexpr Real kFirstStep = 1e-4L;
 constexpr Real kSecondStep = 5e-4L;
 constexpr double kDifferenceTolerance = 1e-9;
-
-Positions positions_of(const State& state) {
-    Positions q;
-    for (const Vec3& r : state.r) { q.r.push_back(r.cast<Real>()); }
-    for (const Vec4& p : state.p) { q.p.push_back(p.cast<Real>()); }
-    for (const double theta : state.theta) { q.theta.push_back(theta); }
-    return q;
-}
-
-/// q(t) = q + q̇ t + q̈ t²/2 for velocities and accelerations given as columns of the choice C.
-template <class C>
-Positions moved(const System& system, const State& state, const VectorX& v, const VectorX& a, Real t) {
-    Positions q = positions_of(state);
-    for (const int body : system.moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
-        const int column = system.body_column(body, C::kAngular);
-        q.r[b] += t * v.segment<3>(column).cast<Real>() + t * t / 2 * a.segment<3>(column).cast<Real>();
-        Vec4 p_dot;
-        Vec4 p_ddot;
-        if constexpr (C::kNormalised) {
-            p_dot = v.segment<4>(column + 3);
-            p_ddot = a.segment<4>(column + 3);
-        } else if constexpr (C::kChoice == CoordinateChoice::omega_global) {
-            p_dot = p_dot_of_omega_global(state.p[b], v.segment<3>(column + 3));
-            p_ddot = p_ddot_of_omega_global(state.p[b], v.segment<3>(column + 3), a.segment<3>(column + 3));
-        } else {
-            p_dot = p_dot_of_omega_local(state.p[b], v.segment<3>(column + 3));
-            p_ddot = p_ddot_of_omega_local(state.p[b], v.segment<3>(column + 3), a.segment<3>(column + 3));
-        }
-        q.p[b] += t * p_dot.cast<Real>() + t * t / 2 * p_ddot.cast<Real>();
-    }
-    for (const int theta : system.active_thetas()) {
-        const int column = system.theta_column(theta, C::kAngular);
-        q.theta[static_cast<std::size_t>(theta)] += t * Real(v(column)) + t * t / 2 * Real(a(column));
-    }
-    return q;
-}
 
 /// Rates of the rows of joints and drivers, from their jets of motion.
 template <class C>
@@ -108,12 +70,10 @@ void check_against_differences(
     constexpr bool homogeneous = C::kChoice != CoordinateChoice::true_euler_parameters;
     const auto phi = [&](const VectorX& velocity, const VectorX& acceleration, Real t, Real time) {
         return reference::phi(
-            system, moved<C>(system, state, velocity, acceleration, t), time, homogeneous, C::kNormalised);
+            system, test::moved<C>(system, state, velocity, acceleration, t), time, homogeneous,
+            C::kNormalised);
     };
-    const auto difference = [&](const auto& f) {
-        const Real h = kFirstStep;
-        return VX((8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h));
-    };
+    const auto difference = [](const auto& f) { return test::first_difference_of(f, kFirstStep); };
     const auto close = [](const VectorX& ours, const VX& theirs) {
         const VectorX reference = theirs.cast<double>();
         return (ours - reference).cwiseAbs().maxCoeff() <=

@@ -34,11 +34,11 @@ const Target& any_target() {
     return *GENERATE_REF(from_range(all));
 }
 
-/// So many damaged inputs take each target about a second.
+/// So many damaged inputs take each target less than two seconds.
 int damaged_inputs(const Target& target) {
     const std::string name = target.name;
-    if (name == "experiments" || name == "story" || name == "files") { return 20; }
-    return 400;
+    if (name == "experiments" || name == "story" || name == "files") { return 200; }
+    return 3000;
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ void check_story(const std::string& input) {
     const Story story(*read.lesson, options);
     promise(!story.steps().empty(), "a story has steps");
     const PictureStyle style = picture_style(story);
+    promise(
+        style.bounds.lowest().allFinite() && style.bounds.highest().allFinite(), "what is drawn is somewhere");
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
         promise(!describe(view_of(story, k)).empty(), "a step has a text");
-        const render::Bounds bounds = style.bounds;
         promise(!picture_of(story, style, k).scene.shapes.empty(), "a step has something to draw");
-        promise(bounds.lowest.allFinite() && bounds.highest.allFinite(), "what is drawn is somewhere");
     }
     const int last = static_cast<int>(story.steps().size()) - 1;
     const Json json = Json::parse(json_document(json_of(story, last)), nullptr, false);

@@ -20,7 +20,7 @@ constexpr std::array kWanted{Wanted{"vectors", "n1-value"},       Wanted{"vector
                              Wanted{"vectors", "proof-order"},    Wanted{"vectors", "dropped-component"},
                              Wanted{"vectors", "dropped-code"},   Wanted{"orientation", "pose-of-gate"},
                              Wanted{"orientation", "angle-of-p"}, Wanted{"building", "hang-a-door"},
-                             Wanted{"clinic", "rope-too-long"},   Wanted{"experiments", "hinge"}};
+                             Wanted{"clinic", "rope-too-long"},   Wanted{"experiments", "drop-what-fails"}};
 
 Exercise read(const Wanted& wanted) {
     const std::string file = std::string(JW_SOURCE_ROOT) + "/lessons/exercises/" + wanted.file + ".toml";

@@ -11,6 +11,15 @@ const std::vector<Property>& properties() {
         {"motions", "Every method converges to the motion that the long double reference finds.", 4,
          methods_converge},
         {"rank", "The rank of the Jacobian is that of a rank-revealing QR in long double.", 9, rank_agrees},
+        {"jacobian",
+         "Every entry of the Jacobian is a difference quotient of Φ in long double, in all four coordinate "
+         "choices.",
+         6, jacobians_agree},
+        {"spectrum",
+         "Singular values of the Jacobian are those of a Jacobi method in long double, and decided ranks "
+         "hold "
+         "next to singular poses.",
+         9, spectra_agree},
         {"kinematics",
          "Where drivers leave nothing open, velocity and acceleration analysis give what the long double "
          "reference gives.",

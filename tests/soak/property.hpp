@@ -35,6 +35,8 @@ const std::vector<Property>& properties();
 Verdict accelerations_agree(const Generated& generated);
 Verdict methods_converge(const Generated& generated);
 Verdict rank_agrees(const Generated& generated);
+Verdict jacobians_agree(const Generated& generated);
+Verdict spectra_agree(const Generated& generated);
 Verdict kinematics_agree(const Generated& generated);
 Verdict assembles_again(const Generated& generated);
 Verdict reactions_balance(const Generated& generated);

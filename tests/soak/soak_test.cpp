@@ -73,6 +73,14 @@ TEST_CASE("The rank of generated mechanisms is that of a QR in long double", "[s
     ask_of_first_seeds("rank", 1000);
 }
 
+TEST_CASE("Jacobians of generated mechanisms are differences of the reference in long double", "[soak]") {
+    ask_of_first_seeds("jacobian", 200);
+}
+
+TEST_CASE("Singular values of generated mechanisms are those of a Jacobi method in long double", "[soak]") {
+    ask_of_first_seeds("spectrum", 300);
+}
+
 TEST_CASE("Velocities and accelerations of driven mechanisms are those of the reference", "[soak]") {
     ask_of_first_seeds("kinematics", 1000);
 }
