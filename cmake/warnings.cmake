@@ -24,3 +24,8 @@ if(JW_LIBFUZZER)
   # a number too large for an int is undefined behaviour, too, and no part of `undefined`
   target_compile_options(jw_warnings INTERFACE -fsanitize=fuzzer-no-link,float-cast-overflow)
 endif()
+if(JW_SANITIZE_THREADS)
+  # what the sanitizer changes in the code makes GCC 12 see uninitialised values in Eigen and std::optional
+  target_compile_options(jw_warnings INTERFACE -fsanitize=thread -Wno-maybe-uninitialized -Wno-tsan)
+  target_link_options(jw_warnings INTERFACE -fsanitize=thread)
+endif()
