@@ -6,6 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "render/png_chunks.hpp"
+
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
@@ -67,6 +69,7 @@ Image transparent(const Pixels& rgba, int width, int height) {
 }  // namespace
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, Alpha alpha) {
+    if (const std::string fault = fault_of_png(bytes); !fault.empty()) { fail(name, fault); }
     int width = 0;
     int height = 0;
     int channels = 0;

@@ -17,10 +17,11 @@ constexpr const char* kFormat = "jointwise snapshot";
 constexpr int kVersion = 1;
 constexpr double kMostCounted = 1e9;
 
-constexpr std::array kWeights{EnumWord{Weight::failure, "failure"}, EnumWord{Weight::rank, "rank"},
-                              EnumWord{Weight::count, "count"},     EnumWord{Weight::pose, "pose"},
-                              EnumWord{Weight::text, "text"},       EnumWord{Weight::quantity, "quantity"},
-                              EnumWord{Weight::detail, "detail"}};
+constexpr std::array kWeights{
+    EnumWord<Weight>{Weight::failure, "failure"}, EnumWord<Weight>{Weight::rank, "rank"},
+    EnumWord<Weight>{Weight::count, "count"},     EnumWord<Weight>{Weight::pose, "pose"},
+    EnumWord<Weight>{Weight::text, "text"},       EnumWord<Weight>{Weight::quantity, "quantity"},
+    EnumWord<Weight>{Weight::detail, "detail"}};
 
 /// ["rank", "rank", 5], ["pose", "crank · r · x", 0.25, "m", 1e-06], ["text", "title", "Joint A"]
 Json json_of(const Fact& fact) {

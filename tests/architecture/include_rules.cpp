@@ -162,7 +162,7 @@ constexpr std::array kLibraries{
     LibraryRule{
         "imgui.h", "render/(fonts|imgui_backend|picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
     LibraryRule{"cairo", "render/vector_picture\\.cpp"},
-    LibraryRule{"libdeflate.h", "render/png\\.cpp"},
+    LibraryRule{"libdeflate.h", "render/png(_chunks)?\\.cpp"},
     LibraryRule{"gif_lib.h", "render/animation/gif\\.cpp"},
     LibraryRule{"sha256.h", "app/host/frames/frame_draft\\.cpp"},
     LibraryRule{"toml++/", "lessons/.*"},

@@ -29,7 +29,8 @@ void check_story(const std::string& input) {
     promise(!story.steps().empty(), "a story has steps");
     const PictureStyle style = picture_style(story);
     promise(
-        style.bounds.lowest().allFinite() && style.bounds.highest().allFinite(), "what is drawn is somewhere");
+        style.bounds.lowest().allFinite() && style.bounds.highest().allFinite(),
+        "what is drawn is somewhere");
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
         promise(!describe(view_of(story, k)).empty(), "a step has a text");
         promise(!picture_of(story, style, k).scene.shapes.empty(), "a step has something to draw");

@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <random>
+#include <string_view>
 
 #include "render/png.hpp"
 #include "render/png_reader.hpp"
@@ -37,6 +39,21 @@ TEST_CASE("what is no picture is refused by name", "[png]") {
             static_cast<void>(decode_png(changed, "a.png"));
         } catch (const std::runtime_error&) {}
     }
+}
+
+TEST_CASE("a few bytes of a PNG do not ask for memory that its picture has no use for", "[png]") {
+    const std::vector<std::uint8_t> whole = encode_png({8, 8, std::vector<std::uint8_t>(3 * 64, 7)});
+    const std::string_view data = "IDAT";
+    const auto name = std::ranges::search(whole, data).begin();
+    REQUIRE(name != whole.end());
+    // a part of 1.2 GB, of which nothing is there
+    std::vector<std::uint8_t> long_part = whole;
+    long_part[static_cast<std::size_t>(name - whole.begin()) - 4] = 0x4D;
+    CHECK_THROWS_WITH(decode_png(long_part, "a.png"), Catch::Contains("longer than the file"));
+    // pixels of 64 rows under a head of 8
+    std::vector<std::uint8_t> more = encode_png({8, 64, std::vector<std::uint8_t>(3 * 8 * 64, 7)});
+    more[23] = 8;
+    CHECK_THROWS_WITH(decode_png(more, "a.png"), Catch::Contains("more than its head says"));
 }
 
 }  // namespace jw::render::test

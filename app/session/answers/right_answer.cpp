@@ -140,8 +140,7 @@ std::vector<Thing> redundant_rows(const Step& step, const RankReport& report) {
         for (const RedundantRow::Term& term : redundant.terms) { found.push_back(term.row); }
     }
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<Thing> rows;
     for (const int row : found) {
         if (const auto thing = thing_of_row(*step.system, row)) { rows.push_back(*thing); }
