@@ -46,10 +46,11 @@ std::size_t largest_unpacked(Bytes head) {
 }
 
 bool fits(Bytes packed, std::size_t most) {
-    struct Free {
+    struct FreeDecompressor {
         void operator()(libdeflate_decompressor* d) const { libdeflate_free_decompressor(d); }
     };
-    const std::unique_ptr<libdeflate_decompressor, Free> decompressor(libdeflate_alloc_decompressor());
+    const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
+        libdeflate_alloc_decompressor());
     if (!decompressor) { return false; }
     std::vector<std::uint8_t> unpacked(most);
     std::size_t length = 0;

@@ -58,7 +58,9 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
         const Body& body = session.lesson().mechanism.bodies[static_cast<std::size_t>(drag->body)];
         what = tr("{0} dragged to {1}", body.name, vector_text(point_at(session, *drag)));
     }
-    session.apply(Release{});
+    const std::uint64_t told = session.told();
+    const std::string refused = session.apply(Release{});
+    if (session.told() == told && !refused.empty()) { return {false, refused}; }
     return {true, what + (said.empty() ? "" : ": " + said)};
 }
 

@@ -111,6 +111,9 @@ Experiment read_drag(Words& words, const Session& session) {
     if (by) {
         const State& state = session.step().state;
         drag.target += state.r[body] + rotation_matrix(state.p[body]) * drag.point_local;
+        if (drag.target.cwiseAbs().maxCoeff() > kLargestNumber) {
+            throw Unreadable("that leads too far away; expected a place of at most 1e9 in magnitude [m]");
+        }
     }
     return drag;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/try/savable.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/enum_words.hpp"
@@ -209,7 +210,13 @@ JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec
 }
 
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment) {
-    return std::visit(Editor(lesson, written), experiment);
+    Edit edit = std::visit(Editor(lesson, written), experiment);
+    // the others choose from what a lesson can say
+    const bool says_anything =
+        std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);
+    if (!edit.lesson || !says_anything) { return edit; }
+    std::string why = why_not_savable(*edit.lesson, lesson);
+    return why.empty() ? edit : refused(std::move(why));
 }
 
 }  // namespace jw

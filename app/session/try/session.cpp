@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/session/try/savable.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 
@@ -319,9 +320,13 @@ bool Session::asks_for_pose() const {
 
 std::string Session::release() {
     if (!hand_ || asks_for_pose()) { return {}; }
-    const State state = hand_->step().state;
+    auto moved = std::make_shared<Lesson>(started_at(*lesson_, hand_->step().state));
+    if (std::string why = why_not_savable(*moved, *lesson_); !why.empty()) {
+        leave_hand();
+        return why;
+    }
     Past past = present(tr("start estimate moved by hand"));
-    take_over(std::make_shared<Lesson>(started_at(*lesson_, state)));
+    take_over(std::move(moved));
     undo_.push_back(std::move(past));
     redo_.clear();
     return tr("The pose is the new start estimate.");

@@ -1,0 +1,31 @@
+#include "app/session/try/savable.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/session/wording/messages.hpp"
+#include "lessons/reader.hpp"
+#include "lessons/writer.hpp"
+
+namespace jw {
+
+namespace {
+
+/// The first mistake of the file that the lesson would become.
+std::string mistake_in(const Lesson& lesson) {
+    try {
+        const ReadResult read = read_lesson(lesson_text(lesson), lesson.file_name);
+        if (read.lesson) { return {}; }
+        return std::ranges::find(read.diagnostics, Severity::error, &Diagnostic::severity)->message;
+    } catch (const std::invalid_argument& error) { return error.what(); }
+}
+
+}  // namespace
+
+std::string why_not_savable(const Lesson& changed, const Lesson& before) {
+    const std::string mistake = mistake_in(changed);
+    if (mistake.empty() || !mistake_in(before).empty()) { return {}; }
+    return tr("no lesson can say that: {0}", mistake);
+}
+
+}  // namespace jw
