@@ -76,7 +76,10 @@ std::string fault_of_png(Bytes bytes) {
         }
         if (head.empty()) { head = held; }
         if (head.size() != kHeadLength) { return "its head is too short or too long"; }
-        if (is_called(bytes, at + 4, "IDAT")) { packed.insert(packed.end(), held.begin(), held.end()); }
+        const bool pixels = is_called(bytes, at + 4, "IDAT");
+        // allowed, written by nobody, and the decoder copies it to a place that it has not reserved
+        if (pixels && held.empty()) { return "a part of its pixels is empty"; }
+        if (pixels) { packed.insert(packed.end(), held.begin(), held.end()); }
         if (is_called(bytes, at + 4, "IEND")) {
             return fits(packed, largest_unpacked(head))
                        ? ""
