@@ -14,6 +14,9 @@ function element(tag, attributes, ...children) {
 
 const canvas = element('canvas', {width: film.width, height: film.height, role: 'img', tabindex: '0'});
 const context = canvas.getContext('2d');
+// what is put together of parts is shown when it is whole
+const hidden = element('canvas', {width: film.width, height: film.height});
+const parts = hidden.getContext('2d');
 const play = element('button', {type: 'button'}, 'Play');
 const back = element('button', {type: 'button', 'aria-label': 'previous step'}, '◀');
 const next = element('button', {type: 'button', 'aria-label': 'next step'}, '▶');
@@ -55,10 +58,12 @@ async function draw() {
     for (let k = first; k <= target; ++k) {
       const image = await decoded(pictures[k]);
       // a part of an opaque film is transparent where nothing has changed
-      if (!film.opaque) { context.clearRect(pictures[k].x, pictures[k].y, image.width, image.height); }
-      context.drawImage(image, pictures[k].x, pictures[k].y);
+      if (!film.opaque) { parts.clearRect(pictures[k].x, pictures[k].y, image.width, image.height); }
+      parts.drawImage(image, pictures[k].x, pictures[k].y);
       shown = k;
     }
+    context.clearRect(0, 0, film.width, film.height);
+    context.drawImage(hidden, 0, 0);
   }
   drawing = false;
 }
