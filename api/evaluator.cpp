@@ -42,7 +42,7 @@ NotReached contradicted(
         " s contradict each other; the largest residual is that of " + row_name(system, verdict.worst_row));
 }
 
-/// What the columns of one moving body are called behind its name.
+/// Names of the columns of one moving body, behind its own name and a dot.
 std::vector<std::string> words_of_body(Coordinates coordinates) {
     switch (coordinates) {
         case Coordinates::omega_local:

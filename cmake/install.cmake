@@ -56,7 +56,7 @@ function(jw_install_copyrights folder component)
       RENAME ${package} COMPONENT ${component} OPTIONAL ${JW_NOT_BY_DEFAULT})
   endforeach()
 endfunction()
-set(JW_BUNDLED_PACKAGES libfmt-dev libtomlplusplus-dev libstb-dev libdeflate-dev)
+set(JW_BUNDLED_PACKAGES libfmt-dev libtomlplusplus-dev libstb-dev libdeflate-dev libgif-dev)
 jw_install_copyrights(share/doc/jointwise/third-party jointwise
   libimgui-dev libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
 set(JW_NOT_BY_DEFAULT EXCLUDE_FROM_ALL)

@@ -1,4 +1,4 @@
-# What is in a wheel, as component python: the package jointwise. ./dev wheel packs it (app/python/wheel.sh).
+# Contents of a wheel, as component python: the package jointwise. ./dev wheel packs it (app/python/wheel.sh).
 set(JW_WHEEL_LIBRARIES libs)
 set_target_properties(jw_python PROPERTIES INSTALL_RPATH "$ORIGIN/${JW_WHEEL_LIBRARIES}")
 install(TARGETS jw_python LIBRARY DESTINATION jointwise COMPONENT python EXCLUDE_FROM_ALL)

@@ -121,7 +121,8 @@ void add_equations(py::module_& module) {
             const Mechanism own = mechanism;
             return in_parallel([&] { return assemble(own, estimate, t); });
         },
-        "mechanism"_a, "estimate"_a, "t"_a = 0.0, "The same from another estimate.");
+        "mechanism"_a, "estimate"_a, "t"_a = 0.0,
+        "Puts everything together at a time [s] from another estimate on. Raises NotReached.");
     module.def(
         "rank_at",
         [](const Mechanism& mechanism, Pose pose) {

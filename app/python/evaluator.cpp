@@ -101,7 +101,8 @@ void add_evaluator(py::module_& module) {
                 return std::make_unique<AlongMotion>(AlongMotion{
                     evaluator.equations_along(trajectory), evaluator.rows(), evaluator.columns()});
             },
-            "trajectory"_a, "The same at all times of a motion, with the rows as they are chosen before.")
+            "trajectory"_a,
+            "Φ, Φq, ν and γ at all times of a motion, with the rows as they are chosen before.")
         .def("phi_at", &phi_of, "pose"_a, "Φ alone [rows].")
         .def(
             "columns_of",

@@ -15,7 +15,7 @@ void add_lessons(py::module_& module) {
         .def_property_readonly(
             "mechanism", &Lesson::mechanism, "A mechanism of its own; changing it changes no lesson.")
         .def_property_readonly(
-            "warnings", &Lesson::warnings, "What the reader warned of; empty if of nothing.")
+            "warnings", &Lesson::warnings, "Warnings of the reader; empty if there are none.")
         .def_property_readonly(
             "motion_times", [](const Lesson& lesson) { return copied_list(lesson.motion_times()); },
             "Times of the motion that the lesson shows [s]; empty if it shows none.")

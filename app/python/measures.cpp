@@ -59,7 +59,7 @@ void add_reactions(py::module_& module) {
     using namespace py::literals;
     py::class_<Reaction> reaction(
         module, "Reaction",
-        "What a joint or driver exerts on its body j; the opposite acts on body i at the same point. "
+        "Force and torque of a joint or driver on its body j; the opposite acts on body i at the same point. "
         "Global.");
     reaction.def_readonly("name", &Reaction::name)
         .def_readonly("of_driver", &Reaction::of_driver)
@@ -81,7 +81,7 @@ void add_reactions(py::module_& module) {
         .def_readonly("open", &Reactions::open, "Independent reactions that can be added without any motion.")
         .def_readonly(
             "residual", &Reactions::residual, "Part of M q̈ - Q that no reaction explains, relative.")
-        .def_readonly("bound", &Reactions::bound, "What rounding can make of the residual.")
+        .def_readonly("bound", &Reactions::bound, "Largest residual that rounding explains.")
         .def("__repr__", [](const Reactions& r) {
             return "<jointwise.Reactions: " + counted(r.reactions.size(), "reaction") +
                    (r.open > 0 ? ", not unique>" : ">");

@@ -37,7 +37,7 @@ Image drawn(const T& what, Pose pose, int width, int height) {
 const Mechanism& mechanism_of(const Mechanism& mechanism) { return mechanism; }
 const Mechanism& mechanism_of(const Lesson& lesson) { return lesson.mechanism(); }
 
-/// What a notebook shows: assembled, or where that fails as it was given.
+/// Picture for a notebook: assembled, or where that fails as it was given.
 template <class T>
 py::bytes inline_png(const T& what) {
     Pose pose = start_pose(mechanism_of(what));
@@ -73,7 +73,7 @@ void add_pictures(py::module_& module) {
         "A mechanism at a pose, drawn without a display.");
     module.def(
         "draw", &drawn<Lesson>, "lesson"_a, "pose"_a, "width"_a = kWidth, "height"_a = kHeight,
-        "The same with the shapes and colours of the lesson, from the direction that it asks for.");
+        "A lesson at a pose, with its shapes and colours, from the direction that it asks for.");
     const auto add_to = [](const py::object& type, const char* name, const py::cpp_function& f) {
         type.attr(name) = f;
     };

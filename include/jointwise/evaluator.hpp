@@ -41,7 +41,7 @@ public:
     /// Φ, Φq, ν and γ with the rows as they are chosen.
     /// @param out its memory is used again where it has the right size
     void equations_at(const Pose& pose, const Rates& velocities, Equations& out);
-    /// The same at all times of a motion, with the rows as they are chosen before.
+    /// Φ, Φq, ν and γ at all times of a motion, with the rows as they are chosen before.
     EquationsTable equations_along(const Trajectory& trajectory);
     /// Φ alone. @param out [rows]
     void phi_at(const Pose& pose, Eigen::VectorXd& out);

@@ -4,7 +4,7 @@
 
 #include "jointwise/trajectory.hpp"
 
-/// What can be measured on a mechanism: quantities by their names, as docs/quantities.md lists them, and
+/// Measurements on a mechanism: quantities by their names, as docs/quantities.md lists them, and
 /// reactions.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
@@ -39,7 +39,7 @@ private:
     std::unique_ptr<Inside> inside_;
 };
 
-/// What a joint or driver exerts on its body j; the opposite acts on body i at the same point.
+/// Force and torque of a joint or driver on its body j; the opposite acts on body i at the same point.
 struct Reaction {
     std::string name;  ///< of the joint or driver
     bool of_driver = false;

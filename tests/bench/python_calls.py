@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a call from Python costs beside the same call in C++: python_calls.py LIBRARY_CALLS [LESSON].
+"""Price of a call from Python beside the same call in C++: python_calls.py LIBRARY_CALLS [LESSON].
 
 LIBRARY_CALLS is the program of library_calls.cpp. Times are processor time, the least of ten rounds, in microseconds;
 compare them within one run only.

@@ -19,7 +19,7 @@ PACKAGE = Path(jw.__file__).parent
 
 
 def stub_names():
-    """What the stub says: names of the module, and of each class its members."""
+    """Names in the stub: of the module, and of each class its members."""
     module, classes = set(), {}
     for node in ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8")).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):

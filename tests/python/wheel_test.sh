@@ -27,7 +27,7 @@ package=$(echo "$folder"/venv/lib/python3*/site-packages/jointwise)
 named=$(grep -rlF -e "$sources" -e "$build" "$package")
 [ -z "$named" ] || fail "these name the build or the sources: $named"
 ldd "$package"/_jointwise*.so >"$folder/libraries"
-for name in fmt tomlplusplus deflate; do
+for name in fmt tomlplusplus deflate gif; do
     grep -q "lib$name[.]so[^ ]* => $package/libs/" "$folder/libraries" || fail "the wheel lacks lib$name"
 done
 for file in py.typed __init__.pyi; do [ -e "$package/$file" ] || fail "the wheel lacks $file"; done
