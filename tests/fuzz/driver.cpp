@@ -19,12 +19,14 @@ type = "revolute"
 bodies = ["base", "arm"]
 at = [0, 0, 0]
 axis = [0, 0, 1]
+side_i = [1, 0, 0]
+side_j = [1, 0, 0]
 [motion]
 from_s = 0
 to_s = 2
 [[driver]]
 name = "motor"
-joint = "pin"
+quantity = "pin.angle"
 )";
 constexpr int kMoments = 20;
 
@@ -57,18 +59,21 @@ void promise_derivatives(const TimeFunction& function, double t) {
     }
     const double limit = 1e-9 * size_of(function);
     promise(std::abs((after.f - before.f) / (2 * h) - here.f_dot) < limit, "the rate is the derivative");
-    promise(std::abs((after.f_dot - before.f_dot) / (2 * h) - here.f_ddot) < limit, "so is the acceleration");
+    // the third derivative of a step jumps where it begins and ends, and h is what a difference makes of that
+    const double bent = function.steps.empty() ? limit : h * size_of(function);
+    promise(std::abs((after.f_dot - before.f_dot) / (2 * h) - here.f_ddot) < bent, "so is the acceleration");
 }
 
 }  // namespace
 
 /// Keys of a driver as they stand in a lesson.
-void check_driver(const std::string& input) {
+bool check_driver(const std::string& input) {
     const ReadResult read = read_lesson(kScene + input, "driver.toml");
-    if (!read.lesson || read.lesson->mechanism.drivers.empty()) { return; }
+    if (!read.lesson || read.lesson->mechanism.drivers.empty()) { return false; }
     for (const Driver& driver : read.lesson->mechanism.drivers) {
         for (int k = 0; k <= kMoments; ++k) { promise_derivatives(driver.function, 2.0 * k / kMoments); }
     }
+    return true;
 }
 
 }  // namespace jw::fuzz

@@ -29,7 +29,8 @@ const Lesson& scene(std::size_t which) {
     return lessons.at(which);
 }
 
-void try_sentence(Session& session, const std::string& sentence) {
+/// @return whether it was understood
+bool try_sentence(Session& session, const std::string& sentence) {
     std::string error;
     const auto experiment = read_experiment(sentence, session, error);
     promise(experiment.has_value() == error.empty(), "an experiment or what is wrong: " + error);
@@ -47,19 +48,22 @@ void try_sentence(Session& session, const std::string& sentence) {
     promise(
         session.index() >= 0 && session.index() < static_cast<int>(session.story().steps().size()),
         "a step is shown");
+    return experiment.has_value();
 }
 
 }  // namespace
 
 /// The first letter chooses the scene, each line is an experiment.
-void check_experiments(const std::string& input) {
-    if (input.empty()) { return; }
+bool check_experiments(const std::string& input) {
+    if (input.empty()) { return false; }
     Session session(scene(static_cast<unsigned char>(input[0]) % kScenes.size()), false);
     std::istringstream lines(input.substr(1));
     int count = 0;
+    bool understood = false;
     for (std::string line; count < kMostExperiments && std::getline(lines, line); ++count) {
-        try_sentence(session, line);
+        understood = try_sentence(session, line) || understood;
     }
+    return understood;
 }
 
 }  // namespace jw::fuzz

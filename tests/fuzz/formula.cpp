@@ -65,16 +65,17 @@ void promise_same_name(const std::string& text) {
 
 }  // namespace
 
-void check_formula(const std::string& input) {
+bool check_formula(const std::string& input) {
     promise_same_name(input);
     const math::Reading reading = math::read_math(input);
     if (reading.problem) {
         promise(reading.problem->at <= input.size(), "a problem is inside the formula");
         promise(!reading.problem->message.empty(), "a problem has words");
-        return;
+        return false;
     }
     promise_same_in_latex(reading.row);
     promise_evaluated_or_explained(input);
+    return true;
 }
 
 }  // namespace jw::fuzz

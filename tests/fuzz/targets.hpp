@@ -21,22 +21,23 @@ void promise(bool kept, const std::string& promise);
 struct Target {
     const char* name;  ///< of its folder in tests/fuzz/corpus, and of its words there
     const char* promises;
+    /// @return whether the input was understood: promises about what was read were asked for
     /// @throws Broken if a promise is not kept; nothing else may be thrown
-    void (*check)(const std::string& input);
+    bool (*check)(const std::string& input);
 };
 std::span<const Target> targets();
 /// @throws std::invalid_argument naming all targets, if there is none of this name
 const Target& target_called(std::string_view name);
 
 // the targets
-void check_lesson(const std::string& input);
-void check_story(const std::string& input);
-void check_experiments(const std::string& input);
-void check_answers(const std::string& input);
-void check_files(const std::string& input);
-void check_record(const std::string& input);
-void check_picture(const std::string& input);
-void check_formula(const std::string& input);
-void check_driver(const std::string& input);
+bool check_lesson(const std::string& input);
+bool check_story(const std::string& input);
+bool check_experiments(const std::string& input);
+bool check_answers(const std::string& input);
+bool check_files(const std::string& input);
+bool check_record(const std::string& input);
+bool check_picture(const std::string& input);
+bool check_formula(const std::string& input);
+bool check_driver(const std::string& input);
 
 }  // namespace jw::fuzz
