@@ -12,6 +12,9 @@ template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
 };
+// clang before version 17 does not find this by itself
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
 
 /// True if T is an alternative of the variant V.
 template <class T, class V>
