@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_JOINTWISE_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_JOINTWISE_PACKAGE_SHLIBDEPS ON)
 # OSMesa is loaded when a picture is drawn; without these fonts nothing is drawn
 set(CPACK_DEBIAN_JOINTWISE_PACKAGE_DEPENDS "libosmesa6, fonts-lmodern, fonts-dejavu-core")
-set(CPACK_DEBIAN_JOINTWISE_PACKAGE_RECOMMENDS "ffmpeg, bubblewrap, fonts-droid-fallback, libgl1, libglx-mesa0")
+set(CPACK_DEBIAN_JOINTWISE_PACKAGE_RECOMMENDS "ffmpeg, bubblewrap, fonts-droid-fallback, libgl1, libglx-mesa0, libegl1, libegl-mesa0")
 set(CPACK_DEBIAN_JOINTWISE_PACKAGE_SUGGESTS "python3, g++")
 
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_NAME jointwise-dev)

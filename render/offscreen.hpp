@@ -12,9 +12,10 @@
 
 namespace jw::render {
 
+class HeadlessContext;
 class RenderTargets;
 
-/// A picture without a window: an OSMesa context and `RenderTargets` in it. Frames as there.
+/// A picture without a window: a context of OSMesa or EGL and `RenderTargets` in it. Frames as there.
 ///
 /// Several may live at once. What else was made with `gl` (renderers, textures) must be destroyed while this
 /// context is current: call `make_current` where another one may have been used since.
@@ -48,8 +49,7 @@ public:
     Image read(bool is_opaque = true);
 
 private:
-    struct Context;
-    std::unique_ptr<Context> context_;
+    std::unique_ptr<HeadlessContext> context_;
     int wanted_samples_;
     std::unique_ptr<RenderTargets> targets_;
 };

@@ -74,6 +74,18 @@ SurfaceReport examine_window(const SurfaceDoctor& doctor_window) {
     return report;
 }
 
+std::vector<SurfaceReport> surfaces(const SurfaceDoctor& doctor_window) {
+    std::vector<SurfaceReport> all{examine_offscreen(), examine_window(doctor_window), examine_egl()};
+    SurfaceReport& offscreen = all.front();
+    if (offscreen.state == Outcome::missing && all.back().state == Outcome::right) {
+        offscreen.state = Outcome::absent;
+        offscreen.problem = "no OSMesa here; EGL draws in its place";
+        offscreen.packages.clear();
+        offscreen.remedy.clear();
+    }
+    return all;
+}
+
 /// Packages to install, each once.
 std::set<std::string> packages_of(const Diagnosis& diagnosis) {
     std::set<std::string> packages;
@@ -139,11 +151,7 @@ Exit doctor(const std::string& format, const SurfaceDoctor& doctor_window, const
 }  // namespace
 
 Diagnosis diagnose(const SurfaceDoctor& doctor_window) {
-    return {
-        {examine_offscreen(), examine_window(doctor_window)},
-        render::find_fonts(),
-        examine_lessons(catalogue_folder()),
-        versions()};
+    return {surfaces(doctor_window), render::find_fonts(), examine_lessons(catalogue_folder()), versions()};
 }
 
 LessonsReport examine_lessons(const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/language_option.hpp"
+#include "app/commands/surface_option.hpp"
 #include "app/commands/usage.hpp"
 #include "app/session/view/inspection.hpp"
 #include "lessons/diagnostics.hpp"
@@ -88,6 +89,8 @@ int run_program(
     });
     std::string language_tag;
     add_language_option(app, language_tag);
+    std::string surface_name;
+    add_surface_option(app, surface_name);
     Run run;
     for (const auto add :
          {add_open, add_list, add_new, add_check, add_explain, add_schema, add_step, add_inspect, add_try,
@@ -110,6 +113,7 @@ int run_program(
         app.parse(last_first);
         check_numbers(app);
         choose_language(language_tag);
+        choose_surface(surface_name);
         return status(run());
     } catch (const CLI::ParseError& error) {
         const bool asked = error.get_exit_code() == 0;  // --help, --version

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "render/headless_context.hpp"
 #include "render/mesa_settings.hpp"
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
@@ -224,14 +225,29 @@ SurfaceReport examine_offscreen() {
     report.name = "offscreen";
     if (blame_library(report, std::array{kOffscreenLibrary}) || blame_settings(report)) { return report; }
     try {
-        const render::Offscreen offscreen(kTestWidth, kTestHeight);
-        examine(offscreen.gl(), report);
+        const std::unique_ptr<render::HeadlessContext> context = render::make_osmesa_context();
+        examine(context->gl(), report);
     } catch (const std::exception& error) {
         report.state = SurfaceReport::State::missing;
         report.problem = error.what();
         report.remedy = "unset variables that begin with MESA_ or GALLIUM_, if there are any";
         report.packages = "libosmesa6";
     }
+    return report;
+}
+
+SurfaceReport examine_egl() {
+    SurfaceReport report;
+    report.name = "egl";
+    const LibraryReport library = examine_library("libEGL.so.1");
+    if (library.state != SurfaceReport::State::right) {
+        report.problem = "no EGL here; OSMesa draws the same pictures";
+        return report;
+    }
+    try {
+        const std::unique_ptr<render::HeadlessContext> context = render::make_egl_context();
+        examine(context->gl(), report);
+    } catch (const std::exception& error) { report.problem = error.what(); }
     return report;
 }
 

@@ -19,7 +19,7 @@ struct SurfaceReport {
         damaged,      ///< it does not load, because a library is there and no library: install it again
         absent,       ///< there is none here, and nothing is wrong with that: no display
     };
-    std::string name;  ///< "offscreen", "window"
+    std::string name;  ///< "offscreen", "window", "egl"
     State state = State::absent;
     std::string problem;   ///< what is wrong or absent
     std::string remedy;    ///< what to do about it, may be empty
@@ -35,6 +35,8 @@ void examine(const render::GlFunctions& gl, SurfaceReport& report);
 
 /// OSMesa.
 SurfaceReport examine_offscreen();
+/// EGL without a surface; absent where it is not there, which is nothing wrong.
+SurfaceReport examine_egl();
 
 /// A shared library that a surface needs, and the Debian package that has it.
 struct Library {

@@ -20,9 +20,10 @@ struct FolderRule {
 constexpr std::array<std::string_view, 2> kCore{"core/", "Eigen/"};
 constexpr std::array<std::string_view, 8> kLessons{"core/",   "lessons/", "Eigen/",   "toml++/",
                                                    "fcntl.h", "poll.h",   "unistd.h", "sys/auxv.h"};
-constexpr std::array<std::string_view, 14> kRender{
-    "cairo",     "render/",   "Eigen/",  "GL/glcorearb.h", "GL/osmesa.h", "ft2build.h", "libdeflate.h",
-    "gif_lib.h", "stb_image", "imgui.h", "fcntl.h",        "unistd.h",    "dlfcn.h",        "sys/mman.h"};
+constexpr std::array<std::string_view, 15> kRender{
+    "EGL/",        "cairo",      "render/",      "Eigen/",    "GL/glcorearb.h",
+    "GL/osmesa.h", "ft2build.h", "libdeflate.h", "gif_lib.h", "stb_image",
+    "imgui.h",     "fcntl.h",    "unistd.h",     "dlfcn.h",   "sys/mman.h"};
 // of render only plain values: what there is to draw and from where it is looked at
 constexpr std::array<std::string_view, 11> kSession{
     "app/session/",
@@ -155,7 +156,8 @@ struct LibraryRule {
 };
 
 constexpr std::array kLibraries{
-    LibraryRule{"GL/osmesa.h", "render/offscreen\\.cpp"},
+    LibraryRule{"GL/osmesa.h", "render/osmesa_context\\.cpp"},
+    LibraryRule{"EGL/", "render/egl_context\\.cpp"},
     LibraryRule{"GL/glcorearb.h", "render/gl_functions\\.hpp"},
     LibraryRule{"GLFW/", "app/window\\.[ch]pp"},
     LibraryRule{"ft2build.h", "render/font_face\\.cpp"},

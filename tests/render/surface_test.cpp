@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "render/framing.hpp"
+#include "render/headless_context.hpp"
+#include "render/id_buffer.hpp"
 #include "render/render_targets.hpp"
 #include "tests/render/support.hpp"
 
@@ -47,6 +49,25 @@ struct Painter {
 Image alone(const Scene& scene, int width, int height) { return Painter(width, height).paint(scene); }
 
 }  // namespace
+
+TEST_CASE("OSMesa and EGL draw the same things at the same places", "[render][surface]") {
+    const Scene scene = one_ball(palette::kOrange);
+    const Rect whole{0.0, 0.0, 160.0, 90.0};
+    std::vector<PictureLayers> layers;
+    std::vector<Image> images;
+    for (const HeadlessSurface surface : {HeadlessSurface::osmesa, HeadlessSurface::egl}) {
+        choose_headless_surface(surface);
+        Painter painter(160, 90);
+        images.push_back(painter.paint(scene));
+        IdBuffer ids(painter.offscreen.gl(), painter.renderer->meshes());
+        ids.update(scene, frame_scene(bounds_of(scene), whole), whole, painter.offscreen.size(), 1);
+        layers.push_back(ids.read_layers());
+    }
+    choose_headless_surface(HeadlessSurface::automatic);
+    CHECK(layers[0] == layers[1]);
+    // both are llvmpipe here; another renderer may light a pixel otherwise
+    CHECK(images[0] == images[1]);
+}
 
 TEST_CASE("a surface that was resized draws what a new one of that size draws", "[render][surface]") {
     const Scene scene = one_ball(palette::kOrange);
