@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lessons/printable.hpp"
+
 namespace jw {
 
 namespace {
@@ -44,14 +46,6 @@ std::string_view characters_of(std::string_view text, int first, int count) {
     };
     const std::size_t begin = byte_of(first);
     return text.substr(begin, byte_of(first + count) - begin);
-}
-
-/// Control characters would move the mark or the cursor of a terminal.
-std::string printable(std::string_view text) {
-    std::string out(text);
-    std::ranges::replace_if(
-        out, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, ' ');
-    return out;
 }
 
 std::string underlined(std::string_view line, const SourceSpan& span) {
@@ -131,6 +125,18 @@ std::string comma_list(std::span<const std::string> names) {
     }
     if (names.size() > kMostListed) { text += ", ... (" + std::to_string(names.size()) + " in all)"; }
     return text;
+}
+
+std::string printable(std::string_view text) {
+    std::string out(text);
+    std::ranges::replace_if(
+        out, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, ' ');
+    // U+0080 to U+009F: some terminals take U+009B for the begin of a command
+    for (std::size_t k = 0; k + 1 < out.size(); ++k) {
+        const bool control = out[k] == '\xc2' && static_cast<unsigned char>(out[k + 1]) < 0xA0U;
+        if (control) { out.replace(k, 2, "  "); }
+    }
+    return out;
 }
 
 std::string in_quotes(std::string_view text) {

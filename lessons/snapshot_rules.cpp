@@ -56,7 +56,10 @@ SnapshotRules rules_in(const toml::table& table, Problems& problems) {
 
 SnapshotRulesRead read_snapshot_rules(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::exists(file, error)) { return {SnapshotRules{}, {}, {}}; }
+    // a link to nothing is a mistake, not the wish for defaults
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
+        return {SnapshotRules{}, {}, {}};
+    }
     FileText read = read_file_text(file, kLargestRules);
     std::string source = std::move(read.text);
     Problems problems(file.string(), source);

@@ -8,6 +8,7 @@
 #include "app/commands/size_option.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "app/snapshot/deleted_lessons.hpp"
 #include "app/snapshot/reports.hpp"
 #include "lessons/file_text.hpp"
 #include "render/atomic_file.hpp"
@@ -132,9 +133,16 @@ std::vector<snapshot::LessonResult> compared(
     const SnapshotOptions& options, bool tells, const Streams& streams) {
     const SnapshotRules rules = rules_of(options);
     std::vector<snapshot::LessonResult> results;
-    for (const snapshot::SuiteLesson& lesson : snapshot::suite_of(options.paths)) {
-        results.push_back(compared(options, lesson, rules, results.empty(), streams));
+    const auto add = [&](snapshot::LessonResult result) {
+        results.push_back(std::move(result));
         if (tells) { streams.out << snapshot::describe(results.back()) << std::flush; }
+    };
+    const std::vector<snapshot::SuiteLesson> suite = snapshot::suite_of(options.paths);
+    for (const snapshot::SuiteLesson& lesson : suite) {
+        add(compared(options, lesson, rules, results.empty(), streams));
+    }
+    for (const std::string& name : snapshot::deleted_lessons(options.paths, suite, options.golden)) {
+        add(snapshot::result_of_deleted(name, options.golden));
     }
     return results;
 }
@@ -181,6 +189,18 @@ Exit report_command(const SnapshotOptions& options, const Streams& streams) {
     return exit_of(results);
 }
 
+/// @return how many snapshots of deleted lessons were removed
+std::size_t bless_deletions(
+    const SnapshotOptions& options, const std::vector<snapshot::SuiteLesson>& suite, const Streams& streams) {
+    std::size_t removed = 0;
+    for (const std::string& name : snapshot::deleted_lessons(options.paths, suite, options.golden)) {
+        removed += snapshot::GoldenFolder(fs::path(options.golden) / name).names().size();
+        snapshot::bless_deletion(name, options.golden, options.reason);
+        streams.out << name << ": the lesson is deleted, its snapshots are removed\n";
+    }
+    return removed;
+}
+
 Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     if (options.reason.find_first_not_of(" \t\n") == std::string::npos) {
         throw CommandError(
@@ -190,7 +210,8 @@ Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     }
     const SnapshotRules rules = rules_of(options);
     std::size_t changed = 0;
-    for (const snapshot::SuiteLesson& lesson : snapshot::suite_of(options.paths)) {
+    const std::vector<snapshot::SuiteLesson> suite = snapshot::suite_of(options.paths);
+    for (const snapshot::SuiteLesson& lesson : suite) {
         const Opened now = opened(lesson.file, streams);
         const snapshot::GoldenFolder folder = folder_of(options, lesson);
         check_head(folder);
@@ -200,6 +221,7 @@ Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
             ++changed;
         }
     }
+    if (options.only.empty()) { changed += bless_deletions(options, suite, streams); }
     streams.err << count_text(static_cast<int>(changed), "snapshot", "snapshots") << " blessed\n";
     if (changed == 0 && !options.only.empty()) {
         throw CommandError(
@@ -220,6 +242,11 @@ CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const
     verb->add_option(
             "--golden", options->golden, "folder of the golden snapshots, with rules.toml if there are rules")
         ->required()
+        ->check(CLI::Validator(
+            [](const std::string& folder) {
+                return folder.empty() ? std::string("it is empty; expected a folder") : std::string();
+            },
+            ""))
         ->type_name("DIR");
     return verb;
 }

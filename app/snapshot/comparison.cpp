@@ -137,9 +137,22 @@ LayerDifference compare_colours(
     return difference;
 }
 
+std::optional<StepNumber> other_steps(const Record& before, const Record& now) {
+    const std::optional<StepNumber> was = step_number_of(before.facts);
+    const std::optional<StepNumber> is = step_number_of(now.facts);
+    return was && is && was->steps != is->steps ? was : std::nullopt;
+}
+
 Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules) {
     Difference difference;
     difference.facts = changes_of(before.record.facts, now.record.facts);
+    difference.steps_before = other_steps(before.record, now.record);
+    if (difference.steps_before) {
+        std::erase_if(difference.facts, [](const FactChange& change) {
+            return change.name == kStepFact || change.name == kStepsFact;
+        });
+    }
+    difference.loose = loose_tolerances(before.record.facts, now.record.facts);
     difference.drawn_otherwise = host::environment_change(before.record.drawn_with, now.record.drawn_with);
     compare_layers(before, now, rules, difference);
     difference.colour = compare_colours(before.colour, now.colour, rules.colour);

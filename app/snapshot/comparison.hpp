@@ -19,7 +19,9 @@ struct LayerDifference {
 };
 
 struct Difference {
-    std::vector<FactChange> facts;  ///< in the order of what matters
+    std::vector<FactChange> facts;           ///< in the order of what matters, without `steps`
+    std::optional<StepNumber> steps_before;  ///< set if the lesson had another number of steps
+    std::vector<std::string> loose;          ///< numbers whose tolerance in the golden file proves nothing
     LayerDifference ids;
     LayerDifference depth;
     LayerDifference colour;
@@ -27,13 +29,17 @@ struct Difference {
     /// Why colours may differ: what they are drawn with is another. Then the colours do not count.
     std::string drawn_otherwise;
 
-    bool text_fails() const { return !facts.empty(); }
+    bool text_fails() const { return !facts.empty() || !loose.empty(); }
     bool layers_fail() const { return !ids.broken.empty() || !depth.broken.empty(); }
     bool colour_fails() const { return !colour.broken.empty() && drawn_otherwise.empty(); }
     bool fails() const { return text_fails() || layers_fail() || colour_fails(); }
 };
 
 Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules);
+
+/// The number that a step had, if its lesson had another number of steps then. Such a difference is one of
+/// the lesson and none of each of its snapshots.
+std::optional<StepNumber> other_steps(const Record& before, const Record& now);
 
 /// The rule for colours that is broken; empty if none is. For pictures that are not of a snapshot, too.
 LayerDifference compare_colours(

@@ -78,6 +78,7 @@ public:
     std::vector<ControlResult> run() {
         shift();
         change_number();
+        loosen_number();
         change_shown_digit();
         change_picture("two bodies have swapped their colours", "colours", swap_colours);
         leave_out_joint();
@@ -100,11 +101,26 @@ private:
         add(fault, "ids", difference_of(right_, moved, rules_).layers_fail());
     }
 
+    static Fact* first_number(std::vector<Fact>& facts) {
+        const auto number =
+            std::ranges::find_if(facts, [](const Fact& fact) { return fact.value && fact.tolerance > 0.0; });
+        return number == facts.end() ? nullptr : &*number;
+    }
+
+    void loosen_number() {
+        Snapshot loose = right_;
+        Fact* const number = first_number(loose.record.facts);
+        if (number == nullptr) { return; }
+        // the smallest that must be noticed
+        number->tolerance *= 2.0 * kMostOfTolerance;
+        add("a number of the golden file may differ by too much", "text",
+            difference_of(loose, right_, rules_).text_fails());
+    }
+
     void change_number() {
         Snapshot changed = right_;
-        const auto number = std::ranges::find_if(
-            changed.record.facts, [](const Fact& fact) { return fact.value && fact.tolerance > 0.0; });
-        if (number == changed.record.facts.end()) { return; }
+        Fact* const number = first_number(changed.record.facts);
+        if (number == nullptr) { return; }
         // the first digit that panels show of a number as large as its scale
         *number->value += 1e3 * number->tolerance;
         add("a digit of a number is another", "text", difference_of(right_, changed, rules_).text_fails());

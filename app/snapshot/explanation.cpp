@@ -151,6 +151,9 @@ std::vector<std::string> lesson_changes(const std::string& before, const std::st
     for (const std::string& path : found.changed) {
         lines.push_back(change_text(path, value_in(before, path), value_in(now, path)));
     }
+    // the camera matters less than what it looks at
+    std::ranges::stable_partition(
+        lines, [](const std::string& line) { return line.find("camera.") == std::string::npos; });
     return lines;
 }
 

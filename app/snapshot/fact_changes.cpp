@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "lessons/diagnostics.hpp"
+
 namespace jw::snapshot {
 
 namespace {
@@ -63,7 +65,8 @@ bool are_same(const NumberInText& a, const NumberInText& b) {
 
 /// Words that stand in the lesson's file: no machine rounds their numbers.
 bool is_of_author(std::string_view name) {
-    constexpr std::array names{"text of the author", "question", "reason of the answer", "source"};
+    constexpr std::array names{
+        "title of the lesson", "text of the author", "question", "reason of the answer", "source"};
     return std::ranges::find(names, name) != names.end() || name == "choice" || name.starts_with("choice (");
 }
 
@@ -76,8 +79,18 @@ bool are_same(const Fact& before, const Fact& after) {
 }
 
 /// A number that may be missing where it is zero: an entry of the matrix.
-bool is_nothing(const Fact& fact) {
-    return fact.value && fact.tolerance > 0.0 && std::abs(*fact.value) <= fact.tolerance;
+bool is_nothing(const Fact& fact, double tolerance) {
+    return fact.value && fact.tolerance > 0.0 && std::abs(*fact.value) <= std::min(fact.tolerance, tolerance);
+}
+
+/// The largest tolerance of each unit.
+std::map<std::string_view, double> tolerances_of(const std::vector<Fact>& facts) {
+    std::map<std::string_view, double> tolerances;
+    for (const Fact& fact : facts) {
+        double& tolerance = tolerances[fact.unit];
+        tolerance = std::max(tolerance, fact.tolerance);
+    }
+    return tolerances;
 }
 
 }  // namespace
@@ -105,6 +118,33 @@ std::string value_text(const Fact& fact) {
     return short_decimal(fact) + (has_unit ? " " + fact.unit : "");
 }
 
+std::optional<StepNumber> step_number_of(const std::vector<Fact>& facts) {
+    const auto count = [&](const char* name) {
+        const auto fact = std::ranges::find(facts, name, &Fact::name);
+        return fact != facts.end() && fact->value ? static_cast<int>(std::lround(*fact->value)) : 0;
+    };
+    const StepNumber number{count(kStepFact), count(kStepsFact)};
+    if (number.step < 1 || number.step > number.steps) { return std::nullopt; }
+    return number;
+}
+
+std::vector<std::string> loose_tolerances(const std::vector<Fact>& before, const std::vector<Fact>& after) {
+    std::map<std::string_view, const Fact*> now;
+    for (const Fact& fact : after) { now.emplace(fact.name, &fact); }
+    std::vector<std::string> loose;
+    for (const Fact& fact : before) {
+        const auto found = now.find(fact.name);
+        if (!fact.value || found == now.end() || !are_same(fact, *found->second)) { continue; }
+        const double tolerance = found->second->tolerance;
+        // tolerances are powers of ten, which are no binary numbers
+        if (fact.tolerance <= (1.0 + 1e-9) * kMostOfTolerance * tolerance) { continue; }
+        loose.push_back(
+            fact.name + ": " + short_number(fact.tolerance) + " " + fact.unit + " may differ, of " +
+            short_number(tolerance) + " " + fact.unit);
+    }
+    return loose;
+}
+
 std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::vector<Fact>& after) {
     std::map<std::string_view, const Fact*> left;
     for (const Fact& fact : before) { left.emplace(fact.name, &fact); }
@@ -112,7 +152,9 @@ std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::v
     for (const Fact& fact : after) {
         const auto old = left.find(fact.name);
         if (old == left.end()) {
-            if (!is_nothing(fact)) { changes.push_back({fact.weight, fact.name, {}, value_text(fact)}); }
+            if (!is_nothing(fact, fact.tolerance)) {
+                changes.push_back({fact.weight, fact.name, {}, value_text(fact)});
+            }
             continue;
         }
         if (!are_same(*old->second, fact)) {
@@ -120,8 +162,13 @@ std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::v
         }
         left.erase(old);
     }
+    const std::map<std::string_view, double> tolerances = tolerances_of(after);
     for (const Fact& fact : before) {
-        if (!left.contains(fact.name) || is_nothing(fact)) { continue; }
+        if (!left.contains(fact.name)) { continue; }
+        const auto of_unit = tolerances.find(fact.unit);
+        const double believed =
+            of_unit == tolerances.end() ? fact.tolerance : kMostOfTolerance * of_unit->second;
+        if (is_nothing(fact, believed)) { continue; }
         changes.push_back({fact.weight, fact.name, value_text(fact), {}});
     }
     std::ranges::stable_sort(changes, {}, &FactChange::weight);

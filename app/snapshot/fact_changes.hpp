@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,25 @@ struct FactChange {
 
     bool operator==(const FactChange&) const = default;
 };
+
+/// "step 3 of 24"
+struct StepNumber {
+    int step = 1;  ///< from 1
+    int steps = 1;
+
+    bool operator==(const StepNumber&) const = default;
+};
+
+/// The number of the step as facts tell it; nothing if they do not.
+std::optional<StepNumber> step_number_of(const std::vector<Fact>& facts);
+
+/// A golden file may allow so many times the tolerance that the program computes now. Ten would be enough for
+/// a largest value that has passed a power of ten.
+inline constexpr double kMostOfTolerance = 100.0;
+
+/// Numbers that have not changed only because `before` allows more than that: a comparison of them proves
+/// nothing. "crank · r · x: 1e+09 m may differ, of 1e-06 m"
+std::vector<std::string> loose_tolerances(const std::vector<Fact>& before, const std::vector<Fact>& after);
 
 /// What has changed by more than the tolerances of `before`, in the order of what matters.
 std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::vector<Fact>& after);

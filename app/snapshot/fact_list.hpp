@@ -9,6 +9,9 @@
 
 namespace jw::snapshot {
 
+/// Gives a number the tolerance of this scale, and rounds it; see `set_tolerances`.
+void set_tolerance(Fact& fact, double scale);
+
 /// Collects facts, each under a name of its own.
 class FactList {
 public:
@@ -26,6 +29,21 @@ public:
         }
         add({weight, name, {}, value, unit, kToBeSet});
     }
+    /// A number of the lesson's file, which is finite: its own scale, as others of its unit do not hide it.
+    /// @param scale  of a part of a vector or tensor: its norm
+    void given(Weight weight, const std::string& name, double value, const std::string& unit, double scale) {
+        Fact fact{weight, name, {}, value, unit, 0.0};
+        set_tolerance(fact, scale > 0.0 ? scale : kScaleOfZero);
+        add(std::move(fact));
+    }
+    void given(Weight weight, const std::string& name, double value, const std::string& unit) {
+        given(weight, name, value, unit, std::abs(value));
+    }
+    void given(Weight weight, const std::string& name, const Vec3& v, const std::string& unit) {
+        given(weight, name + " · x", v.x(), unit, v.norm());
+        given(weight, name + " · y", v.y(), unit, v.norm());
+        given(weight, name + " · z", v.z(), unit, v.norm());
+    }
     void vector(Weight weight, const std::string& name, const Vec3& v, const std::string& unit) {
         number(weight, name + " · x", v.x(), unit);
         number(weight, name + " · y", v.y(), unit);
@@ -38,6 +56,8 @@ public:
     static constexpr double kToBeSet = -1.0;
 
 private:
+    static constexpr double kScaleOfZero = 1e-6;
+
     void add(Fact fact) {
         std::string name = fact.name;
         for (int k = 2; !names_.insert(name).second; ++k) {

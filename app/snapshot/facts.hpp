@@ -35,12 +35,20 @@ struct Fact {
     bool operator==(const Fact&) const = default;
 };
 
+/// Names of the facts of "step 3 of 24", which every picture shows.
+inline constexpr const char* kStepFact = "step";
+inline constexpr const char* kStepsFact = "steps";
+
 /// Facts about all that a view tells.
 std::vector<Fact> facts_of(const View& view);
 /// Facts about everything drawn in 3D: bodies with their shapes, vectors, frames, lines, names.
 std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
 
-/// From where it is seen: another camera changes every pixel.
+/// Facts about the lesson itself: its title; masses, gravity and springs if it has dynamics.
+std::vector<Fact> facts_of(const Lesson& lesson);
+
+/// From where it is seen. Another camera changes every pixel, but it is mostly the consequence of something
+/// else, such as a longer body: these facts stand behind all others.
 std::vector<Fact> facts_of(const render::Camera& camera);
 
 /// A number with as many decimals as its tolerance means: "0.25", "-1.732051".

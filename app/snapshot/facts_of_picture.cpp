@@ -134,10 +134,10 @@ void add_line(const render::Polyline& line, const std::string& name, FactList& f
 
 std::vector<Fact> facts_of(const render::Camera& camera) {
     FactList facts;
-    facts.vector(Weight::quantity, "camera · eye", camera.eye, "m");
-    facts.vector(Weight::quantity, "camera · target", camera.target, "m");
-    facts.vector(Weight::quantity, "camera · up", camera.up, "");
-    facts.number(Weight::quantity, "camera · field of view", camera.field_of_view, "rad");
+    facts.vector(Weight::detail, "camera · eye", camera.eye, "m");
+    facts.vector(Weight::detail, "camera · target", camera.target, "m");
+    facts.vector(Weight::detail, "camera · up", camera.up, "");
+    facts.number(Weight::detail, "camera · field of view", camera.field_of_view, "rad");
     return facts.take();
 }
 

@@ -7,6 +7,10 @@ namespace {
 constexpr double kNoEntry = 1e-14;  // of Φq: what is left of a zero by rounding, where entries are about 1
 
 void add_texts(const View& view, FactList& facts) {
+    if (view.steps > 0) {
+        facts.count(Weight::detail, kStepFact, view.step + 1);
+        facts.count(Weight::detail, kStepsFact, view.steps);
+    }
     facts.text(Weight::failure, "failure", view.failure);
     facts.text(Weight::text, "title", view.title);
     facts.text(Weight::text, "sentence", view.sentence);

@@ -99,7 +99,9 @@ GoldenHead GoldenFolder::head() const {
     if (json.is_discarded() || !json.is_object()) { damaged(path, "is no JSON, or cut off"); }
     if (json.value("format", Json()) != kFolderFormat) { damaged(path, "is another file"); }
     if (json.value("version", Json()) != kFolderVersion) {
-        damaged(path, "has a version that this program does not know");
+        damaged(
+            path,
+            "has a version that this program does not know; it reads " + std::to_string(kFolderVersion));
     }
     const Json size = json.value("size", Json());
     const Json language = json.value("language", Json());
@@ -155,6 +157,18 @@ Snapshot GoldenFolder::read(const std::string& name) const {
     return snapshot;
 }
 
+std::vector<std::string> GoldenFolder::recorded_below(const fs::path& golden) {
+    std::vector<std::string> lessons;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(golden, error);
+         !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        if (entry->path().filename() != kHead) { continue; }
+        lessons.push_back(entry->path().parent_path().lexically_relative(golden).generic_string());
+    }
+    std::ranges::sort(lessons);
+    return lessons;
+}
+
 bool GoldenFolder::is_copy_of_lesson(const fs::path& file) {
     return file.filename() == kLesson && GoldenFolder(file.parent_path()).exists();
 }
@@ -181,16 +195,29 @@ void GoldenFolder::write(const Snapshot& snapshot) const {
     const std::vector<std::uint8_t> colour = render::encode_png(snapshot.colour);
     const std::vector<std::uint8_t> ids = render::encode_png(snapshot.layers.ids);
     const std::vector<std::uint8_t> depth = render::encode_png(snapshot.layers.depth);
-    const std::array<render::WholeFile, 4> files{
+    std::array<render::WholeFile, 4> files{
         {{file(name, kColour), colour},
          {file(name, kIds), ids},
          {file(name, kDepth), depth},
          {file(name, kRecord), render::bytes_of(record)}}};
+    if (has(name)) { std::ranges::rotate(files, files.end() - 1); }
     render::write_files_atomically(files);
 }
 
 void GoldenFolder::remove(const std::string& name) const {
     for (const char* const ending : {kRecord, kColour, kIds, kDepth}) { fs::remove(file(name, ending)); }
+}
+
+void GoldenFolder::remove_lesson(const fs::path& golden) const {
+    for (const std::string& name : names()) { remove(name); }
+    fs::remove(folder_ / kLesson);
+    // the last: a lesson that is removed in part is found again
+    fs::remove(folder_ / kHead);
+    for (fs::path empty = folder_; empty != golden; empty = empty.parent_path()) {
+        std::error_code error;
+        if (!fs::is_empty(empty, error) || error) { return; }
+        fs::remove(empty, error);
+    }
 }
 
 }  // namespace jw::snapshot

@@ -41,14 +41,21 @@ public:
     /// @throws std::runtime_error naming the file that is missing or damaged, and what to do
     Snapshot read(const std::string& name) const;
 
+    /// Names of the lessons that were recorded below a folder, sorted: the paths of their golden folders from
+    /// there. Links are not followed.
+    static std::vector<std::string> recorded_below(const std::filesystem::path& golden);
     /// True for the copies of lessons that golden folders hold: they are no lessons of a suite.
     static bool is_copy_of_lesson(const std::filesystem::path& file);
 
     void write_head(const GoldenHead& head, const std::string& lesson_text) const;
     void write_lesson(const std::string& lesson_text) const;
-    /// All four files or none, so that a record never stands for the pictures of another.
+    /// All four files or none, so that a record never stands for the pictures of another. Should the program
+    /// be killed while they take their places: a new record is the last, so that no snapshot is there yet;
+    /// one that replaces another is the first, so that its reason is kept while its pictures still differ.
     void write(const Snapshot& snapshot) const;
     void remove(const std::string& name) const;
+    /// Removes all of the lesson, and folders below `golden` that are empty then. Files of others stay.
+    void remove_lesson(const std::filesystem::path& golden) const;
 
 private:
     std::filesystem::path file(const std::string& name, const char* ending) const;

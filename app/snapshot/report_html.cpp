@@ -122,6 +122,9 @@ std::string section_of(const LessonResult& result) {
     if (const std::string why = result.explanation(); !why.empty()) {
         html += "<p class=\"why\">" + xml_text(why) + "</p>\n";
     }
+    if (const std::string steps = result.steps_line(); !steps.empty() && steps != result.explanation()) {
+        html += "<p>" + xml_text(steps) + "</p>\n";
+    }
     if (result.lesson_changes.size() > 1) {
         html += "<ul>";
         for (const std::string& line : result.lesson_changes) { html += "<li>" + xml_text(line) + "</li>"; }

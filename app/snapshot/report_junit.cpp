@@ -24,6 +24,10 @@ Counts counts_of(const LessonResult& result) {
     for (const SnapshotResult& snapshot : result.snapshots) {
         counts.failures += fails(snapshot.verdict) ? 1U : 0U;
     }
+    for (const bool one : {result.is_deleted, !result.steps_line().empty()}) {
+        counts.tests += one ? 1U : 0U;
+        counts.failures += one ? 1U : 0U;
+    }
     for (const ControlResult& control : result.controls) { counts.failures += control.noticed ? 0U : 1U; }
     return counts;
 }
@@ -53,6 +57,15 @@ std::string suite_of(const LessonResult& result) {
         text += case_of(
             result, "the lesson can be compared",
             "<error type=\"input\" message=\"cannot be compared\">" + xml_text(result.problem) + "</error>");
+    }
+    if (result.is_deleted) {
+        text += case_of(
+            result, "the lesson is there",
+            "<failure type=\"deleted\" message=\"" + xml_attribute(result.explanation()) + "\"/>");
+    }
+    if (const std::string steps = result.steps_line(); !steps.empty()) {
+        text += case_of(
+            result, "number of steps", "<failure type=\"steps\" message=\"" + xml_attribute(steps) + "\"/>");
     }
     for (const SnapshotResult& snapshot : result.snapshots) {
         text += case_of(result, snapshot.name, failure_of(result, snapshot));

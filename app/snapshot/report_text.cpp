@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "app/session/wording/numbers.hpp"
 #include "app/snapshot/reports.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/enum_words.hpp"
+#include "lessons/printable.hpp"
 
 namespace jw::snapshot {
 
@@ -25,18 +27,36 @@ std::string fact_text(const FactChange& change) {
     return change.name + ": " + change.before + " → " + change.after;
 }
 
+/// A line of the report; a golden file may hold any character.
+std::string line_of(const std::string& indent, const std::string& text) {
+    return indent + printable(text) + "\n";
+}
+
+std::string more_text(std::size_t others) {
+    return others == 0 ? "" : " (and " + std::to_string(others) + " more)";
+}
+
 std::string describe(const SnapshotResult& snapshot) {
-    std::string text = "  " + snapshot.name + ": " + word_of(snapshot.verdict) + "\n";
-    for (const std::string& reason : reasons_of(snapshot)) { text += "    " + reason + "\n"; }
+    std::string text = line_of("  ", snapshot.name + ": " + word_of(snapshot.verdict));
+    for (const std::string& reason : reasons_of(snapshot)) { text += line_of("    ", reason); }
     const std::vector<FactChange>& facts = snapshot.difference.facts;
     for (std::size_t k = 0; k < std::min(facts.size(), kMostFacts); ++k) {
-        text += "      " + fact_text(facts[k]) + "\n";
+        text += line_of("      ", fact_text(facts[k]));
     }
     if (facts.size() > kMostFacts) {
         text += "      and " + std::to_string(facts.size() - kMostFacts) + " more\n";
     }
-    for (const std::string& thing : snapshot.difference.things) { text += "      " + thing + "\n"; }
+    for (const std::string& thing : snapshot.difference.things) { text += line_of("      ", thing); }
     return text;
+}
+
+/// Steps that fail or are gone first, else in the order of the story.
+std::vector<std::reference_wrapper<const SnapshotResult>> by_weight(
+    const std::vector<SnapshotResult>& snapshots) {
+    std::vector<std::reference_wrapper<const SnapshotResult>> sorted(snapshots.begin(), snapshots.end());
+    std::ranges::stable_partition(
+        sorted, [](const SnapshotResult& s) { return s.failed || s.verdict == Verdict::gone; });
+    return sorted;
 }
 
 std::string controls_text(const LessonResult& result) {
@@ -91,6 +111,10 @@ std::vector<std::string> reasons_of(const SnapshotResult& result) {
         add("text: " +
             count_text(static_cast<int>(d.facts.size()), "fact has changed", "facts have changed"));
     }
+    if (!d.loose.empty()) {
+        add("BLIND: tolerances of the golden file are more than " + short_number(kMostOfTolerance) +
+            " times those of the program: " + d.loose.front() + more_text(d.loose.size() - 1));
+    }
     if (!d.ids.broken.empty()) { add("ids: " + d.ids.broken); }
     if (!d.depth.broken.empty()) { add("depth: " + d.depth.broken); }
     if (!d.colour.broken.empty()) {
@@ -106,10 +130,15 @@ std::string describe(const LessonResult& result) {
     const auto same = std::ranges::count(result.snapshots, Verdict::same, &SnapshotResult::verdict);
     text += std::to_string(same) + " of " +
             count_text(static_cast<int>(result.snapshots.size()), "snapshot", "snapshots") + " same\n";
-    if (const std::string line = result.explanation(); !line.empty()) { text += "  why: " + line + "\n"; }
+    if (const std::string line = result.explanation(); !line.empty()) {
+        text += line_of("  ", "why: " + line);
+    }
+    if (const std::string steps = result.steps_line(); !steps.empty() && steps != result.explanation()) {
+        text += "  " + steps + "\n";
+    }
     std::size_t told = 0;
     std::string others;
-    for (const SnapshotResult& snapshot : result.snapshots) {
+    for (const SnapshotResult& snapshot : by_weight(result.snapshots)) {
         if (snapshot.verdict == Verdict::same) { continue; }
         if (told++ < kMostSnapshots) {
             text += describe(snapshot);
@@ -117,7 +146,7 @@ std::string describe(const LessonResult& result) {
             others += (others.empty() ? "" : ", ") + snapshot.name;
         }
     }
-    if (!others.empty()) { text += "  likewise not the same: " + others + "\n"; }
+    if (!others.empty()) { text += line_of("  ", "likewise not the same: " + others); }
     return text + controls_text(result);
 }
 
@@ -125,9 +154,13 @@ std::string summary(const std::vector<LessonResult>& results) {
     int snapshots = 0;
     std::array<int, kVerdicts.size()> counts{};
     int problems = 0;
+    int deleted = 0;
+    int other_steps = 0;
     int blind = 0;
     for (const LessonResult& result : results) {
         problems += result.problem.empty() ? 0 : 1;
+        deleted += result.is_deleted ? 1 : 0;
+        other_steps += result.steps_line().empty() ? 0 : 1;
         for (const ControlResult& control : result.controls) { blind += control.noticed ? 0 : 1; }
         for (const SnapshotResult& snapshot : result.snapshots) {
             ++snapshots;
@@ -140,6 +173,16 @@ std::string summary(const std::vector<LessonResult>& results) {
     for (std::size_t k = 0; k < counts.size(); ++k) {
         if (counts[k] == 0) { continue; }
         text += separator + std::to_string(counts[k]) + ' ' + kVerdicts[k].word;
+        separator = ", ";
+    }
+    if (deleted > 0) {
+        text += separator + count_text(deleted, "lesson is deleted", "lessons are deleted");
+        separator = ", ";
+    }
+    if (other_steps > 0) {
+        text += separator + count_text(
+                                other_steps, "lesson has another number of steps",
+                                "lessons have another number of steps");
         separator = ", ";
     }
     if (problems > 0) {
@@ -171,6 +214,8 @@ Json json_of(const std::vector<LessonResult>& results) {
              {"fails", result.fails()},
              {"problem", result.problem},
              {"why", result.explanation()},
+             {"deleted", result.is_deleted},
+             {"steps", result.steps_line()},
              {"lesson_changes", result.lesson_changes},
              {"snapshots", std::move(snapshots)},
              {"controls", std::move(controls)}});

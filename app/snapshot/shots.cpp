@@ -72,7 +72,17 @@ std::vector<Shot> all_shots(const Story& story) {
     return shots;
 }
 
-/// Steps of the motion at equal distances, the first and the last among them.
+/// Adds the moments at which texts of the author for a time begin to be shown.
+void add_told_moments(const Story& story, const std::vector<int>& motion, std::set<int>& chosen) {
+    for (const StepTexts::AtTime& told : story.lesson().step_texts.times) {
+        const auto first = std::ranges::find_if(
+            motion, [&](int k) { return story.steps()[static_cast<std::size_t>(k)].t >= told.from; });
+        if (first != motion.end()) { chosen.insert(*first); }
+    }
+}
+
+/// Steps of the motion at equal distances, the first and the last among them, and those that the author
+/// tells something at.
 std::set<int> moments_of(const Story& story, int moments) {
     std::vector<int> motion;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
@@ -84,6 +94,7 @@ std::set<int> moments_of(const Story& story, int moments) {
         const double part = moments == 1 ? 0.0 : static_cast<double>(k) / (moments - 1);
         chosen.insert(motion[static_cast<std::size_t>(std::lround(part * last))]);
     }
+    if (moments > 0) { add_told_moments(story, motion, chosen); }
     return chosen;
 }
 

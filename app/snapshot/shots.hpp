@@ -21,7 +21,7 @@ enum class UnknownShots { refused, left_out };
 
 /// Which steps of a lesson are taken.
 struct ShotChoice {
-    int moments = kMoments;         ///< of the motion
+    int moments = kMoments;         ///< of the motion; 0: none, whatever the author tells there
     std::vector<std::string> only;  ///< names of shots in place of all that; empty: as `shots_of` says
 
     bool operator==(const ShotChoice&) const = default;
@@ -29,7 +29,8 @@ struct ShotChoice {
 
 /// Without a choice by name: every step at which somebody stops to read. That is the bodies, the equations of
 /// each joint and driver and the mechanism when they hold, answers, what failed, and `moments` of the motion
-/// at equal distances, its beginning and end among them. Iterations and questions are told by the step after
+/// at equal distances, its beginning and end among them, and those at which a text of the author for a time
+/// begins to be shown. Iterations and questions are told by the step after
 /// them; they and every other moment can be chosen by name.
 ///
 /// A name says what is shown and not which step it is, so that it stays the same when a joint is added

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/session/wording/numbers.hpp"
 #include "app/snapshot/explanation.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
@@ -50,10 +51,14 @@ void keep_pictures(const Snapshot* golden, const Snapshot* actual, SnapshotResul
 }
 
 /// What is seen now against what was seen.
-SnapshotResult compared(const GoldenFolder& folder, const Snapshot& actual, const SnapshotRules& rules) {
+SnapshotResult compared(
+    const GoldenFolder& folder, Camera& camera, const Shot& shot, Snapshot actual,
+    const SnapshotRules& rules) {
     SnapshotResult result;
     result.name = actual.record.name;
     result.title = actual.record.title;
+    result.failed =
+        std::ranges::find(actual.record.facts, "failure", &Fact::name) != actual.record.facts.end();
     if (!folder.has(result.name)) {
         result.verdict = Verdict::is_new;
         keep_pictures(nullptr, &actual, result);
@@ -61,25 +66,13 @@ SnapshotResult compared(const GoldenFolder& folder, const Snapshot& actual, cons
     }
     try {
         const Snapshot golden = folder.read(result.name);
+        // all but the number of the step is to look the same
+        if (const auto number = other_steps(golden.record, actual.record)) {
+            actual.colour = camera.colour_as(shot, *number);
+        }
         result.difference = difference_of(golden, actual, rules);
         result.verdict = verdict_of(result.difference);
         if (result.verdict != Verdict::same) { keep_pictures(&golden, &actual, result); }
-    } catch (const std::runtime_error& error) {
-        result.verdict = Verdict::broken;
-        result.problem = error.what();
-    }
-    return result;
-}
-
-/// A golden snapshot of a step that there is no more.
-SnapshotResult gone(const GoldenFolder& folder, const std::string& name) {
-    SnapshotResult result;
-    result.name = name;
-    try {
-        const Snapshot golden = folder.read(name);
-        result.title = golden.record.title;
-        result.verdict = Verdict::gone;
-        keep_pictures(&golden, nullptr, result);
     } catch (const std::runtime_error& error) {
         result.verdict = Verdict::broken;
         result.problem = error.what();
@@ -93,6 +86,20 @@ std::vector<std::string> gone_from(const GoldenFolder& folder, const Camera& cam
     std::vector<std::string> left = folder.names();
     std::erase_if(left, [&](const std::string& name) { return names.contains(name); });
     return left;
+}
+
+/// A step at which the mechanism fails from now on, or that is gone: "'pivot' is gone"; empty if there is
+/// none.
+std::string lost_step(const std::vector<SnapshotResult>& snapshots) {
+    for (const SnapshotResult& s : snapshots) {
+        const bool fails_now =
+            s.failed &&
+            (s.verdict == Verdict::is_new ||
+             (!s.difference.facts.empty() && s.difference.facts.front().weight == Weight::failure));
+        if (fails_now) { return "in '" + s.name + "' the mechanism fails"; }
+    }
+    const auto gone = std::ranges::find(snapshots, Verdict::gone, &SnapshotResult::verdict);
+    return gone == snapshots.end() ? "" : "the lesson has no step '" + gone->name + "' any more";
 }
 
 /// "step A: rank 5 → 4" of the first snapshot in which something is said otherwise.
@@ -117,6 +124,10 @@ std::string differing_otherwise(const std::vector<SnapshotResult>& snapshots) {
     const auto has = [&](Verdict verdict) {
         return std::ranges::find(snapshots, verdict, &SnapshotResult::verdict) != snapshots.end();
     };
+    const auto is_loose = [](const SnapshotResult& s) { return !s.difference.loose.empty(); };
+    if (std::ranges::any_of(snapshots, is_loose)) {
+        return "golden files allow more than the program does; nothing that they say is proved";
+    }
     if (has(Verdict::differs)) { return "lesson and numbers are as they were; only pixels differ"; }
     if (has(Verdict::broken)) { return "golden snapshots are damaged; no value of the lesson has changed"; }
     return "other steps were recorded than are compared; no value of the lesson has changed";
@@ -144,6 +155,21 @@ std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
     return suite;
 }
 
+SnapshotResult gone_snapshot(const GoldenFolder& folder, const std::string& name) {
+    SnapshotResult result;
+    result.name = name;
+    try {
+        const Snapshot golden = folder.read(name);
+        result.title = golden.record.title;
+        result.verdict = Verdict::gone;
+        keep_pictures(&golden, nullptr, result);
+    } catch (const std::runtime_error& error) {
+        result.verdict = Verdict::broken;
+        result.problem = error.what();
+    }
+    return result;
+}
+
 bool fails(Verdict verdict) {
     switch (verdict) {
         case Verdict::same:
@@ -158,14 +184,18 @@ bool fails(Verdict verdict) {
 
 bool LessonResult::fails() const {
     const auto blind = [](const ControlResult& control) { return !control.noticed; };
-    return !problem.empty() ||
+    return is_deleted || !problem.empty() || !steps_line().empty() ||
            std::ranges::any_of(snapshots, [](const auto& s) { return snapshot::fails(s.verdict); }) ||
            std::ranges::any_of(controls, blind);
 }
 
 std::string LessonResult::explanation() const {
+    if (is_deleted) {
+        return "the lesson is deleted, and its golden snapshots are there; 'jointwise snapshot bless' of the "
+               "folder of lessons, with --reason, removes them";
+    }
     const auto same = [](const SnapshotResult& s) { return s.verdict == Verdict::same; };
-    if (std::ranges::all_of(snapshots, same)) { return {}; }
+    if (std::ranges::all_of(snapshots, same)) { return steps_line(); }
     if (!lesson_changes.empty()) {
         const std::size_t others = lesson_changes.size() - 1;
         return lesson_changes.front() +
@@ -173,7 +203,11 @@ std::string LessonResult::explanation() const {
                 : others == 1 ? "; and another change of the lesson"
                               : "; and " + std::to_string(others) + " other changes of the lesson");
     }
+    if (const std::string lost = lost_step(snapshots); !lost.empty()) {
+        return "no value of the lesson has changed, and " + lost;
+    }
     if (std::string fact = first_fact(snapshots); !fact.empty()) { return fact; }
+    if (const std::string line = steps_line(); !line.empty()) { return line; }
     for (const SnapshotResult& s : snapshots) {
         if (!s.difference.drawn_otherwise.empty()) {
             return "lesson and numbers are as they were; drawn with something else: " +
@@ -181,6 +215,15 @@ std::string LessonResult::explanation() const {
         }
     }
     return differing_otherwise(snapshots);
+}
+
+std::string LessonResult::steps_line() const {
+    for (const SnapshotResult& s : snapshots) {
+        if (!s.difference.steps_before) { continue; }
+        return "the lesson has " + count_text(steps, "step", "steps") + ", " +
+               std::to_string(s.difference.steps_before->steps) + " before";
+    }
+    return {};
 }
 
 RecordResult record(
@@ -210,10 +253,11 @@ LessonResult compare(
     result.lesson_changes = lesson_changes(folder.lesson(), lesson_text);
     Camera camera(lesson, head.size, head.choice, UnknownShots::left_out);
     for (const Shot& shot : camera.shots()) {
-        result.snapshots.push_back(compared(folder, camera.take(shot), rules));
+        result.snapshots.push_back(compared(folder, camera, shot, camera.take(shot), rules));
     }
+    result.steps = static_cast<int>(camera.story().steps().size());
     for (const std::string& name : gone_from(folder, camera)) {
-        result.snapshots.push_back(gone(folder, name));
+        result.snapshots.push_back(gone_snapshot(folder, name));
     }
     if (with_controls && !camera.shots().empty()) {
         result.controls = control(camera, shot_for_controls(camera), rules);
@@ -233,12 +277,15 @@ std::vector<std::string> bless(
     for (const Shot& shot : camera.shots()) {
         if (!is_meant(shot.name)) { continue; }
         Snapshot actual = camera.take(shot);
-        if (compared(folder, actual, rules).verdict == Verdict::same) { continue; }
+        const SnapshotResult now = compared(folder, camera, shot, actual, rules);
+        if (now.verdict == Verdict::same && !now.difference.steps_before) { continue; }
         try {
             if (folder.has(shot.name)) { actual.record.blessed = folder.read(shot.name).record.blessed; }
         } catch (const std::runtime_error&) {  // what cannot be read is replaced
         }
-        actual.record.blessed.push_back(reason);
+        // once only, if blessing was cut short before
+        std::vector<std::string>& reasons = actual.record.blessed;
+        if (reasons.empty() || reasons.back() != reason) { reasons.push_back(reason); }
         folder.write(actual);
         changed.push_back(shot.name);
     }

@@ -41,6 +41,7 @@ struct SnapshotResult {
     Verdict verdict = Verdict::same;
     Difference difference;
     std::string problem;  ///< of a broken one
+    bool failed = false;  ///< the mechanism fails at this step
     // of those that are not the same, for a report
     std::vector<std::uint8_t> golden_png;
     std::vector<std::uint8_t> actual_png;
@@ -51,12 +52,16 @@ struct SnapshotResult {
 struct LessonResult {
     SuiteLesson lesson;
     std::string title;
-    std::string problem;  ///< the lesson, or its folder, cannot be read; then there are no snapshots
+    bool is_deleted = false;  ///< there are golden snapshots, and no such lesson any more
+    std::string problem;      ///< the lesson, or its folder, cannot be read; then there are no snapshots
     std::vector<std::string> lesson_changes;  ///< in its file, since the snapshots were taken
+    int steps = 0;                            ///< of the story
     std::vector<SnapshotResult> snapshots;    ///< in the order of the story
     std::vector<ControlResult> controls;      ///< of the first lesson of a suite
 
     bool fails() const;
+    /// "the lesson has 23 steps, 24 before"; empty if it has as many. It counts once, whatever else differs.
+    std::string steps_line() const;
     /// The one line that explains what is seen; empty if nothing differs.
     std::string explanation() const;
 };
@@ -69,6 +74,9 @@ struct RecordResult {
 /// Takes the snapshots that are not there yet. `lesson_text` is the lesson's file.
 RecordResult record(
     const Lesson& lesson, const std::string& lesson_text, const GoldenFolder& folder, const GoldenHead& head);
+
+/// What a comparison finds for a golden snapshot of which there is no step any more.
+SnapshotResult gone_snapshot(const GoldenFolder& folder, const std::string& name);
 
 /// Compares the lesson with its golden snapshots.
 /// @param with_controls  also tries whether the rules notice what they must notice

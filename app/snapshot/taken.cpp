@@ -30,9 +30,11 @@ Camera::Camera(const Lesson& lesson, const SnapshotSize& size, const ShotChoice&
 std::vector<Fact> Camera::facts(const Shot& shot) const {
     const View shown = view(shot);
     std::vector<Fact> facts = facts_of(shown);
-    for (const std::vector<Fact>& drawn :
-         {facts_of(painter_.camera()), facts_of(painter_.picture(shown), story_.lesson().mechanism)}) {
-        facts.insert(facts.end(), drawn.begin(), drawn.end());
+    const Lesson& lesson = story_.lesson();
+    for (const std::vector<Fact>& more :
+         {facts_of(lesson), facts_of(painter_.picture(shown), lesson.mechanism),
+          facts_of(painter_.camera())}) {
+        facts.insert(facts.end(), more.begin(), more.end());
     }
     return facts;
 }
@@ -49,6 +51,11 @@ Snapshot Camera::take(const Shot& shot) {
     taken.record.things = taken.layers.things;
     taken.record.facts = facts_[static_cast<std::size_t>(&shot - shots_.data())];
     return taken;
+}
+
+render::Image Camera::colour_as(const Shot& shot, const StepNumber& number) {
+    const View shown = view(shot);
+    return painter_.paint_numbered(shown, painter_.picture(shown), number.step - 1, number.steps);
 }
 
 }  // namespace jw::snapshot

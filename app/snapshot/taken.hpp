@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/host/frames/frame_painter.hpp"
+#include "app/snapshot/fact_changes.hpp"
 #include "app/snapshot/facts_file.hpp"
 #include "app/snapshot/layers_picture.hpp"
 #include "app/snapshot/shots.hpp"
@@ -38,6 +39,8 @@ public:
     const std::vector<Shot>& shots() const { return shots_; }
     /// The snapshot of a shot, with tolerances that all snapshots of the lesson share.
     Snapshot take(const Shot& shot);
+    /// Its colours if the step had another number.
+    render::Image colour_as(const Shot& shot, const StepNumber& number);
 
     /// For those who change what is drawn.
     host::FramePainter& painter() { return painter_; }

@@ -41,6 +41,13 @@ int decimals_of(double tolerance) { return 1 - static_cast<int>(std::lround(std:
 
 }  // namespace
 
+void set_tolerance(Fact& fact, double scale) {
+    // a power of ten: the same scale again if the largest value is another in the last digits
+    fact.tolerance = std::pow(10.0, std::floor(std::log10(kRelative * scale)));
+    const double step = 0.1 * fact.tolerance;
+    fact.value = std::round(*fact.value / step) * step;
+}
+
 std::string short_decimal(const Fact& fact) {
     if (fact.tolerance <= 0.0) { return std::to_string(std::lround(*fact.value)); }
     std::array<char, 400> text{};
@@ -67,10 +74,7 @@ void set_tolerances(std::vector<std::vector<Fact>*> facts, const NaturalScale& n
     for (std::vector<Fact>* list : facts) {
         for (Fact& fact : *list) {
             if (!is_number(fact)) { continue; }
-            // a power of ten: the same scale again if the largest value is another in the last digits
-            fact.tolerance = std::pow(10.0, std::floor(std::log10(kRelative * scales[fact.unit])));
-            const double step = 0.1 * fact.tolerance;
-            fact.value = std::round(*fact.value / step) * step;
+            set_tolerance(fact, scales[fact.unit]);
         }
     }
 }

@@ -138,6 +138,18 @@ Emphasis FramePainter::lit_at(const View& view) const {
 
 render::Image FramePainter::paint(const View& view) { return paint(view, picture(view)); }
 
+render::Image FramePainter::paint(const View& view, const Picture& picture, const OnPaintStage& ended) {
+    return paint(view, picture, lit_at(view), ended);
+}
+
+render::Image FramePainter::paint_numbered(View view, const Picture& picture, int step, int steps) {
+    // of the step itself: the story may have none of that number
+    const Emphasis lit = lit_at(view);
+    view.step = step;
+    view.steps = steps;
+    return paint(view, picture, lit, {});
+}
+
 void FramePainter::draw_scene(const Picture& picture) {
     Surface& s = *surface_;
     if (look_.is_opaque) {
@@ -151,12 +163,12 @@ void FramePainter::draw_scene(const Picture& picture) {
     s.scene.draw(scene, s.camera, s.layout.scene, s.size(), look_.tone, render::Backdrop::paper);
 }
 
-void FramePainter::draw_panels(const View& view, const Picture& picture) {
+void FramePainter::draw_panels(const View& view, const Picture& picture, const Emphasis& lit) {
     Surface& s = *surface_;
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
     const panels::Canvas canvas =
-        panels::Canvas(ImGui::GetBackgroundDrawList(), s.fonts).pointed(lit_at(view), nowhere).in(look_.tone);
+        panels::Canvas(ImGui::GetBackgroundDrawList(), s.fonts).pointed(lit, nowhere).in(look_.tone);
     if (look_.has_panels) {
         panels::draw_frame(canvas, view, picture, s.camera, s.layout);
     } else {
@@ -166,7 +178,8 @@ void FramePainter::draw_panels(const View& view, const Picture& picture) {
     s.panels.draw(*ImGui::GetDrawData(), s.size());
 }
 
-render::Image FramePainter::paint(const View& view, const Picture& picture, const OnPaintStage& ended) {
+render::Image FramePainter::paint(
+    const View& view, const Picture& picture, const Emphasis& lit, const OnPaintStage& ended) {
     Surface& s = *surface_;
     const auto end = [&](PaintStage stage) {
         if (!ended) { return; }
@@ -180,7 +193,7 @@ render::Image FramePainter::paint(const View& view, const Picture& picture, cons
     draw_scene(picture);
     s.begin_2d();
     end(PaintStage::scene);
-    draw_panels(view, picture);
+    draw_panels(view, picture, lit);
     end(PaintStage::panels);
     s.context.leave();
     render::Image image = s.read(look_.is_opaque);

@@ -52,6 +52,8 @@ public:
     Picture picture(const View& view, const Step& step) const;
     /// Paints another 3D part than that of the step.
     render::Image paint(const View& view, const Picture& picture, const OnPaintStage& ended = {});
+    /// Paints the step as one of another number among others: `step` counts from 0, as in the view.
+    render::Image paint_numbered(View view, const Picture& picture, int step, int steps);
     /// The frame as a file of lines, areas and letters; its 3D part is a picture of twice as many pixels.
     std::vector<std::uint8_t> vector_file(const View& view, render::VectorFormat format);
     /// Name of the renderer, with the versions of OpenGL and Mesa.
@@ -63,7 +65,9 @@ private:
     struct Surface;
     void compose_camera();
     void draw_scene(const Picture& picture);
-    void draw_panels(const View& view, const Picture& picture);
+    void draw_panels(const View& view, const Picture& picture, const Emphasis& lit);
+    render::Image paint(
+        const View& view, const Picture& picture, const Emphasis& lit, const OnPaintStage& ended);
     Emphasis lit_at(const View& view) const;
 
     const Story* story_;

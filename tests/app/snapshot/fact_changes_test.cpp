@@ -63,6 +63,20 @@ TEST_CASE("facts that come and go are changes, but for numbers that are nothing"
     CHECK(changes_of(none, {{Weight::rank, "rank", {}, 0.0, {}, 0.0}}).size() == 1);
 }
 
+TEST_CASE("a tolerance is believed up to a hundred times that of the program", "[snapshot]") {
+    const std::vector<Fact> now{number("a", 0.25, 1e-6), number("b", 1.0, 1e-6)};
+    CHECK(loose_tolerances({number("a", 0.25, 1e-4)}, now).empty());
+    CHECK(
+        loose_tolerances({number("a", 0.25, 1.1e-4)}, now) ==
+        std::vector<std::string>{"a: 0.00011 m may differ, of 1e-06 m"});
+    // a count that a tolerance would let pass
+    CHECK(loose_tolerances({number("n", 7.0, 1e9)}, {number("n", 5.0, 0.0)}).size() == 1);
+    // what is a change anyway needs no second word
+    CHECK(loose_tolerances({number("a", 2.0, 1.0)}, now).empty());
+    // a number that is missing is not taken for zero
+    REQUIRE(changes_of({number("c", 5.0, 1e9)}, now).size() == 3);
+}
+
 TEST_CASE("what matters most comes first", "[snapshot]") {
     FactList before;
     before.number(Weight::detail, "σ1", 1.0, "of σ");

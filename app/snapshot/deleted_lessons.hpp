@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/snapshot/suite.hpp"
+
+/// Lessons that have golden snapshots and are deleted.
+namespace jw::snapshot {
+
+/// Names of recorded lessons that the suite of `paths` does not have. Empty where no path is a folder: single
+/// files do not tell which lessons there are.
+std::vector<std::string> deleted_lessons(
+    const std::vector<std::string>& paths, const std::vector<SuiteLesson>& suite,
+    const std::filesystem::path& golden);
+
+/// What a comparison finds for a deleted lesson: all of its snapshots are gone.
+LessonResult result_of_deleted(const std::string& name, const std::filesystem::path& golden);
+
+/// Removes the golden snapshots of a deleted lesson. The reason is kept in `removed.json` of `golden`, from
+/// before the first file is removed.
+/// @throws std::runtime_error if `removed.json` is damaged or cannot be written
+void bless_deletion(const std::string& name, const std::filesystem::path& golden, const std::string& reason);
+
+}  // namespace jw::snapshot
