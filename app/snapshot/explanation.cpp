@@ -145,15 +145,19 @@ std::string change_text(const std::string& path, const std::string& before, cons
 
 std::vector<std::string> lesson_changes(const std::string& before, const std::string& now) {
     const SceneDifference found = jw::difference_of(before, now, SceneParts::all);
-    std::vector<std::string> lines;
-    for (const std::string& path : found.removed) { lines.push_back(path + ": left out"); }
-    for (const std::string& path : found.added) { lines.push_back(path + ": added"); }
-    for (const std::string& path : found.changed) {
-        lines.push_back(change_text(path, value_in(before, path), value_in(now, path)));
-    }
     // the camera matters less than what it looks at
-    std::ranges::stable_partition(
-        lines, [](const std::string& line) { return line.find("camera.") == std::string::npos; });
+    std::vector<std::string> lines;
+    std::vector<std::string> of_camera;
+    const auto add = [&](const std::string& path, std::string line) {
+        const bool is_camera = path == "camera" || path.starts_with("camera.");
+        (is_camera ? of_camera : lines).push_back(std::move(line));
+    };
+    for (const std::string& path : found.removed) { add(path, path + ": left out"); }
+    for (const std::string& path : found.added) { add(path, path + ": added"); }
+    for (const std::string& path : found.changed) {
+        add(path, change_text(path, value_in(before, path), value_in(now, path)));
+    }
+    lines.insert(lines.end(), of_camera.begin(), of_camera.end());
     return lines;
 }
 

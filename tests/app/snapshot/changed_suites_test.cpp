@@ -128,6 +128,22 @@ TEST_CASE("the moments that the author tells something at are taken", "[snapshot
     CHECK_FALSE(fs::exists(suite.golden("motion-0.5.json")));
 }
 
+TEST_CASE("a step that is gone stands before facts that are others", "[snapshot]") {
+    const Suite suite(kPlate, {"--only", "bodies", "--only", "pivot"});
+    for (const char* const ending : {".json", ".png", ".ids.png", ".depth.png"}) {
+        fs::copy_file(
+            suite.golden(std::string("bodies") + ending), suite.golden(std::string("lost") + ending));
+    }
+    suite.change_golden("lost.json", R"("name": "bodies")", R"("name": "lost")");
+    suite.change_golden("pivot.json", R"(["rank","rank",5])", R"(["rank","rank",4])");
+    const Ran ran = suite.compare();
+    INFO(ran.out);
+    CHECK(ran.status == 1);
+    CHECK(says(
+        ran,
+        "why: no value of the lesson has changed, and the lesson has no step 'lost' any more\n  lost: "));
+}
+
 TEST_CASE("a question that is left out changes the number of steps once, and no snapshot", "[snapshot]") {
     Suite suite(
         std::string(kCrank) + kQuestion, {"--only", "bodies", "--only", "pivot", "--only", "motion-1"});

@@ -41,6 +41,17 @@ TEST_CASE("a change of a lesson is one line with its amount", "[snapshot]") {
         std::vector<std::string>{"colour of crank: 'vermilion' → 'blue'"});
 }
 
+TEST_CASE("the camera comes behind what it looks at", "[snapshot]") {
+    const std::string body = "[[body]]\nname = \"a\"\nmass = 1\n";
+    const std::string before = body + "[camera]\ndistance = 2\n";
+    const std::string now = "title = \"the camera. of\"\n" + replaced(body, "mass = 1", "mass = 2");
+    const std::vector<std::string> lines = lesson_changes(before, now);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0] == "title: added");
+    CHECK(lines[1].starts_with("mass of a: 1 larger"));
+    CHECK(lines[2].starts_with("camera"));
+}
+
 TEST_CASE("a change late in a long text is shown", "[snapshot]") {
     CHECK(
         changes("between 78 and 143 deg. Three", "between 79 and 143 deg. Three") ==

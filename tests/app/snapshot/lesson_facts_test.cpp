@@ -8,7 +8,7 @@ namespace jw::snapshot {
 namespace {
 
 /// Changes of the facts about a lesson with springs where a piece of its text is another.
-std::vector<FactChange> changes(const std::string& from, const std::string& to) {
+std::vector<FactChange> changed_facts(const std::string& from, const std::string& to) {
     const std::string before = test::bytes_of(test::lesson_path("dynamics/governor.toml"));
     std::string now = before;
     const std::size_t at = now.find(from);
@@ -22,7 +22,7 @@ std::vector<FactChange> changes(const std::string& from, const std::string& to) 
 }
 
 FactChange only_change(const std::string& from, const std::string& to) {
-    const std::vector<FactChange> found = changes(from, to);
+    const std::vector<FactChange> found = changed_facts(from, to);
     REQUIRE(found.size() == 1);
     return found.front();
 }
