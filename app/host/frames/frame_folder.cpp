@@ -37,6 +37,12 @@ std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
             path,
             "is no manifest of pictures, and would be overwritten; expected a folder for pictures alone");
     }
+    if (const Json version = json.value("version", Json(kJsonVersion)); version != kJsonVersion) {
+        refuse(
+            path, "has the version " + version.dump() + "; this program reads " +
+                      std::to_string(kJsonVersion) +
+                      ", so it does not know which pictures are those of the folder");
+    }
     std::set<std::string> names;
     const auto frames = json.find("frames");
     if (frames == json.end() || !frames->is_array()) { return names; }
