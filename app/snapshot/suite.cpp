@@ -195,7 +195,7 @@ std::string LessonResult::explanation() const {
                "folder of lessons, with --reason, removes them";
     }
     const auto same = [](const SnapshotResult& s) { return s.verdict == Verdict::same; };
-    if (std::ranges::all_of(snapshots, same)) { return steps_line(); }
+    if (std::ranges::all_of(snapshots, same) && steps_line().empty()) { return {}; }
     if (!lesson_changes.empty()) {
         const std::size_t others = lesson_changes.size() - 1;
         return lesson_changes.front() +

@@ -76,7 +76,7 @@ with tempfile.TemporaryDirectory() as folder:
     done = run(place, "jointwise/dev run snapshot bless lessons/gate.toml --golden golden --reason 'a stronger handle'")
     assert done.returncode == 0, done.stderr
     assert not report(place)[0]["fails"]
-    assert json.loads((place / "golden" / "gate" / "hinge.json").read_text())["blessed"] == ["a stronger handle"]
+    assert json.loads((place / "golden" / "gate" / "hinge.json").read_text())["blessed"][-1] == "a stronger handle"
 
     # a joint that is left out
     text = (place / "lessons" / "slider-crank.toml").read_text()
