@@ -65,7 +65,7 @@ private:
                                      "', which only this program itself sets; unset it");
         }
         host::FrameDraft draft(draft_folder());
-        draft.join(run());
+        draft.join(run(), host::FrameDraft::Joined::part);
         film::draw_missing(drawn_, film::part_of(shard(), part.part, part.parts), draft, [](std::size_t) {});
     }
 
@@ -100,7 +100,7 @@ private:
         if (!advice.empty()) { streams_.err << advice << '\n'; }
         const bool is_shard = !options_.shard.empty();
         if (is_shard) {
-            draft.join(run());
+            draft.join(run(), host::FrameDraft::Joined::shard);
         } else if (options_.resume) {
             draft.go_on(run());
         } else {

@@ -1,13 +1,18 @@
 #include "app/host/frames/frame_draft.hpp"
 
+#include <fcntl.h>
 #include <sha256.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "render/atomic_file.hpp"
 #include "render/png.hpp"
@@ -99,16 +104,35 @@ std::string sha256_of(const fs::path& file) {
 
 FrameDraft::~FrameDraft() {
     if (is_own_) { clear(); }
+    unlock();
+}
+
+void FrameDraft::lock(bool for_all) {
+    unlock();
+    lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0) { return; }
+    // where the file system knows no locks, nobody is kept out
+    if (::flock(lock_, (for_all ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0 || errno != EWOULDBLOCK) { return; }
+    unlock();
+    refuse(
+        folder_,
+        "is what another run draws into at this moment; wait until it has ended, or give another folder");
+}
+
+void FrameDraft::unlock() {
+    if (lock_ >= 0) { ::close(std::exchange(lock_, -1)); }
 }
 
 void FrameDraft::clear() {
     is_begun_ = is_own_ = false;
     std::error_code ignored;
-    if (fs::is_symlink(folder_, ignored)) { return; }
-    for (const std::string& name : names_in(folder_)) {
-        if (is_ours(name)) { fs::remove(folder_ / name, ignored); }
+    if (!fs::is_symlink(folder_, ignored)) {
+        for (const std::string& name : names_in(folder_)) {
+            if (is_ours(name)) { fs::remove(folder_ / name, ignored); }
+        }
+        fs::remove(folder_, ignored);
     }
-    fs::remove(folder_, ignored);
+    unlock();
 }
 
 void FrameDraft::create(const Json& run) {
@@ -119,11 +143,13 @@ void FrameDraft::create(const Json& run) {
             error ? "cannot be made a folder: " + error.message()
                   : "is in the way, with files of somebody else; expected a folder for pictures alone");
     }
+    lock(true);
     is_begun_ = is_own_ = true;
     render::write_file_atomically(folder_ / kRun, json_document(run));
 }
 
 void FrameDraft::begin(const Json& run) {
+    lock(true);
     clear();
     create(run);
 }
@@ -144,6 +170,7 @@ void FrameDraft::go_on(const Json& run) {
         create(run);
         return;
     }
+    lock(true);
     check_run(run);
     is_begun_ = true;
     // of writers that are no more
@@ -155,10 +182,11 @@ void FrameDraft::go_on(const Json& run) {
     }
 }
 
-void FrameDraft::join(const Json& run) {
+void FrameDraft::join(const Json& run, Joined as) {
     std::error_code error;
     fs::create_directory(folder_, error);
     if (!fs::is_directory(folder_)) { refuse(folder_, "cannot be made a folder: " + error.message()); }
+    if (as == Joined::shard) { lock(false); }
     is_begun_ = true;
     if (!fs::exists(folder_ / kRun)) {
         // the first of several that begin at the same time tells what all of them must depend on

@@ -19,6 +19,12 @@ bool is_frame_name(const std::string& name);
 /// alone takes it away in the end, unless it is left for others.
 class FrameDraft {
 public:
+    /// Who draws beside others.
+    enum class Joined {
+        shard,  ///< nobody may begin the folder, go on with it or finish it meanwhile
+        part,   ///< of a run that somebody else has begun, and waits for
+    };
+
     explicit FrameDraft(std::filesystem::path folder) : folder_(std::move(folder)) {}
     ~FrameDraft();
     FrameDraft(const FrameDraft&) = delete;
@@ -33,7 +39,7 @@ public:
     void go_on(const Json& run);
     /// Draws into it beside others of an equal run, and leaves it to them. @throws std::runtime_error as
     /// `go_on`
-    void join(const Json& run);
+    void join(const Json& run, Joined as);
     /// The folder stays as it is, even if this ends early.
     void leave() { is_own_ = false; }
 
@@ -46,12 +52,17 @@ public:
     void clear();
 
 private:
+    /// Keeps others out of the folder until it is cleared or this ends.
+    /// @throws std::runtime_error if somebody draws into it
+    void lock(bool for_all);
+    void unlock();
     void check_run(const Json& run) const;
     void create(const Json& run);
 
     std::filesystem::path folder_;
     bool is_begun_ = false;
     bool is_own_ = false;
+    int lock_ = -1;  ///< the folder, open; -1: not locked
 };
 
 /// @throws std::runtime_error "'PATH' WHY"

@@ -108,6 +108,8 @@ void FrameFolder::remove(const std::string& name) const {
 }
 
 void FrameFolder::finish(const std::string& manifest) {
+    // another run may have ended in the meantime
+    before_.merge(named_in(folder_ / kManifest, true));
     const fs::path& drawn_in = draft_.folder();
     render::write_file_atomically(drawn_in / kManifest, manifest);
     std::vector<std::string> drawn = names_in(drawn_in);

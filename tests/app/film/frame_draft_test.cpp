@@ -36,12 +36,14 @@ TEST_CASE("An equal run goes on with what is there, another one is told what dif
         CHECK_THROWS_WITH(
             other.go_on(kOther),
             Catch::Contains("has pictures of another run (look.dark: false before, true now)"));
-        CHECK_THROWS_WITH(other.join(kOther), Catch::Contains("look.dark"));
+        CHECK_THROWS_WITH(other.join(kOther, FrameDraft::Joined::shard), Catch::Contains("look.dark"));
     }
-    FrameDraft again(path);
-    again.go_on(kThis);
-    CHECK(again.has(3));
-    CHECK_FALSE(again.has(2));
+    {
+        FrameDraft again(path);
+        again.go_on(kThis);
+        CHECK(again.has(3));
+        CHECK_FALSE(again.has(2));
+    }
     // begun anew there is nothing
     FrameDraft anew(path);
     anew.begin(kOther);
@@ -71,13 +73,13 @@ TEST_CASE(
         FrameDraft draft(path);
         draft.begin(kThis);
         FrameDraft beside(path);
-        beside.join(kThis);
+        beside.join(kThis, FrameDraft::Joined::part);
         draw(beside, 1);
     }
     CHECK_FALSE(std::filesystem::exists(path));
     {
         FrameDraft first(path);
-        first.join(kThis);
+        first.join(kThis, FrameDraft::Joined::shard);
         draw(first, 1);
     }
     CHECK(std::filesystem::exists(path + "/frame_00001.png"));
@@ -85,6 +87,28 @@ TEST_CASE(
     FrameDraft next(path);
     CHECK_THROWS_WITH(next.begin(kThis), Catch::Contains("is in the way"));
     CHECK(bytes_of(path + "/notes.txt") == "mine");
+}
+
+TEST_CASE(
+    "Nobody begins, goes on with or joins what another run draws into; shards draw side by side", "[film]") {
+    const Folder folder;
+    const std::string path = folder.path("draft");
+    {
+        FrameDraft draft(path);
+        draft.begin(kThis);
+        draw(draft, 1);
+        FrameDraft other(path);
+        CHECK_THROWS_WITH(other.begin(kThis), Catch::Contains("another run draws into at this moment"));
+        CHECK_THROWS_WITH(other.go_on(kThis), Catch::Contains("at this moment"));
+        CHECK_THROWS_WITH(other.join(kThis, FrameDraft::Joined::shard), Catch::Contains("at this moment"));
+        CHECK(draft.has(1));
+    }
+    FrameDraft one(path);
+    one.join(kThis, FrameDraft::Joined::shard);
+    FrameDraft two(path);
+    two.join(kThis, FrameDraft::Joined::shard);
+    FrameDraft end(path);
+    CHECK_THROWS_WITH(end.go_on(kThis), Catch::Contains("at this moment"));
 }
 
 TEST_CASE("The hash of a file is the one that sha256sum prints", "[film]") {
