@@ -9,6 +9,7 @@ and ten at once. Each ends with the status and the message of docs/command-line.
 import os
 import pathlib
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -163,10 +164,19 @@ def little_memory(place):
 
 
 def missing_parts(place):
-    osmesa = subprocess.run(["sh", "-c", "ls /usr/lib/*/libOSMesa.so.8"], capture_output=True, text=True).stdout.split()
-    hidden = [part for path in osmesa for part in ("--ro-bind", "/dev/null", path)]
+    def without(libraries):
+        paths = subprocess.run(["sh", "-c", f"ls {libraries}"], capture_output=True, text=True).stdout.split()
+        return [part for path in paths for part in ("--ro-bind", "/dev/null", path)]
+
     out = place / "missing"
     out.mkdir()
+    # EGL draws where there is no OSMesa; without both nothing does
+    no_osmesa = without("/usr/lib/*/libOSMesa.so.8")
+    picture = out / "by-egl"
+    ran = run("render", scene, "--out", picture, "--frames", "0", before=[*BWRAP, *no_osmesa])
+    check(ran.returncode == 0 and (picture / "frame_00000.png").exists(), f"EGL does not draw in the place of OSMesa: {ran.stderr}")
+    shutil.rmtree(picture, ignore_errors=True)
+    hidden = [*no_osmesa, *without("/usr/lib/*/libEGL.so.1*")]
     for name in ("render", "plot", "open", "snapshot record", "export SVG"):
         is_told(run(*commands(out)[name], before=[*BWRAP, *hidden]), f"{name} without OSMesa", ["OSMesa"])
         no_fonts = [*BWRAP, "--tmpfs", "/usr/share/fonts"]

@@ -90,7 +90,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Nobody begins, goes on with or joins what another run draws into; shards draw side by side", "[film]") {
+    "Nobody begins, goes on with or joins what another run draws into, and shards draw side by side",
+    "[film]") {
     const Folder folder;
     const std::string path = folder.path("draft");
     {
