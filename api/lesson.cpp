@@ -25,7 +25,7 @@ Lesson lesson_of(jw::ReadResult read) {
     return Lesson(std::make_shared<Lesson::Inside>(std::move(*read.lesson)), std::move(warnings));
 }
 
-/// Of a simulation, as the program shows it unless it is asked for others.
+/// Intervals between the times of a simulation, as the program shows it unless it is asked for others.
 constexpr int kIntervals = 100;
 
 std::vector<double> equal_times(double from, double to, int intervals) {

@@ -16,7 +16,7 @@ inline constexpr int kLargestPicture = 16384;
 /// @throws std::runtime_error as `decode_png` does
 std::array<int, 2> size_of_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// What becomes of the alpha channel of a picture.
+/// Treatment of the alpha channel of a picture that is read.
 enum class Alpha : bool { lost, kept };
 
 /// Decodes a PNG of any kind as 8-bit RGB.

@@ -6,7 +6,7 @@
 #include "app/film/film_pictures.hpp"
 #include "app/session/view/view.hpp"
 
-/// What a film tells in words, beside its pictures.
+/// Captions and chapters of a film: its words beside its pictures.
 namespace jw::film {
 
 /// Words that stand below the pictures for a while.

@@ -16,7 +16,7 @@ struct NumberedPicture {
     FilmPicture picture;
 };
 
-/// What all pictures of a run have in common.
+/// A lesson that is drawn: what all pictures of a run have in common.
 struct DrawnLesson {
     const Story* story = nullptr;
     int width = 0;

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-/// The same program several times at once.
+/// Processes of this program that share the work of one run.
 namespace jw::film {
 
-/// A process that draws one part of the pictures; the variable that tells it which.
+/// Variable of the environment that tells a process which part of the pictures it draws.
 inline constexpr const char* kPartVariable = "JOINTWISE_PART";
 
 struct Part {

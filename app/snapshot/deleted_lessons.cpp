@@ -17,7 +17,7 @@ constexpr const char* kRemovedFormat = "jointwise removed snapshots";
 constexpr int kRemovedVersion = 1;
 constexpr std::size_t kLargestRemoved = 1U << 23U;
 
-/// What was removed so far, the last at the end.
+/// Entries of `removed.json`, the last one at the end; none if the file is not there.
 Json removed_so_far(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(file, error))) { return Json::array(); }

@@ -15,7 +15,7 @@ std::vector<std::string> deleted_lessons(
     const std::vector<std::string>& paths, const std::vector<SuiteLesson>& suite,
     const std::filesystem::path& golden);
 
-/// What a comparison finds for a deleted lesson: all of its snapshots are gone.
+/// Result of the comparison of a deleted lesson: all of its snapshots are gone.
 LessonResult result_of_deleted(const std::string& name, const std::filesystem::path& golden);
 
 /// Removes the golden snapshots of a deleted lesson. The reason is kept in `removed.json` of `golden`, from

@@ -47,7 +47,7 @@ std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
 /// Facts about the lesson itself: its title; masses, gravity and springs if it has dynamics.
 std::vector<Fact> facts_of(const Lesson& lesson);
 
-/// From where it is seen. Another camera changes every pixel, but it is mostly the consequence of something
+/// Facts of the camera. Another one changes every pixel, but it is mostly the consequence of something
 /// else, such as a longer body: these facts stand behind all others.
 std::vector<Fact> facts_of(const render::Camera& camera);
 

@@ -75,7 +75,7 @@ struct RecordResult {
 RecordResult record(
     const Lesson& lesson, const std::string& lesson_text, const GoldenFolder& folder, const GoldenHead& head);
 
-/// What a comparison finds for a golden snapshot of which there is no step any more.
+/// Result of the comparison of a golden snapshot of which there is no step any more.
 SnapshotResult gone_snapshot(const GoldenFolder& folder, const std::string& name);
 
 /// Compares the lesson with its golden snapshots.

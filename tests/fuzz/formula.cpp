@@ -51,7 +51,7 @@ void promise_evaluated_or_explained(const std::string& source) {
     }
 }
 
-/// The same bytes as the name of a quantity.
+/// Promises of the name of a quantity, for the same bytes.
 void promise_same_name(const std::string& text) {
     const Mechanism& m = instant().system->mechanism();
     const auto read = read_name(text, m);

@@ -12,7 +12,7 @@ namespace {
 const std::filesystem::path kFolder = JW_FUZZ;
 constexpr unsigned kSeed = 20261125;
 
-/// What went wrong, empty if nothing did.
+/// Fault of the target with this input; empty if there is none.
 /// @param understood  counted up if the input was
 std::string fault_of(const Target& target, const std::string& input, int& understood) {
     try {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands between the quotes of a line.
+/// Word between the quotes of a line.
 std::string word_in(const std::string& line) {
     const std::size_t first = line.find('"');
     const std::size_t last = line.rfind('"');

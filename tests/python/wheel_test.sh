@@ -30,6 +30,10 @@ ldd "$package"/_jointwise*.so >"$folder/libraries"
 for name in fmt tomlplusplus deflate gif; do
     grep -q "lib$name[.]so[^ ]* => $package/libs/" "$folder/libraries" || fail "the wheel lacks lib$name"
 done
+# where they are not there, that is noticed
+mv "$package/libs" "$folder/aside"
+ldd "$package"/_jointwise*.so | grep -q " => $package/libs/" && fail "libraries are found where none are"
+mv "$folder/aside" "$package/libs"
 for file in py.typed __init__.pyi; do [ -e "$package/$file" ] || fail "the wheel lacks $file"; done
 for kind in catalogue exercises benchmark reference; do
     diff -rq "$sources/lessons/$kind" "$package/share/jointwise/lessons/$kind" || fail "other files in $kind"

@@ -8,7 +8,7 @@
 #include "core/motion/loads.hpp"
 #include "lessons/lesson.hpp"
 
-/// What every lesson that was read keeps to.
+/// Invariants of every lesson that was read.
 namespace jw::test {
 
 /// Visits every number of a lesson.

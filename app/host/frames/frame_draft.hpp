@@ -19,7 +19,7 @@ bool is_frame_name(const std::string& name);
 /// alone takes it away in the end, unless it is left for others.
 class FrameDraft {
 public:
-    /// Who draws beside others.
+    /// Role of a process that draws beside others.
     enum class Joined {
         shard,  ///< nobody may begin the folder, go on with it or finish it meanwhile
         part,   ///< of a run that somebody else has begun, and waits for
