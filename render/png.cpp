@@ -1,12 +1,10 @@
 #include "render/png.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include <libdeflate.h>
 
@@ -79,34 +77,6 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
         channels, &size));
     if (!png) { throw std::bad_alloc(); }
     return {png.get(), png.get() + size};
-}
-
-std::uint32_t png_number(std::span<const std::uint8_t> bytes) {
-    std::uint32_t value = 0;
-    for (const std::uint8_t byte : bytes.first(4)) { value = value << 8U | byte; }
-    return value;
-}
-
-std::uint32_t png_checksum(std::span<const std::uint8_t> bytes) {
-    return libdeflate_crc32(0, bytes.data(), bytes.size());
-}
-
-bool is_whole_png(std::span<const std::uint8_t> bytes) {
-    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    constexpr std::size_t around = 12;  // of a chunk: length, type and checksum
-    if (bytes.size() < signature.size() || !std::ranges::equal(signature, bytes.first(signature.size()))) {
-        return false;
-    }
-    std::span<const std::uint8_t> rest = bytes.subspan(signature.size());
-    while (rest.size() >= around) {
-        const std::uint32_t size = png_number(rest);
-        if (size > rest.size() - around) { return false; }
-        if (png_checksum(rest.subspan(4, 4 + size)) != png_number(rest.subspan(8 + size))) { return false; }
-        const auto type = rest.subspan(4, 4);
-        rest = rest.subspan(around + size);
-        if (std::ranges::equal(type, std::string_view("IEND"))) { return rest.empty(); }
-    }
-    return false;
 }
 
 std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }

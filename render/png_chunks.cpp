@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <string_view>
-#include <vector>
 
 #include <libdeflate.h>
 
@@ -20,22 +18,11 @@ constexpr std::size_t kHeadLength = 13;
 // length, name and check sum around what a chunk holds
 constexpr std::size_t kAroundPart = 12;
 
-std::size_t number_at(Bytes bytes, std::size_t at) {
-    std::size_t number = 0;
-    for (std::size_t k = 0; k < 4; ++k) { number = number << 8U | bytes[at + k]; }
-    return number;
-}
-
-bool is_called(Bytes bytes, std::size_t at, std::string_view name) {
-    return std::ranges::equal(
-        bytes.subspan(at, 4), name, [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); });
-}
-
 /// Bytes that the pixels of a head may unpack to: rows with a filter each, and as many once more for the
 /// seven passes of an interlaced picture, whose rows are short.
 std::size_t largest_unpacked(Bytes head) {
-    const std::size_t width = number_at(head, 0);
-    const std::size_t height = number_at(head, 4);
+    const std::size_t width = png_number(head);
+    const std::size_t height = png_number(head.subspan(4));
     constexpr std::size_t kSide = 1U << 16U;
     if (width > kSide || height > kSide) { return 0; }
     constexpr std::array<std::size_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
@@ -61,33 +48,79 @@ bool fits(Bytes packed, std::size_t most) {
 
 }  // namespace
 
-std::string fault_of_png(Bytes bytes) {
-    if (bytes.size() < kSignature.size() || !std::ranges::equal(bytes.first(kSignature.size()), kSignature)) {
-        return "it does not begin as one";
+PngChunks::PngChunks(Bytes bytes) {
+    is_png_ =
+        bytes.size() >= kSignature.size() && std::ranges::equal(bytes.first(kSignature.size()), kSignature);
+    if (is_png_) { rest_ = bytes.subspan(kSignature.size()); }
+}
+
+bool PngChunks::is_too_long() const {
+    return rest_.size() >= kAroundPart && png_number(rest_) > rest_.size() - kAroundPart;
+}
+
+std::optional<PngChunk> PngChunks::next() {
+    if (rest_.size() < kAroundPart || is_too_long()) { return std::nullopt; }
+    const std::size_t length = png_number(rest_);
+    PngChunk chunk{
+        {reinterpret_cast<const char*>(rest_.data()) + 4, 4},
+        rest_.subspan(8, length),
+        rest_.subspan(4, 4 + length),
+        png_number(rest_.subspan(8 + length))};
+    rest_ = rest_.subspan(kAroundPart + length);
+    return chunk;
+}
+
+std::uint32_t png_number(Bytes bytes) {
+    std::uint32_t value = 0;
+    for (const std::uint8_t byte : bytes.first(4)) { value = value << 8U | byte; }
+    return value;
+}
+
+std::uint32_t png_checksum(Bytes checked) { return libdeflate_crc32(0, checked.data(), checked.size()); }
+
+void append_png_number(std::vector<std::uint8_t>& file, std::uint32_t value, int count) {
+    for (int k = count - 1; k >= 0; --k) { file.push_back(static_cast<std::uint8_t>(value >> (8 * k))); }
+}
+
+void append_png_chunk(std::vector<std::uint8_t>& file, std::string_view type, Bytes data) {
+    append_png_number(file, static_cast<std::uint32_t>(data.size()));
+    const std::size_t begin = file.size();
+    file.insert(file.end(), type.begin(), type.end());
+    file.insert(file.end(), data.begin(), data.end());
+    append_png_number(file, png_checksum(std::span(file).subspan(begin)));
+}
+
+bool is_whole_png(Bytes bytes) {
+    PngChunks chunks(bytes);
+    while (const std::optional<PngChunk> chunk = chunks.next()) {
+        if (png_checksum(chunk->checked) != chunk->checksum) { return false; }
+        if (chunk->type == "IEND") { return chunks.rest().empty(); }
     }
+    return false;
+}
+
+std::string fault_of_png(Bytes bytes) {
+    PngChunks chunks(bytes);
+    if (!chunks.is_png()) { return "it does not begin as one"; }
     Bytes head;
     std::vector<std::uint8_t> packed;
-    for (std::size_t at = kSignature.size(); at + kAroundPart <= bytes.size();) {
-        const std::size_t length = number_at(bytes, at);
-        if (length > bytes.size() - at - kAroundPart) { return "a part of it is longer than the file"; }
-        const Bytes held = bytes.subspan(at + 8, length);
-        if (head.empty() != is_called(bytes, at + 4, "IHDR")) {
+    while (const std::optional<PngChunk> chunk = chunks.next()) {
+        if (head.empty() != (chunk->type == "IHDR")) {
             return "its head is not at the beginning, or there twice";
         }
-        if (head.empty()) { head = held; }
+        if (head.empty()) { head = chunk->data; }
         if (head.size() != kHeadLength) { return "its head is too short or too long"; }
-        const bool pixels = is_called(bytes, at + 4, "IDAT");
+        const bool pixels = chunk->type == "IDAT";
         // allowed, written by nobody, and the decoder copies it to a place that it has not reserved
-        if (pixels && held.empty()) { return "a part of its pixels is empty"; }
-        if (pixels) { packed.insert(packed.end(), held.begin(), held.end()); }
-        if (is_called(bytes, at + 4, "IEND")) {
+        if (pixels && chunk->data.empty()) { return "a part of its pixels is empty"; }
+        if (pixels) { packed.insert(packed.end(), chunk->data.begin(), chunk->data.end()); }
+        if (chunk->type == "IEND") {
             return fits(packed, largest_unpacked(head))
                        ? ""
                        : "its pixels are damaged, or more than its head says";
         }
-        at += length + kAroundPart;
     }
-    return "it is cut off";
+    return chunks.is_too_long() ? "a part of it is longer than the file" : "it is cut off";
 }
 
 }  // namespace jw::render

@@ -17,18 +17,36 @@ int integer(const GlFunctions& gl, GLenum name) {
     return value;
 }
 
-/// Mean of the `ratio` x `ratio` device pixels that stand for one pixel of the picture, in `channels`
-/// channels.
-void average_block(
-    const std::uint8_t* rgba, std::size_t columns, std::size_t ratio, std::size_t channels,
-    std::uint8_t* mean) {
+/// Mean of the `ratio` x `ratio` device pixels that stand for one pixel of the picture.
+std::array<std::uint8_t, 4> mean_of_block(const std::uint8_t* rgba, std::size_t columns, std::size_t ratio) {
     const std::size_t count = ratio * ratio;
-    for (std::size_t channel = 0; channel < channels; ++channel) {
+    std::array<std::uint8_t, 4> mean{};
+    for (std::size_t channel = 0; channel < mean.size(); ++channel) {
         std::size_t sum = count / 2;
         for (std::size_t n = 0; n < count; ++n) {
             sum += rgba[4 * (n / ratio * columns + n % ratio) + channel];
         }
         mean[channel] = static_cast<std::uint8_t>(sum / count);
+    }
+    return mean;
+}
+
+/// Gives each pixel of the picture, in order, to `put(number, rgba)`. Rows of GL start at the bottom.
+template <class Put>
+void for_each_pixel(const std::vector<std::uint8_t>& rgba, const FrameSize& size, const Put& put) {
+    const auto width = static_cast<std::size_t>(size.width);
+    const auto height = static_cast<std::size_t>(size.height);
+    const auto ratio = static_cast<std::size_t>(size.pixel_ratio);
+    for (std::size_t row = 0; row < height; ++row) {
+        const std::uint8_t* from = &rgba[4 * (height - 1 - row) * ratio * width * ratio];
+        for (std::size_t column = 0; column < width; ++column, from += 4 * ratio) {
+            const std::size_t number = row * width + column;
+            if (ratio == 1) {
+                put(number, from);
+            } else {
+                put(number, mean_of_block(from, width * ratio, ratio).data());
+            }
+        }
     }
 }
 
@@ -41,42 +59,20 @@ void divide_by_opacity(const std::uint8_t* rgba, std::uint8_t* rgb) {
     }
 }
 
-/// Rows of GL start at the bottom.
-Image transparent_picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
-    const auto width = static_cast<std::size_t>(size.width);
-    const auto height = static_cast<std::size_t>(size.height);
-    const auto ratio = static_cast<std::size_t>(size.pixel_ratio);
-    Image image{
-        size.width, size.height, std::vector<std::uint8_t>(3 * width * height),
-        std::vector<std::uint8_t>(width * height)};
-    for (std::size_t n = 0; n < width * height; ++n) {
-        const std::size_t row = height - 1 - n / width;
-        std::array<std::uint8_t, 4> mean{};
-        average_block(
-            &rgba[4 * ratio * (row * ratio * width + n % width)], width * ratio, ratio, 4, mean.data());
-        divide_by_opacity(mean.data(), &image.rgb[3 * n]);
-        image.alpha[n] = mean[3];
+Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size, bool is_opaque) {
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    Image image{size.width, size.height, std::vector<std::uint8_t>(3 * pixels)};
+    if (is_opaque) {
+        for_each_pixel(rgba, size, [&](std::size_t n, const std::uint8_t* pixel) {
+            std::copy_n(pixel, 3, &image.rgb[3 * n]);
+        });
+        return image;
     }
-    return image;
-}
-
-/// Rows of GL start at the bottom and carry alpha.
-Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size) {
-    const auto width = static_cast<std::size_t>(size.width);
-    const auto height = static_cast<std::size_t>(size.height);
-    const auto ratio = static_cast<std::size_t>(size.pixel_ratio);
-    Image image{size.width, size.height, std::vector<std::uint8_t>(3 * width * height)};
-    for (std::size_t row = 0; row < height; ++row) {
-        const std::uint8_t* from = &rgba[4 * (height - 1 - row) * ratio * width * ratio];
-        std::uint8_t* to = &image.rgb[3 * row * width];
-        for (std::size_t column = 0; column < width; ++column, from += 4 * ratio, to += 3) {
-            if (ratio == 1) {
-                std::copy_n(from, 3, to);
-            } else {
-                average_block(from, width * ratio, ratio, 3, to);
-            }
-        }
-    }
+    image.alpha.resize(pixels);
+    for_each_pixel(rgba, size, [&](std::size_t n, const std::uint8_t* pixel) {
+        divide_by_opacity(pixel, &image.rgb[3 * n]);
+        image.alpha[n] = pixel[3];
+    });
     return image;
 }
 
@@ -169,7 +165,7 @@ Image RenderTargets::read(bool is_opaque) {
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, device_width(), device_height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
     throw_on_gl_error(gl_, "drawing the picture");
-    return is_opaque ? picture_of(rgba_, size_) : transparent_picture_of(rgba_, size_);
+    return picture_of(rgba_, size_, is_opaque);
 }
 
 void RenderTargets::blit_to_window() const {

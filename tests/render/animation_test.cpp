@@ -7,6 +7,7 @@
 #include "render/animation/colour_table.hpp"
 #include "render/animation/gif.hpp"
 #include "render/png.hpp"
+#include "render/png_chunks.hpp"
 #include "render/png_reader.hpp"
 
 namespace jw::render::test {

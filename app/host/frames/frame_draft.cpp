@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "render/atomic_file.hpp"
-#include "render/png.hpp"
+#include "render/png_chunks.hpp"
 
 namespace jw::host {
 
