@@ -101,6 +101,26 @@ TEST_CASE(
     CHECK(std::ranges::count_if(picture.alpha, [](int alpha) { return alpha > 0 && alpha < 255; }) > 100);
 }
 
+TEST_CASE("The stages of a picture are parts of the loop that is measured from end to end", "[film][bench]") {
+    const Folder folder;
+    const Ran ran = run(
+        {"bench", folder.file("crank.toml", kCrank), "--render", "--size", "960x540", "--format", "json"});
+    REQUIRE(ran.status == 0);
+    const auto scene = nlohmann::json::parse(ran.out)["scenes"][0];
+    double sum = 0.0;
+    for (const auto& stage : scene["stages_s"]) {
+        CHECK(stage.get<double>() >= 0.0);
+        sum += stage.get<double>();
+    }
+    CHECK(scene["stages_s"].size() == 7);
+    CHECK(scene["all_s"].get<double>() == Approx(sum));
+    // two clocks: what is between the stages is left over, never less than nothing
+    CHECK(scene["loop_s"].get<double>() >= sum * (1.0 - 1e-9));
+    // a second of motion at 30 a second, and its end
+    CHECK(scene["pictures"] == 31);
+    CHECK(run({"bench", folder.file("still.toml", kTooShort), "--render"}).status == 2);
+}
+
 TEST_CASE("Options of render that make no sense together say so", "[film][render]") {
     const Folder folder;
     const std::string crank = folder.file("crank.toml", kCrank);
