@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/frame_range.hpp"
@@ -83,7 +82,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     if (range.first > range.last) { throw not_reached(lesson, *story.failure()); }
     draw(options, checked_options, changed, story, range, streams);
     // a part has no say: who has started it tells the same story
-    const Step* const failed = std::getenv(film::kPartVariable) == nullptr ? story.failure() : nullptr;
+    const Step* const failed = film::part_of_environment() ? nullptr : story.failure();
     if (failed == nullptr) { return Exit::done; }
     streams.err << not_reached(lesson, *failed).what() << '\n';
     return Exit::numerics;

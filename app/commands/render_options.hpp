@@ -40,7 +40,6 @@ struct RenderOptions {
 
     /// Format of the film that --out names; nothing: a folder.
     std::optional<film::FilmFormat> format() const { return film::format_of(out); }
-    bool has_range() const { return frames || motion_only || !from.empty() || !to.empty(); }
     host::FrameLook look() const;
 };
 

@@ -1,6 +1,5 @@
 #include "app/commands/render_run.hpp"
 
-#include <cstdlib>
 #include <thread>
 
 #include "app/film/draw_pictures.hpp"
@@ -33,7 +32,8 @@ public:
           story_(story),
           range_(range),
           streams_(streams),
-          drawn_{&story, checked.size.width, checked.size.height, options.look()} {
+          drawn_{&story, checked.size.width, checked.size.height, options.look()},
+          drawn_with_(drawn_with()) {
         if (options.format()) {
             film_ = film::pictures_of_film(story, range.first, range.last, {options.fps, !options.no_tween});
             for (std::size_t k = 0; k < film_.size(); ++k) {
@@ -45,8 +45,8 @@ public:
     }
 
     void carry_out() {
-        if (const char* const part = std::getenv(film::kPartVariable)) {
-            draw_part(part);
+        if (const std::optional<std::string> part = film::part_of_environment()) {
+            draw_part(*part);
         } else if (options_.format()) {
             make_film();
         } else {
@@ -75,7 +75,7 @@ private:
         ProgressBar bar(streams_, "writing");
         film::write_film(
             {options_.out, *options_.format(), options_.fps,
-             options_.loop ? render::Repeat::without_end : render::Repeat::once},
+             options_.loop ? render::Repeat::without_end : render::Repeat::once, !options_.transparent},
             story_, film_, draft, [&](double share) { bar.show(share); });
         draft.clear();
         streams_.err << seconds_text() << " s of film, " << pictures_.size() << " pictures, in "
@@ -162,7 +162,7 @@ private:
                 Exit::bad_input,
                 "jointwise: error: --resume and --shard need a lesson in a file: it is compared");
         }
-        Json run{
+        return {
             {"format", "jointwise run"},
             {"lesson_sha256", is_file ? host::sha256_of(options_.file) : "none"},
             {"tried", changed_.done},
@@ -174,8 +174,7 @@ private:
             {"look", look()},
             {"camera", options_.camera},
             {"language", language()},
-            {"drawn_with", drawn_with()}};
-        return run;
+            {"drawn_with", drawn_with_}};
     }
 
     Json look() const {
@@ -201,7 +200,7 @@ private:
             {"size", {checked_.size.width, checked_.size.height}},
             {"fps", options_.fps},
             {"look", look()},
-            {"drawn_with", drawn_with()},
+            {"drawn_with", drawn_with_},
             {"frames_in_all", story_.steps().size()}};
         add_done(manifest, changed_.done);
         return manifest;
@@ -216,6 +215,7 @@ private:
     FrameRange range_;
     const Streams& streams_;
     film::DrawnLesson drawn_;
+    Json drawn_with_;
     std::vector<film::FilmPicture> film_;  ///< empty for a folder
     std::vector<film::NumberedPicture> pictures_;
 };

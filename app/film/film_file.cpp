@@ -62,8 +62,7 @@ void write_movie(
     const fs::path film = make_movie(
         draft.folder(), shown,
         {settings.format == FilmFormat::mp4 ? MovieFormat::mp4 : MovieFormat::webm, settings.fps,
-         picture_in(draft, 0).alpha.empty(), captions,
-         ffmetadata(story.lesson().title, chapters_of(story, pictures))});
+         settings.is_opaque, captions, ffmetadata(story.lesson().title, chapters_of(story, pictures))});
     std::error_code error;
     fs::rename(film, settings.file, error);
     if (error) {

@@ -31,6 +31,7 @@ struct FilmSettings {
     FilmFormat format = FilmFormat::apng;
     double fps = 30.0;
     render::Repeat repeat = render::Repeat::once;  ///< of .gif and .apng
+    bool is_opaque = true;
 };
 
 /// File of captions beside a film: "film.vtt" beside "film.mp4".

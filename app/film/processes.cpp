@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
@@ -86,6 +87,11 @@ bool read_number(const char*& at, const char* end, int& number) {
 }
 
 }  // namespace
+
+std::optional<std::string> part_of_environment() {
+    const char* const part = std::getenv(kPartVariable);
+    return part == nullptr ? std::nullopt : std::optional<std::string>(part);
+}
 
 bool read_part(const std::string& text, Part& part) {
     const char* at = text.data();

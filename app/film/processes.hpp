@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace jw::film {
 
 /// Variable of the environment that tells a process which part of the pictures it draws.
 inline constexpr const char* kPartVariable = "JOINTWISE_PART";
+
+/// Its value, where another process has started this one; not read yet.
+std::optional<std::string> part_of_environment();
 
 struct Part {
     int part = 0;  ///< from 0
