@@ -57,7 +57,7 @@ void check_film(const RenderOptions& options, film::FilmFormat format) {
         throw CommandError(
             Exit::bad_input, "jointwise: error: --out '" + options.out +
                                  "' is made by ffmpeg, which is not there; install it (Debian: apt install "
-                                 "ffmpeg), or expected .gif, .apng or a folder");
+                                 "ffmpeg), or give .gif, .apng, .html or a folder");
     }
 }
 
