@@ -70,6 +70,8 @@ std::optional<PngChunk> PngChunks::next() {
     return chunk;
 }
 
+Bytes png_signature() { return kSignature; }
+
 std::uint32_t png_number(Bytes bytes) {
     std::uint32_t value = 0;
     for (const std::uint8_t byte : bytes.first(4)) { value = value << 8U | byte; }

@@ -37,6 +37,8 @@ private:
     std::span<const std::uint8_t> rest_;
 };
 
+/// The eight bytes that a PNG file begins with.
+std::span<const std::uint8_t> png_signature();
 /// Number in the first four bytes, as PNG writes it. There must be four.
 std::uint32_t png_number(std::span<const std::uint8_t> bytes);
 /// Checksum of a chunk, over its type and its data.
