@@ -46,7 +46,7 @@ Image drawn(const jw::Lesson& lesson, int width, int height) {
     render::Offscreen surface(width, height);
     const render::SceneRenderer renderer(surface.gl());
     surface.begin_3d();
-    renderer.draw(still.picture().scene, still.camera(all, safe), all, surface.size());
+    renderer.draw(still.picture().scene, still.camera(all, safe), all, surface.targets());
     surface.begin_2d();  // the samples of a pixel become one
     render::Image image = surface.read();
     return {image.width, image.height, std::move(image.rgb)};

@@ -13,6 +13,7 @@ namespace {
 
 // The eye stays this far in front of the scene, in depths of the scene: beyond the near plane of the camera.
 constexpr double kClearance = 0.15;
+constexpr double kNearest = 0.05;    // of the camera's distance: what lies before is not drawn
 constexpr double kPoint = 1e-7;      // [m] smaller scenes count as a point
 constexpr double kPointSize = 0.01;  // [m] which is shown like a body of 1 cm
 
@@ -186,6 +187,31 @@ Bounds bounds_of(const Scene& scene) {
         for (const Vector3d& point : line.points) { bounds.include(point); }
     }
     return bounds;
+}
+
+Rect seen_part(const Bounds& bounds, const Camera& camera, const Rect& viewport) {
+    if (bounds.empty()) { return {viewport.x, viewport.y, 0.0, 0.0}; }
+    const CameraAxes axes = axes_of(camera);
+    const double focal = 0.5 * viewport.height / std::tan(0.5 * camera.field_of_view);
+    Eigen::AlignedBox2d seen;
+    for (const Bounds::Ball& ball : bounds.balls()) {
+        const Vector3d from_eye = ball.centre - camera.eye;
+        const double depth = from_eye.dot(axes.forward);
+        if (!camera.orthographic && depth - ball.radius < kNearest * camera.distance()) { return viewport; }
+        const double reach = camera.orthographic ? 0.0 : ball.radius;
+        const Eigen::Vector2d at(from_eye.dot(axes.right), -from_eye.dot(axes.up));
+        // corners of the box around the ball, as far and as near as the ball reaches
+        for (const double side : {-ball.radius, ball.radius}) {
+            for (const double nearer : {-reach, reach}) {
+                const double scale = focal / ((camera.orthographic ? camera.distance() : depth) - nearer);
+                seen.extend(scale * (at + Eigen::Vector2d::Constant(side)));
+            }
+        }
+    }
+    const Eigen::Vector2d centre(viewport.x + 0.5 * viewport.width, viewport.y + 0.5 * viewport.height);
+    const Eigen::Vector2d low = (centre + seen.min()).array().floor() - 1.0;
+    const Eigen::Vector2d high = (centre + seen.max()).array().ceil() + 1.0;
+    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
 Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Rect& safe, const Framing& framing) {

@@ -32,11 +32,14 @@ public:
     /// @throws std::logic_error when empty
     double extent(const Vector3d& direction) const;
 
-private:
     struct Ball {
         Vector3d centre;
         double radius;
     };
+    /// What `extent` is taken of.
+    const std::vector<Ball>& balls() const { return balls_; }
+
+private:
     std::vector<Ball> balls_;
     Vector3d lowest_ = Vector3d::Constant(1e300);
     Vector3d highest_ = Vector3d::Constant(-1e300);
@@ -44,6 +47,10 @@ private:
 
 /// Bounds of everything in the scene but the ground plane.
 Bounds bounds_of(const Scene& scene);
+
+/// Part of the picture that covers what is within the bounds, in whole pixels, perhaps reaching beyond the
+/// viewport; all of the viewport if they reach the eye. Empty bounds cover nothing.
+Rect seen_part(const Bounds& bounds, const Camera& camera, const Rect& viewport);
 
 struct Framing {
     /// Direction from the eye to the scene; need not be unit.

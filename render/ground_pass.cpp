@@ -1,7 +1,5 @@
 #include "render/ground_pass.hpp"
 
-#include <algorithm>
-
 #include <Eigen/Geometry>
 
 #include "render/orbit.hpp"
@@ -13,84 +11,70 @@ namespace {
 
 constexpr Colour kNightShadow = from_hex(0x000000, 0.5F);
 
-DeviceRect between(GLint left, GLint bottom, GLint right, GLint top) {
-    return {left, bottom, std::max(right - left, 0), std::max(top - bottom, 0)};
-}
-
-DeviceRect common_part(const DeviceRect& a, const DeviceRect& b) {
-    return between(
-        std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.x + a.width, b.x + b.width),
-        std::min(a.y + a.height, b.y + b.height));
-}
-
-/// Room for samples beside the border: llvmpipe (Mesa 22.3) takes a scissor for exact to the pixel only, so
-/// the shaders decide who draws a pixel, and no sample is blended twice.
-DeviceRect grown(const DeviceRect& rect) { return {rect.x - 1, rect.y - 1, rect.width + 2, rect.height + 2}; }
-
-void set_part(const GlProgram& program, const DeviceRect& shaded) {
-    program.set("shaded_from", static_cast<float>(shaded.x), static_cast<float>(shaded.y));
-    program.set(
-        "shaded_to", static_cast<float>(shaded.x + shaded.width),
-        static_cast<float>(shaded.y + shaded.height));
-}
-
-void set_uniforms(
-    const GlProgram& program, const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) {
+/// All of the plane that is drawn.
+Parallelogram whole_plane(const Ground& ground) {
     const Vector3d normal = ground.normal.normalized();
     const Vector3d u = level_axis(normal);
+    return {ground.point, ground.radius * u, ground.radius * normal.cross(u)};
+}
+
+/// Coordinates x and y in the plane, in units of its radius.
+Matrix4d plane_from_world(const Ground& ground) {
+    const Parallelogram plane = whole_plane(ground);
+    Matrix4d m = Matrix4d::Identity();
+    for (int row = 0; row < 2; ++row) {
+        const Vector3d axis = (row == 0 ? plane.u : plane.v) / (ground.radius * ground.radius);
+        m.block<1, 3>(row, 0) = axis.transpose();
+        m(row, 3) = -axis.dot(ground.point);
+    }
+    return m;
+}
+
+/// Uniforms of `shaders::ground_vertex` but for shadow.
+void set_vertex_uniforms(
+    const GlProgram& program, const SceneView& view, const Ground& ground, const Parallelogram& part) {
     program.use();
     program.set("clip_from_world", view.clip_from_world);
-    program.set("centre", ground.point);
-    program.set("axis_u", u);
-    program.set("axis_v", Vector3d(normal.cross(u)));
-    program.set("radius", static_cast<float>(ground.radius));
-    program.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
-    program.set("line_width", 1.1F * view.pixel_scale);
-    program.set("plane_colour", plane);
-    program.set("line_colour", toned(palette::kGroundLine, tone));
+    program.set("centre", part.centre);
+    program.set("half_u", part.u);
+    program.set("half_v", part.v);
+    program.set("plane_from_world", plane_from_world(ground));
 }
 
 }  // namespace
 
 GroundPass::GroundPass(const GlFunctions& gl)
     : gl_(gl),
-      lit_(gl, "lit ground", shaders::ground_vertex(), shaders::ground_fragment(shaders::Shadows::none)),
-      shadowed_(gl, "ground", shaders::ground_vertex(), shaders::ground_fragment(shaders::Shadows::soft)),
+      lit_(gl, "ground", shaders::ground_vertex(), shaders::ground_fragment()),
+      shadow_(gl, "ground shadow", shaders::ground_vertex(), shaders::ground_shadow_fragment()),
       no_attributes_(make_vertex_array(gl)) {}
 
-void GroundPass::draw(
-    const SceneView& view, const Ground& ground, const ShadowView& shadow, const Rect& viewport,
-    const FrameSize& frame, Tone tone, const Colour& plane) const {
-    const DeviceRect whole = device_rect(viewport, frame);
-    const Rect reach =
-        shadow_on_plane(shadow, ShadowMap::kBorder, view.camera, viewport, ground.point, ground.normal);
-    const DeviceRect shaded = common_part(whole, device_rect(reach, frame));
-    gl_.Enable(GL_BLEND);
-    gl_.Disable(GL_CULL_FACE);
-    // bodies that stand on the plane or sink into it stay whole
-    gl_.DepthMask(GL_FALSE);
-    gl_.BindVertexArray(no_attributes_.name());
-
-    set_uniforms(lit_, view, ground, tone, plane);
-    set_part(lit_, shaded);
-    draw_plane(whole);
-    if (shaded.width > 0 && shaded.height > 0) {
-        set_uniforms(shadowed_, view, ground, tone, plane);
-        set_part(shadowed_, shaded);
-        shadowed_.set("shadow_from_world", shadow.map_from_world);
-        // a shadow is darker than its ground in any tone
-        shadowed_.set("shadow_colour", tone == Tone::light ? palette::kGroundShadow : kNightShadow);
-        ShadowMap::set_uniforms(shadowed_);
-        draw_plane(common_part(whole, grown(shaded)));
-    }
-    gl_.DepthMask(GL_TRUE);
-    gl_.Scissor(whole.x, whole.y, whole.width, whole.height);
+void GroundPass::draw_lit(const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) const {
+    set_vertex_uniforms(lit_, view, ground, whole_plane(ground));
+    lit_.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
+    lit_.set("line_width", 1.1F * view.pixel_scale);
+    lit_.set("plane_colour", plane);
+    lit_.set("line_colour", toned(palette::kGroundLine, tone));
+    draw_plane();
 }
 
-/// Draws the plane in one part; the triangles are the same in every part, so that no seam shows.
-void GroundPass::draw_plane(const DeviceRect& part) const {
-    gl_.Scissor(part.x, part.y, part.width, part.height);
+void GroundPass::draw_shadow(
+    const SceneView& view, const Ground& ground, const ShadowView& shadow,
+    const std::optional<Parallelogram>& part, Tone tone) const {
+    set_vertex_uniforms(shadow_, view, ground, part ? *part : whole_plane(ground));
+    shadow_.set("shadow_from_world", shadow.map_from_world);
+    // a shadow is darker than its ground in any tone
+    shadow_.set("shadow_colour", tone == Tone::light ? palette::kGroundShadow : kNightShadow);
+    ShadowMap::set_uniforms(shadow_);
+    draw_plane();
+}
+
+void GroundPass::draw_plane() const {
+    gl_.Enable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.BindVertexArray(no_attributes_.name());
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl_.Disable(GL_BLEND);
 }
 
 }  // namespace jw::render

@@ -38,11 +38,7 @@ void instance_attributes(const GlFunctions& gl) {
 
 }  // namespace
 
-InstancedMeshes::InstancedMeshes(const GlFunctions& gl) : gl_(gl), instances_(make_buffer(gl)) {
-    for (std::size_t kind = 0; kind < kMeshKinds; ++kind) {
-        meshes_[kind] = upload(make_mesh(static_cast<MeshKind>(kind)));
-    }
-}
+InstancedMeshes::InstancedMeshes(const GlFunctions& gl) : gl_(gl), instances_(make_buffer(gl)) {}
 
 InstancedMeshes::OnCard InstancedMeshes::upload(const Mesh& mesh) const {
     OnCard card{
@@ -62,14 +58,16 @@ InstancedMeshes::OnCard InstancedMeshes::upload(const Mesh& mesh) const {
 }
 
 void InstancedMeshes::draw(const InstanceLists& lists) const {
-    gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.name());
-    for (std::size_t kind = 0; kind < kMeshKinds; ++kind) {
-        if (lists[kind].empty()) { continue; }
-        fill(gl_, GL_ARRAY_BUFFER, std::span(lists[kind]), GL_STREAM_DRAW);
-        gl_.BindVertexArray(meshes_[kind].array.name());
+    for (std::size_t number = 0; number < kMeshes; ++number) {
+        if (lists[number].empty()) { continue; }
+        std::optional<OnCard>& mesh = meshes_[number];
+        if (!mesh) { mesh = upload(make_mesh(number)); }
+        gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.name());
+        fill(gl_, GL_ARRAY_BUFFER, std::span(lists[number]), GL_STREAM_DRAW);
+        gl_.BindVertexArray(mesh->array.name());
         gl_.DrawElementsInstanced(
-            GL_TRIANGLES, meshes_[kind].index_count, GL_UNSIGNED_SHORT, nullptr,
-            static_cast<GLsizei>(lists[kind].size()));
+            GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_SHORT, nullptr,
+            static_cast<GLsizei>(lists[number].size()));
     }
     gl_.BindVertexArray(0);
 }

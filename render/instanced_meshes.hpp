@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "render/gl_objects.hpp"
@@ -8,7 +9,7 @@
 
 namespace jw::render {
 
-/// All meshes on the graphics card, and the instances of the moment.
+/// Meshes on the graphics card, each put there when it is first drawn, and the instances of the moment.
 class InstancedMeshes {
 public:
     explicit InstancedMeshes(const GlFunctions& gl);
@@ -28,7 +29,7 @@ private:
 
     const GlFunctions& gl_;
     GlBuffer instances_;
-    std::array<OnCard, kMeshKinds> meshes_;
+    mutable std::array<std::optional<OnCard>, kMeshes> meshes_;  // made when first drawn
 };
 
 /// Line segments as rectangles that face the camera; attributes as in `shaders::line_vertex`.

@@ -55,7 +55,8 @@ struct Look {
 /// Adds instances of one look to one group of lists.
 class Builder {
 public:
-    Builder(InstanceLists& lists, const Look& look) : lists_(lists), look_(look) {}
+    Builder(InstanceLists& lists, const Look& look, const PixelAt& pixel_at)
+        : lists_(lists), look_(look), pixel_at_(pixel_at) {}
 
     void add(MeshKind kind, const Pose& pose, const Vector3d& size, double inner, double rounding) {
         Instance instance;
@@ -66,7 +67,7 @@ public:
         instance.id = static_cast<float>(look_.id);
         instance.colour = look_.colour;
         instance.edge_colour = look_.edge_colour;
-        lists_[static_cast<std::size_t>(kind)].push_back(instance);
+        lists_[mesh_number(kind, detail_of(kind, pose, size, rounding))].push_back(instance);
     }
 
     void operator()(const Box& box) {
@@ -144,6 +145,14 @@ public:
     }
 
 private:
+    /// By the nearer end of round shapes. A box has no round part but its edges.
+    Detail detail_of(MeshKind kind, const Pose& pose, const Vector3d& size, double rounding) const {
+        if (!pixel_at_) { return Detail::high; }
+        const double radius = kind == MeshKind::box ? rounding / kEdgeRounding : size.x() + rounding;
+        const Vector3d far_end = pose.r + size.z() * pose.A.col(2);
+        return std::max(detail_for(radius / pixel_at_(pose.r)), detail_for(radius / pixel_at_(far_end)));
+    }
+
     void hollow(
         MeshKind kind, const Vector3d& from, const Vector3d& to, double outer, double inner,
         const Vector3d& side) {
@@ -157,6 +166,7 @@ private:
 
     InstanceLists& lists_;
     Look look_;
+    const PixelAt& pixel_at_;
 };
 
 /// Calls `piece(from, to)` for every dash of the path, which begins and ends with half a dash. A dash that
@@ -205,9 +215,9 @@ Look look_of(const Shape& shape, Tone tone) {
     return {colour, kFineEdge, dark, shape.id};
 }
 
-void add_shape(DrawLists& lists, const Shape& shape, Tone tone) {
+void add_shape(DrawLists& lists, const Shape& shape, Tone tone, const PixelAt& pixel_at) {
     InstanceLists& list = list_for(lists, lists.bodies, shape.colour.a, shape.see_through, shape.highlighted);
-    std::visit(Builder(list, look_of(shape, tone)), shape.geometry);
+    std::visit(Builder(list, look_of(shape, tone), pixel_at), shape.geometry);
 }
 
 Look look_of(const Arrow& arrow, Tone tone) {
@@ -216,10 +226,10 @@ Look look_of(const Arrow& arrow, Tone tone) {
     return {colour, kLightRim, with_alpha(toned(palette::kPaper, tone), colour.a), arrow.id};
 }
 
-void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length, Tone tone) {
+void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length, Tone tone, const PixelAt& pixel_at) {
     InstanceLists& list =
         list_for(lists, lists.annotations, arrow.colour.a, arrow.see_through, arrow.highlighted);
-    Builder builder(list, look_of(arrow, tone));
+    Builder builder(list, look_of(arrow, tone), pixel_at);
     const double radius = (arrow.highlighted ? kThicker : 1.0) * arrow.radius;
     const double length = (arrow.to - arrow.from).norm();
     const double head = std::min(2.5 * radius * static_cast<double>(kConeLength), length);
@@ -233,16 +243,16 @@ void add_arrow(DrawLists& lists, const Arrow& arrow, double dash_length, Tone to
         });
 }
 
-void add_triad(DrawLists& lists, const Triad& triad, Tone tone) {
+void add_triad(DrawLists& lists, const Triad& triad, Tone tone, const PixelAt& pixel_at) {
     InstanceLists& list = list_for(lists, lists.annotations, triad.alpha, triad.see_through);
     const auto ink = [&](const Colour& colour) { return with_alpha(toned(colour, tone), triad.alpha); };
     const Colour rim = ink(palette::kPaper);
     for (int axis = 0; axis < 3; ++axis) {
         const Colour colour = ink(palette::kAxes[static_cast<std::size_t>(axis)]);
-        Builder builder(list, {colour, kLightRim, rim, triad.id});
+        Builder builder(list, {colour, kLightRim, rim, triad.id}, pixel_at);
         builder.arrow(triad.pose.r, triad.pose.r + triad.length * triad.pose.A.col(axis), triad.radius);
     }
-    Builder hub(list, {ink(palette::kInkSoft), kLightRim, rim, triad.id});
+    Builder hub(list, {ink(palette::kInkSoft), kLightRim, rim, triad.id}, pixel_at);
     hub(Sphere{triad.pose.r, 1.7 * triad.radius});
 }
 
@@ -262,11 +272,11 @@ void add_polyline(DrawLists& lists, const Polyline& line, double dash_length, To
 
 }  // namespace
 
-DrawLists draw_lists_of(const Scene& scene, double dash_length, Tone tone) {
+DrawLists draw_lists_of(const Scene& scene, double dash_length, Tone tone, const PixelAt& pixel_at) {
     DrawLists lists;
-    for (const Shape& shape : scene.shapes) { add_shape(lists, shape, tone); }
-    for (const Arrow& arrow : scene.arrows) { add_arrow(lists, arrow, dash_length, tone); }
-    for (const Triad& triad : scene.triads) { add_triad(lists, triad, tone); }
+    for (const Shape& shape : scene.shapes) { add_shape(lists, shape, tone, pixel_at); }
+    for (const Arrow& arrow : scene.arrows) { add_arrow(lists, arrow, dash_length, tone, pixel_at); }
+    for (const Triad& triad : scene.triads) { add_triad(lists, triad, tone, pixel_at); }
     for (const Polyline& line : scene.polylines) { add_polyline(lists, line, dash_length, tone); }
     return lists;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,8 +27,8 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 28 * sizeof(float), "attribute pointers assume no gaps");
 
-/// Instances of each mesh, by `MeshKind`.
-using InstanceLists = std::array<std::vector<Instance>, kMeshKinds>;
+/// Instances of each mesh, by `mesh_number`.
+using InstanceLists = std::array<std::vector<Instance>, kMeshes>;
 
 /// A straight piece of a line, drawn with a constant width on the picture.
 struct LineSegment {
@@ -49,8 +50,13 @@ struct DrawLists {
     std::vector<LineSegment> see_through_lines;
 };
 
+/// Length that covers one pixel at a point [m]; negative behind the eye.
+using PixelAt = std::function<double(const Vector3d& point)>;
+
 /// @param dash_length  of dashed lines and arrows [m], > 0; gaps are 0.7 of it
 /// @param tone  of vectors, axes, lines, outlines and what is seen through bodies; bodies keep their colours
-DrawLists draw_lists_of(const Scene& scene, double dash_length, Tone tone = Tone::light);
+/// @param pixel_at  decides the detail of each shape; none: all have the highest
+DrawLists draw_lists_of(
+    const Scene& scene, double dash_length, Tone tone = Tone::light, const PixelAt& pixel_at = {});
 
 }  // namespace jw::render

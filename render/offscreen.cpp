@@ -2,7 +2,6 @@
 
 #include "render/address_space.hpp"
 #include "render/headless_context.hpp"
-#include "render/render_targets.hpp"
 
 namespace jw::render {
 
@@ -49,9 +48,9 @@ void Offscreen::resize(int width, int height) {
 
 void Offscreen::make_current() const { context_->make_current(); }
 
-void Offscreen::begin_3d(const Colour& paper, const std::optional<Rect>& drawn) {
+void Offscreen::begin_3d(const Colour& paper) {
     make_current();
-    targets_->begin_3d(paper, drawn);
+    targets_->begin_3d(paper);
 }
 
 void Offscreen::begin_2d() {

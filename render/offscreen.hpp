@@ -1,19 +1,17 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "render/camera.hpp"
 #include "render/frame_size.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
 #include "render/palette.hpp"
+#include "render/render_targets.hpp"
 
 namespace jw::render {
 
 class HeadlessContext;
-class RenderTargets;
 
 /// A picture without a window: a context of OSMesa or EGL and `RenderTargets` in it. Frames as there.
 ///
@@ -43,8 +41,11 @@ public:
 
     void make_current() const;
 
+    /// What `SceneRenderer::draw` draws into. The context must be current.
+    RenderTargets& targets() const { return *targets_; }
+
     // these make the context current
-    void begin_3d(const Colour& paper = palette::kPaper, const std::optional<Rect>& drawn = {});
+    void begin_3d(const Colour& paper = palette::kPaper);
     void begin_2d();
     Image read(bool is_opaque = true);
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "render/gl_errors.hpp"
-#include "render/scene_view.hpp"
 
 namespace jw::render {
 namespace {
@@ -101,6 +100,7 @@ RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int s
       samples_(supported_samples(gl, samples)),
       size_(checked_size(gl, width, height, samples > 1 && samples_ == 1)),
       bodies_(make_target(samples_ > 1 ? samples_ : 0, Depth::with)),
+      scene_(make_target(0, Depth::without)),
       flat_(make_target(0, Depth::without)) {}
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
@@ -128,35 +128,35 @@ void RenderTargets::attach(
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-void RenderTargets::fill(const Colour& colour, GLbitfield buffers) const {
+void RenderTargets::begin_3d(const Colour& paper) {
+    paper_ = paper;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
+    gl_.Viewport(0, 0, device_width(), device_height());
     gl_.Disable(GL_SCISSOR_TEST);
-    gl_.DepthMask(GL_TRUE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.ClearColor(colour.r, colour.g, colour.b, colour.a);
-    gl_.Clear(buffers);
+    gl_.ClearColor(paper.r, paper.g, paper.b, paper.a);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-void RenderTargets::begin_3d(const Colour& paper, const std::optional<Rect>& drawn) {
-    paper_ = paper;
-    drawn_ = drawn;
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, bodies_.framebuffer.name());
-    gl_.Viewport(0, 0, device_width(), device_height());
-    if (!drawn_) { fill(paper_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
-}
+void RenderTargets::begin_bodies() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, bodies_.framebuffer.name()); }
+
+void RenderTargets::end_bodies(const DeviceRect& part) const { copy(bodies_, scene_, part); }
 
 void RenderTargets::begin_2d() const {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
-    if (drawn_) { fill(paper_, GL_COLOR_BUFFER_BIT); }
-    const DeviceRect part =
-        drawn_ ? device_rect(*drawn_, size_) : DeviceRect{0, 0, device_width(), device_height()};
+    copy(scene_, flat_, {0, 0, device_width(), device_height()});
+    gl_.Viewport(0, 0, device_width(), device_height());
+}
+
+/// The mean of the samples where `from` has several. Leaves `to` bound.
+void RenderTargets::copy(const Target& from, const Target& to, const DeviceRect& part) const {
     const GLint right = part.x + part.width;
     const GLint top = part.y + part.height;
     gl_.Disable(GL_SCISSOR_TEST);
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, bodies_.framebuffer.name());
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.name());
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
     gl_.BlitFramebuffer(
         part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
-    gl_.Viewport(0, 0, device_width(), device_height());
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.name());
 }
 
 Image RenderTargets::read(bool is_opaque) {

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "render/camera.hpp"
-#include "render/frame_size.hpp"
+#include "render/device_rect.hpp"
 #include "render/gl_objects.hpp"
 #include "render/image.hpp"
 
@@ -14,9 +12,10 @@ namespace jw::render {
 /// Framebuffers for one size of picture in whatever context is current: the window and `Offscreen` draw into
 /// the same, so both show the same pixels and a screenshot is `read`.
 ///
-/// One frame is `begin_3d`, draw bodies, `begin_2d`, draw panels, then `read` or `blit_to_window`. Panels go
-/// into the resolved picture, so text is not multisampled: faster and as sharp. A frame in which no body has
-/// moved may start with `begin_2d`: bodies stay as they were drawn. For another size make anew.
+/// One frame is `begin_3d`, `SceneRenderer::draw`, `begin_2d`, draw panels, then `read` or `blit_to_window`.
+/// Only bodies are multisampled, and only where there are some: what is behind them has no edges, and text is
+/// as sharp without. A frame in which no body has moved may start with `begin_2d`: bodies stay as they were
+/// drawn. For another size make anew.
 class RenderTargets {
 public:
     /// The context must be current here, in every call and at destruction; `gl` must outlive this.
@@ -31,15 +30,20 @@ public:
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const { return samples_; }
 
-    /// Binds the framebuffer for bodies.
+    /// Binds the framebuffer for scenes, with nothing in it.
     /// @param paper  the colour of the picture where nothing is drawn
-    /// @param drawn  the only part that bodies are drawn into, and all of it: `SceneRenderer::draw` leaves no
-    ///               pixel of its viewport as it was. The rest is neither cleared nor resolved, which is
-    ///               faster.
-    void begin_3d(const Colour& paper = palette::kPaper, const std::optional<Rect>& drawn = {});
+    void begin_3d(const Colour& paper = palette::kPaper);
 
-    /// Binds the flat framebuffer for panels and text, with nothing in it but paper and the bodies last
-    /// drawn.
+    /// Colour of the last `begin_3d`.
+    const Colour& paper() const { return paper_; }
+
+    /// Binds the multisampled framebuffer for bodies, which has a depth buffer; what is in it is left over.
+    void begin_bodies() const;
+
+    /// Puts a part of what is in that framebuffer into the one for scenes, and binds that one.
+    void end_bodies(const DeviceRect& part) const;
+
+    /// Binds the flat framebuffer for panels and text, with the scene last drawn in it.
     void begin_2d() const;
 
     /// The picture, top row first.
@@ -62,7 +66,7 @@ private:
 
     Target make_target(int samples, Depth depth) const;
     void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
-    void fill(const Colour& colour, GLbitfield buffers) const;
+    void copy(const Target& from, const Target& to, const DeviceRect& part) const;
     GLsizei device_width() const { return size_.width * size_.pixel_ratio; }
     GLsizei device_height() const { return size_.height * size_.pixel_ratio; }
 
@@ -70,9 +74,9 @@ private:
     int samples_;
     FrameSize size_;
     Target bodies_;
+    Target scene_;
     Target flat_;
     Colour paper_ = palette::kPaper;
-    std::optional<Rect> drawn_;
     std::vector<std::uint8_t> rgba_;  // of the device
 };
 

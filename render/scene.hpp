@@ -135,6 +135,8 @@ struct Ground {
     Vector3d normal = Vector3d::UnitZ();
     double grid = 0.5;    ///< distance of the lines
     double radius = 5.0;  ///< faded out entirely from here on
+
+    bool operator==(const Ground&) const = default;
 };
 
 struct Scene {

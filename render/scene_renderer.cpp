@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "render/drawn_part.hpp"
 #include "render/scene_view.hpp"
 #include "render/shaders.hpp"
 
@@ -11,7 +12,6 @@ namespace jw::render {
 namespace {
 
 constexpr float kHiddenAlpha = 0.50F;  // of what is seen through a body
-constexpr Colour kWhitePaper = from_hex(0xFFFFFF);
 
 /// Lamps stand relative to the camera, so every view is lit well: key from the upper left behind the viewer,
 /// fill from the right.
@@ -40,15 +40,24 @@ const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
 /// Values that all passes of one frame share.
 struct SceneRenderer::Pass : SceneView {
-    Tone tone;
+    Rect seen_in;
     Light light;
     ShadowView shadow;
 
     Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone_)
-        : SceneView(scene, seen_by, viewport, frame, tone_), tone(tone_), light(light_for(scene, seen_by)) {
+        : SceneView(scene, seen_by, viewport, frame, tone_),
+          seen_in(viewport),
+          light(light_for(scene, seen_by)) {
         Scene casters;
         casters.shapes = scene.shapes;
         shadow = shadow_view(bounds_of(casters), light.towards_key, ShadowMap::kTexels);
+    }
+
+    /// Part of the picture that bodies, lines and outlines reach, perhaps beyond the viewport.
+    Rect reached(const FrameSize& frame) const {
+        // 1 pixel: soft borders of lines
+        const double border = 1.0 + border_of(lists) * static_cast<double>(pixel_scale) / frame.pixel_ratio;
+        return shrunk(seen_part(bounds_of(lists), camera, seen_in), -std::ceil(border));
     }
 
     /// Uniforms of `shaders::body_vertex`.
@@ -68,40 +77,43 @@ SceneRenderer::SceneRenderer(const GlFunctions& gl)
       body_(gl, "body", shaders::body_vertex(), shaders::body_fragment(shaders::Shadows::soft)),
       sign_(gl, "sign", shaders::body_vertex(), shaders::body_fragment(shaders::Shadows::none)),
       edge_(gl, "edge", shaders::body_vertex(), shaders::edge_fragment()),
-      backdrop_(gl, "backdrop", shaders::backdrop_vertex(), shaders::backdrop_fragment()),
       line_(gl, "line", shaders::line_vertex(), shaders::line_fragment()),
       meshes_(gl),
       shadow_map_(gl),
-      ground_(gl),
-      no_attributes_(make_vertex_array(gl)) {}
+      backdrop_(gl) {}
 
 void SceneRenderer::draw(
-    const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame, Tone tone,
+    const Scene& scene, const Camera& camera, const Rect& viewport, const RenderTargets& targets, Tone tone,
     Backdrop backdrop) const {
+    const FrameSize frame = targets.size();
     const DeviceRect rect = device_rect(viewport, frame);
-    if (rect.width < 1 || rect.height < 1) { return; }
+    if (rect.empty()) { return; }
     const Pass pass(scene, camera, viewport, frame, tone);
     shadow_map_.update(meshes_, pass.lists.bodies, pass.shadow);
-
-    gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
-    gl_.Scissor(rect.x, rect.y, rect.width, rect.height);
-    gl_.Enable(GL_SCISSOR_TEST);
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.DepthFunc(GL_LESS);
-    gl_.Clear(GL_DEPTH_BUFFER_BIT);
-    shadow_map_.bind();
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    backdrop_.draw(
+        {pass.clip_from_world, viewport, frame, tone, backdrop, targets.paper(), scene.ground}, pass,
+        shadow_map_);
 
-    if (backdrop == Backdrop::sky) { draw_backdrop(tone); }
-    if (scene.ground) {
-        const Colour plane = backdrop == Backdrop::sky ? toned(palette::kGroundPlane, tone) : kWhitePaper;
-        ground_.draw(pass, *scene.ground, pass.shadow, viewport, frame, tone, plane);
-    }
+    const DeviceRect part = common_part(rect, device_rect(pass.reached(frame), frame));
+    if (part.empty()) { return; }
+    targets.begin_bodies();
+    gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
+    draw_solids(pass, part);
+    targets.end_bodies(part);
+}
+
+/// Everything but the backdrop, which is copied below it.
+void SceneRenderer::draw_solids(const Pass& pass, const DeviceRect& part) const {
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(part.x, part.y, part.width, part.height);
+    backdrop_.draw_behind_bodies();
+    shadow_map_.bind();
+    gl_.DepthFunc(GL_LESS);
     draw_bodies(pass);
     draw_see_through(pass);
     draw_emphasised(pass);
     draw_ghosts(pass);
-
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.Disable(GL_DEPTH_TEST);
 }
@@ -110,18 +122,6 @@ void SceneRenderer::draw_shadows(
     const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const {
     const Pass pass(scene, camera, viewport, frame, Tone::light);
     shadow_map_.update(meshes_, pass.lists.bodies, pass.shadow);
-}
-
-void SceneRenderer::draw_backdrop(Tone tone) const {
-    gl_.Disable(GL_DEPTH_TEST);
-    gl_.Disable(GL_CULL_FACE);
-    gl_.Disable(GL_BLEND);
-    backdrop_.use();
-    backdrop_.set("top", toned(palette::kSkyTop, tone));
-    backdrop_.set("bottom", toned(palette::kSkyBottom, tone));
-    gl_.BindVertexArray(no_attributes_.name());
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_.Enable(GL_DEPTH_TEST);
 }
 
 void SceneRenderer::draw_bodies(const Pass& pass) const {

@@ -1,20 +1,14 @@
 #pragma once
 
+#include "render/backdrop_pass.hpp"
 #include "render/camera.hpp"
-#include "render/frame_size.hpp"
 #include "render/gl_objects.hpp"
-#include "render/ground_pass.hpp"
 #include "render/instanced_meshes.hpp"
+#include "render/render_targets.hpp"
 #include "render/scene.hpp"
 #include "render/shadow_map.hpp"
 
 namespace jw::render {
-
-/// What is behind everything else.
-enum class Backdrop {
-    sky,    ///< a gradient from top to bottom
-    paper,  ///< white, which the framebuffer has been cleared to; of the ground lines and shadows are seen
-};
 
 /// Draws scenes through a table of GL functions, whoever made the context.
 ///
@@ -27,12 +21,11 @@ public:
     /// @throws std::runtime_error with the driver's words if a shader does not compile.
     explicit SceneRenderer(const GlFunctions& gl);
 
-    /// Draws into the rectangle `viewport` of the framebuffer that is bound, which has a depth buffer.
-    /// The point that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn
-    /// into a viewport without pixels.
-    /// Bodies have the same colours in both tones; everything else is `toned`.
+    /// Draws into the rectangle `viewport` of the frame that `RenderTargets::begin_3d` has begun. The point
+    /// that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn into a
+    /// viewport without pixels. Bodies have the same colours in both tones; everything else is `toned`.
     void draw(
-        const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
+        const Scene& scene, const Camera& camera, const Rect& viewport, const RenderTargets& targets,
         Tone tone = Tone::light, Backdrop backdrop = Backdrop::sky) const;
 
     /// Draws the shadows of a scene alone; `draw` of the same scene then has nothing more to do for them.
@@ -56,7 +49,7 @@ private:
     static const Surface kHidden;      ///< what is seen through a body
     static const Surface kGhost;
 
-    void draw_backdrop(Tone tone) const;
+    void draw_solids(const Pass& pass, const DeviceRect& part) const;
     void draw_bodies(const Pass& pass) const;
     void draw_see_through(const Pass& pass) const;
     void draw_emphasised(const Pass& pass) const;
@@ -70,12 +63,10 @@ private:
     GlProgram body_;
     GlProgram sign_;  // the same without shadows
     GlProgram edge_;
-    GlProgram backdrop_;
     GlProgram line_;
     SceneMeshes meshes_;
-    mutable ShadowMap shadow_map_;  // remembers what it shows
-    GroundPass ground_;
-    GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
+    mutable ShadowMap shadow_map_;   // remembers what it shows
+    mutable BackdropPass backdrop_;  // likewise
 };
 
 }  // namespace jw::render

@@ -1,7 +1,5 @@
 #include "render/scene_view.hpp"
 
-#include <cmath>
-
 namespace jw::render {
 namespace {
 
@@ -15,8 +13,8 @@ SceneView::SceneView(
     : camera(seen_by),
       lists(draw_lists_of(
           scene,
-          kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target),
-          tone)),
+          kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target), tone,
+          [&](const Vector3d& point) { return pixel_size(seen_by, viewport, point) / frame.pixel_ratio; })),
       clip_from_world(projection_matrix(seen_by, viewport.width / viewport.height) * view_matrix(seen_by)),
       clip_per_pixel_x(static_cast<float>(2.0 / (viewport.width * frame.pixel_ratio))),
       clip_per_pixel_y(static_cast<float>(2.0 / (viewport.height * frame.pixel_ratio))),
@@ -34,14 +32,6 @@ void SceneView::set_line_uniforms(const GlProgram& program) const {
     program.set("width_scale", pixel_scale);
     // beyond 0, where there is no direction on the picture, and before the near plane at 5 % of the distance
     program.set("near_w", camera.orthographic ? 0.0F : static_cast<float>(0.01 * camera.distance()));
-}
-
-DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
-    const auto pixels = [&](double length) {
-        return static_cast<GLint>(std::lround(length * frame.pixel_ratio));
-    };
-    return {
-        pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
 }
 
 }  // namespace jw::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/device_rect.hpp"
 #include "render/frame_size.hpp"
 #include "render/gl_objects.hpp"
 #include "render/instances.hpp"
@@ -27,13 +28,5 @@ struct SceneView {
     /// Uniforms of `shaders::line_vertex`.
     void set_line_uniforms(const GlProgram& program) const;
 };
-
-/// Pixels of the device, counted from the bottom as GL does.
-struct DeviceRect {
-    GLint x, y;
-    GLsizei width, height;
-};
-
-DeviceRect device_rect(const Rect& rect, const FrameSize& frame);
 
 }  // namespace jw::render

@@ -11,12 +11,10 @@ constexpr const char* kShadow = R"(
 uniform sampler2DShadow shadow_map;
 uniform float shadow_spread;  // radius of the soft border, in map coordinates
 
-const bool draws_shaded_part = true;
-const int tap_count = 12;
+const int tap_count = 6;
 const vec2 taps[tap_count] = vec2[](
-    vec2(0.204, 0.000), vec2(-0.261, 0.239), vec2(0.040, -0.455), vec2(0.329, 0.429),
-    vec2(-0.603, -0.107), vec2(0.571, -0.363), vec2(-0.191, 0.711), vec2(-0.364, -0.702),
-    vec2(0.791, 0.289), vec2(-0.822, 0.340), vec2(0.396, -0.847), vec2(0.293, 0.934));
+    vec2(0.223, 0.061), vec2(-0.435, 0.398), vec2(-0.010, -0.582),
+    vec2(0.399, 0.667), vec2(-0.919, -0.090), vec2(0.742, -0.453));
 
 float light_reaching(vec3 at) {
     float sum = 0.0;
@@ -28,8 +26,6 @@ float light_reaching(vec3 at) {
 )";
 
 constexpr const char* kNoShadow = R"(
-const bool draws_shaded_part = false;
-
 float light_reaching(vec3 at) { return 1.0; }
 )";
 
@@ -39,6 +35,13 @@ const char* shadow_lookup(Shadows shadows) { return shadows == Shadows::soft ? k
 constexpr const char* kTransfer = R"(
 vec3 linear_from_srgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
 vec3 srgb_from_linear(vec3 c) { return max(1.055 * pow(max(c, vec3(0.0)), vec3(0.41666)) - 0.055, vec3(0.0)); }
+)";
+
+/// What of the ground is left far out.
+constexpr const char* kFade = R"(
+in vec2 plane;
+
+float fade() { return 1.0 - smoothstep(0.30, 1.0, length(plane)); }
 )";
 
 /// Three digits to the base 256, exact in 8 bits a channel.
@@ -159,35 +162,30 @@ std::string ground_vertex() {
     return std::string(kVersion) + R"(
 uniform mat4 clip_from_world;
 uniform mat4 shadow_from_world;
-uniform vec3 centre;
-uniform vec3 axis_u;
-uniform vec3 axis_v;
-uniform float radius;
+uniform vec3 centre;  // of the part that is drawn, and its half sides
+uniform vec3 half_u;
+uniform vec3 half_v;
+uniform mat4 plane_from_world;
 
-out vec2 plane;  // coordinates in the plane, in units of `radius`
+out vec2 plane;  // coordinates in the plane, in units of its radius
 out vec3 shadow_position;
 
 void main() {
-    plane = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
-    vec3 position = centre + radius * (plane.x * axis_u + plane.y * axis_v);
-    shadow_position = (shadow_from_world * vec4(position, 1.0)).xyz;
-    gl_Position = clip_from_world * vec4(position, 1.0);
+    vec2 corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
+    vec4 position = vec4(centre + corner.x * half_u + corner.y * half_v, 1.0);
+    plane = (plane_from_world * position).xy;
+    shadow_position = (shadow_from_world * position).xyz;
+    gl_Position = clip_from_world * position;
 }
 )";
 }
 
-std::string ground_fragment(Shadows shadows) {
-    return std::string(kVersion) + shadow_lookup(shadows) + R"(
-in vec2 plane;
-in vec3 shadow_position;
-
+std::string ground_fragment() {
+    return std::string(kVersion) + kFade + R"(
 uniform float lines_per_radius;
 uniform vec4 plane_colour;
 uniform vec4 line_colour;
-uniform vec4 shadow_colour;
 uniform float line_width;  // pixels
-uniform vec2 shaded_from;  // pixels: where shadow may fall
-uniform vec2 shaded_to;
 
 out vec4 pixel;
 
@@ -200,17 +198,25 @@ float grid(vec2 at, float width) {
 }
 
 void main() {
-    float distance_out = length(plane);
-    float fade = 1.0 - smoothstep(0.30, 1.0, distance_out);
     vec2 at = plane * lines_per_radius;
-    float line = max(0.75 * grid(at, line_width), 0.35 * grid(at * 5.0, line_width) * (1.0 - smoothstep(0.1, 0.6, distance_out)));
-    float shadow = 1.0 - light_reaching(shadow_position);
-    bool in_part = all(greaterThan(gl_FragCoord.xy, shaded_from)) && all(lessThan(gl_FragCoord.xy, shaded_to));
-    if (in_part != draws_shaded_part) { discard; }
+    float fine = 1.0 - smoothstep(0.1, 0.6, length(plane));
+    float line = max(0.75 * grid(at, line_width), 0.35 * grid(at * 5.0, line_width) * fine);
+    pixel = vec4(mix(plane_colour.rgb, line_colour.rgb, line), fade());
+}
+)";
+}
 
-    vec3 colour = mix(plane_colour.rgb, line_colour.rgb, line);
-    colour = mix(colour, shadow_colour.rgb, shadow * shadow_colour.a);
-    pixel = vec4(colour, fade);
+std::string ground_shadow_fragment() {
+    return std::string(kVersion) + kFade + kShadow + R"(
+in vec3 shadow_position;
+
+uniform vec4 shadow_colour;
+
+out vec4 pixel;
+
+void main() {
+    float shadow = 1.0 - light_reaching(shadow_position);
+    pixel = vec4(shadow_colour.rgb, shadow_colour.a * shadow * fade());
 }
 )";
 }
@@ -227,7 +233,7 @@ void main() {
 )";
 }
 
-std::string backdrop_fragment() {
+std::string sky_fragment() {
     return std::string(kVersion) + R"(
 in float height;
 uniform vec4 top;
@@ -235,6 +241,15 @@ uniform vec4 bottom;
 out vec4 pixel;
 
 void main() { pixel = mix(bottom, top, smoothstep(0.15, 1.0, height)); }
+)";
+}
+
+std::string copy_fragment() {
+    return std::string(kVersion) + R"(
+uniform sampler2D picture;
+out vec4 pixel;
+
+void main() { pixel = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
 )";
 }
 

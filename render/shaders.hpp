@@ -12,9 +12,11 @@ std::string body_fragment(Shadows shadows);
 std::string edge_fragment();   ///< with body_vertex: flat colour of outlines
 std::string depth_fragment();  ///< with body_vertex: nothing but depth
 std::string ground_vertex();
-std::string ground_fragment(Shadows shadows);
-std::string backdrop_vertex();
-std::string backdrop_fragment();
+std::string ground_fragment();         ///< in full light
+std::string ground_shadow_fragment();  ///< with ground_vertex: shadow alone, to be blended
+std::string backdrop_vertex();         ///< fills the viewport at the farthest depth
+std::string sky_fragment();            ///< with backdrop_vertex
+std::string copy_fragment();           ///< with backdrop_vertex: a texture, pixel by pixel
 std::string line_vertex();
 std::string line_fragment();
 std::string body_id_fragment();  ///< with body_vertex: the id as colour

@@ -60,6 +60,7 @@ void ShadowMap::update(const SceneMeshes& meshes, const InstanceLists& casters, 
     depth_.set("edge_scale", 0.0F);
     meshes.solids.draw(casters);
     shown_ = Shown{casters, view};
+    ++version_;
 }
 
 void ShadowMap::bind() const {

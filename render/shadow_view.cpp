@@ -11,7 +11,6 @@ constexpr double kMargin = 1.15;  // room for the soft border
 constexpr double kStep = 1.25;    // widths are powers of this
 
 constexpr double kGrazing = 0.05;
-constexpr double kNearest = 0.05;      // of the camera's distance: what lies before is not drawn
 constexpr double kTexelMargin = 0.01;  // of the map: ten texels, for blending and for rounding
 
 /// Multiple of `step` next to `value`.
@@ -53,29 +52,30 @@ ShadowView shadow_view(const Bounds& casters, const Eigen::Vector3d& towards_lig
     return view;
 }
 
-Rect shadow_on_plane(
-    const ShadowView& shadow, double border, const Camera& camera, const Rect& viewport,
-    const Vector3d& point, const Vector3d& normal) {
-    if ((shadow.lowest.array() > shadow.highest.array()).any()) { return {viewport.x, viewport.y, 0.0, 0.0}; }
+std::optional<Parallelogram> shadow_on_plane(
+    const ShadowView& shadow, double border, const Vector3d& point, const Vector3d& normal) {
     const Eigen::Affine3d world_from_map = Eigen::Affine3d(shadow.map_from_world).inverse();
     const Vector3d along_ray = world_from_map.linear().col(2);
     const double descent = normal.dot(along_ray);
-    // rays that graze the plane reach anywhere
-    if (std::abs(descent) < kGrazing * along_ray.norm() * normal.norm()) { return viewport; }
-    Eigen::AlignedBox2d seen;
-    const double reach = border + kTexelMargin;
-    for (const double x : {shadow.lowest.x() - reach, shadow.highest.x() + reach}) {
-        for (const double y : {shadow.lowest.y() - reach, shadow.highest.y() + reach}) {
-            const Vector3d start = world_from_map * Vector3d(x, y, 0.0);
-            const Vector3d corner = start + along_ray * (normal.dot(point - start) / descent);
-            const Projected at = project(camera, viewport, corner);
-            if (!camera.orthographic && at.depth < kNearest * camera.distance()) { return viewport; }
-            seen.extend(Eigen::Vector2d(at.x, at.y));
-        }
+    if (std::abs(descent) < kGrazing * along_ray.norm() * normal.norm()) { return std::nullopt; }
+    const auto dropped = [&](const Vector3d& along) -> Vector3d {
+        return along - along_ray * (normal.dot(along) / descent);
+    };
+    const Eigen::Vector2d middle = 0.5 * (shadow.lowest + shadow.highest);
+    const Eigen::Vector2d half =
+        0.5 * (shadow.highest - shadow.lowest) + Eigen::Vector2d::Constant(border + kTexelMargin);
+    const Vector3d start = world_from_map * Vector3d(middle.x(), middle.y(), 0.0);
+    return Parallelogram{
+        point + dropped(start - point), dropped(world_from_map.linear().col(0) * half.x()),
+        dropped(world_from_map.linear().col(1) * half.y())};
+}
+
+Bounds bounds_of(const Parallelogram& part) {
+    Bounds bounds;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) { bounds.include(part.centre + x * part.u + y * part.v); }
     }
-    const Eigen::Vector2d low = seen.min().array().floor() - 1.0;
-    const Eigen::Vector2d high = seen.max().array().ceil() + 1.0;
-    return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+    return bounds;
 }
 
 }  // namespace jw::render

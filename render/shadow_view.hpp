@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "render/framing.hpp"
@@ -15,6 +17,9 @@ struct ShadowView {
     Eigen::Vector2d lowest = Eigen::Vector2d::Ones();
     Eigen::Vector2d highest = Eigen::Vector2d::Zero();
 
+    /// True if nothing casts a shadow.
+    bool empty() const { return (lowest.array() > highest.array()).any(); }
+
     bool operator==(const ShadowView&) const = default;
 };
 
@@ -24,11 +29,20 @@ struct ShadowView {
 /// @param texels  side of the map
 ShadowView shadow_view(const Bounds& casters, const Eigen::Vector3d& towards_light, int texels);
 
-/// The part of the viewport outside of which a plane lies in full light; in whole pixels, perhaps reaching
-/// beyond the viewport. Empty if nothing casts a shadow.
+/// A part of a plane: centre + x u + y v with x and y from -1 to 1.
+struct Parallelogram {
+    Vector3d centre;
+    Vector3d u;
+    Vector3d v;
+};
+
+/// The part of a plane outside of which it lies in full light; nothing if rays graze the plane and reach
+/// anywhere. Some shadow must be cast.
 /// @param border  widths of the map by which shadows are softened on each side
-Rect shadow_on_plane(
-    const ShadowView& shadow, double border, const Camera& camera, const Rect& viewport,
-    const Vector3d& point, const Vector3d& normal);
+std::optional<Parallelogram> shadow_on_plane(
+    const ShadowView& shadow, double border, const Vector3d& point, const Vector3d& normal);
+
+/// Its corners.
+Bounds bounds_of(const Parallelogram& part);
 
 }  // namespace jw::render

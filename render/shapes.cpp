@@ -16,11 +16,18 @@ using Eigen::Vector4f;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Fine enough that a silhouette 200 pixels wide has no visible corners. A software renderer pays for every
-// vertex in every pass, so vectors, of which there are many, get along with fewer.
-constexpr int kAround = 36;
-constexpr int kAroundVector = 18;
-constexpr int kRoundingSteps = 2;
+/// Numbers of points.
+struct Points {
+    int around;    ///< a circle; divides by 2
+    int rounding;  ///< the quarter of a circle at an edge, its first point not counted
+};
+
+constexpr std::array<Points, kDetails> kPoints{{{12, 1}, {18, 1}, {28, 2}, {36, 2}}};
+
+/// What a polygon may miss of its circle [pixels]: nothing that the smoothing of borders would show.
+constexpr double kMostMissed = 0.15;
+
+Points points_of(Detail detail) { return kPoints[static_cast<std::size_t>(detail)]; }
 
 Vector2f direction(float angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -48,13 +55,13 @@ std::vector<SectionPoint> circle(int points) {
 }
 
 /// Section of a hexagonal prism; at each corner the normal turns by 60 degrees.
-std::vector<SectionPoint> hexagon() {
-    constexpr int steps = 6;
+std::vector<SectionPoint> hexagon(int around) {
+    const int steps = around / 6;
     std::vector<SectionPoint> section;
     for (int corner = 0; corner < 6; ++corner) {
         const float at = static_cast<float>(corner) * kPi / 3.0F;
         for (int n = 0; n <= steps; ++n) {
-            const float turned = (static_cast<float>(n) / steps - 0.5F) * kPi / 3.0F;
+            const float turned = (static_cast<float>(n) / static_cast<float>(steps) - 0.5F) * kPi / 3.0F;
             section.push_back({direction(at), direction(at + turned)});
         }
     }
@@ -105,65 +112,65 @@ Mesh lathe(const std::vector<ProfilePoint>& profile, const std::vector<SectionPo
     return mesh;
 }
 
-Mesh round_bar() {
+Mesh round_bar(Points points) {
     std::vector<ProfilePoint> profile{{0.0F, 0.0F, {0.0F, -1.0F}}};
-    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, kRoundingSteps, false);
-    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, kRoundingSteps, false);
+    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, points.rounding, false);
+    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, points.rounding, false);
     profile.push_back({0.0F, 1.0F, {0.0F, 1.0F}});
-    return lathe(profile, circle(kAround));
+    return lathe(profile, circle(points.around));
 }
 
-Mesh shaft() {
+Mesh shaft(Points points) {
     return lathe(
         {{0.0F, 0.0F, {0.0F, -1.0F}},
          {1.0F, 0.0F, {0.0F, -1.0F}},
          {1.0F, 0.0F, {1.0F, 0.0F}},
          {1.0F, 1.0F, {1.0F, 0.0F}}},
-        circle(kAroundVector));
+        circle(points.around));
 }
 
-Mesh rod() {
+Mesh rod(Points points) {
     std::vector<ProfilePoint> profile;
-    add_arc(profile, 0.0F, 0.0F, -kPi / 2, 0.0F, 8, false);
-    add_arc(profile, 0.0F, 1.0F, 0.0F, kPi / 2, 8, false);
-    return lathe(profile, circle(kAround));
+    add_arc(profile, 0.0F, 0.0F, -kPi / 2, 0.0F, points.around / 4, false);
+    add_arc(profile, 0.0F, 1.0F, 0.0F, kPi / 2, points.around / 4, false);
+    return lathe(profile, circle(points.around));
 }
 
-std::vector<ProfilePoint> hollow_profile() {
+std::vector<ProfilePoint> hollow_profile(Points points) {
     std::vector<ProfilePoint> profile;
-    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, kRoundingSteps, false);
-    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, kRoundingSteps, false);
-    add_arc(profile, 1.0F, 1.0F, kPi / 2, kPi, kRoundingSteps, true);
-    add_arc(profile, 1.0F, 0.0F, kPi, 1.5F * kPi, kRoundingSteps, true);
+    add_arc(profile, 1.0F, 0.0F, -kPi / 2, 0.0F, points.rounding, false);
+    add_arc(profile, 1.0F, 1.0F, 0.0F, kPi / 2, points.rounding, false);
+    add_arc(profile, 1.0F, 1.0F, kPi / 2, kPi, points.rounding, true);
+    add_arc(profile, 1.0F, 0.0F, kPi, 1.5F * kPi, points.rounding, true);
     profile.push_back(profile.front());
     return profile;
 }
 
-Mesh ring() {
+Mesh ring(Points points) {
     std::vector<ProfilePoint> profile;
-    add_arc(profile, 1.0F, 0.0F, -kPi, kPi, 12, false);
-    return lathe(profile, circle(48));
+    add_arc(profile, 1.0F, 0.0F, -kPi, kPi, points.around / 3, false);
+    return lathe(profile, circle(points.around * 4 / 3));
 }
 
-Mesh cone() {
+Mesh cone(Points points) {
     const float slope = std::atan2(1.0F, kConeLength);  // of the side's normal above the plane of the base
     std::vector<ProfilePoint> profile{{0.0F, 0.0F, {0.0F, -1.0F}}};
     add_arc(profile, 1.0F, 0.0F, -kPi / 2, slope, 1, false);
     add_arc(profile, 0.0F, kConeLength, slope, kPi / 2, 1, false);
-    return lathe(profile, circle(kAroundVector));
+    return lathe(profile, circle(points.around));
 }
 
 /// Every face is a grid; on either half of it one corner's normals, spread like the squares of a cube
 /// blown up to a sphere, so that the faces meet without a seam.
-Mesh box() {
+Mesh box(Points points) {
     struct Step {
         float core;
         float slope;
     };
     std::vector<Step> steps;
     for (const float side : {-1.0F, 1.0F}) {
-        for (int n = 0; n <= kRoundingSteps; ++n) {
-            const float angle = kPi / 4 * static_cast<float>(n) / kRoundingSteps;
+        for (int n = 0; n <= points.rounding; ++n) {
+            const float angle = kPi / 4 * static_cast<float>(n) / static_cast<float>(points.rounding);
             steps.push_back({side, side < 0.0F ? -std::tan(kPi / 4 - angle) : std::tan(angle)});
         }
     }
@@ -186,7 +193,7 @@ Mesh box() {
 }
 
 /// One turn of a trapezoidal ridge: up from the valley at z = u, crest, down to the valley at z = u + 1.
-Mesh right_thread() {
+Mesh right_thread(Points points) {
     struct RidgePoint {
         float z;
         float inner;
@@ -205,15 +212,15 @@ Mesh right_thread() {
     }};
     Mesh mesh;
     for (const RidgePoint& point : ridge) {
-        for (int n = 0; n <= kAround; ++n) {
-            const float turn = static_cast<float>(n) / kAround;
+        for (int n = 0; n <= points.around; ++n) {
+            const float turn = static_cast<float>(n) / static_cast<float>(points.around);
             const Vector2f at = direction(2.0F * kPi * turn);
             mesh.vertices.push_back(
                 {{at.x(), at.y(), turn + point.z, point.inner},
                  Vector3f(at.x(), at.y(), point.lean).normalized()});
         }
     }
-    add_quads(mesh, ridge.size(), kAround + 1, false);
+    add_quads(mesh, ridge.size(), static_cast<std::size_t>(points.around) + 1, false);
     return mesh;
 }
 
@@ -230,20 +237,34 @@ Mesh mirrored(Mesh mesh) {
 
 }  // namespace
 
-Mesh make_mesh(MeshKind kind) {
+Detail detail_for(double radius) {
+    if (!(radius >= 0.0)) { return Detail::high; }
+    for (const Detail detail : {Detail::coarse, Detail::low, Detail::medium}) {
+        const double missed = radius * (1.0 - std::cos(std::numbers::pi / points_of(detail).around));
+        if (missed <= kMostMissed) { return detail; }
+    }
+    return Detail::high;
+}
+
+Mesh make_mesh(MeshKind kind, Detail detail) {
+    const Points points = points_of(detail);
     switch (kind) {
-        case MeshKind::box: return box();
-        case MeshKind::round_bar: return round_bar();
-        case MeshKind::rod: return rod();
-        case MeshKind::tube: return lathe(hollow_profile(), circle(kAround));
-        case MeshKind::ring: return ring();
-        case MeshKind::nut: return lathe(hollow_profile(), hexagon());
-        case MeshKind::right_thread: return right_thread();
-        case MeshKind::left_thread: return mirrored(right_thread());
-        case MeshKind::shaft: return shaft();
-        case MeshKind::cone: return cone();
+        case MeshKind::box: return box(points);
+        case MeshKind::round_bar: return round_bar(points);
+        case MeshKind::rod: return rod(points);
+        case MeshKind::tube: return lathe(hollow_profile(points), circle(points.around));
+        case MeshKind::ring: return ring(points);
+        case MeshKind::nut: return lathe(hollow_profile(points), hexagon(points.around));
+        case MeshKind::right_thread: return right_thread(points);
+        case MeshKind::left_thread: return mirrored(right_thread(points));
+        case MeshKind::shaft: return shaft(points);
+        case MeshKind::cone: return cone(points);
     }
     throw std::invalid_argument("make_mesh: no such mesh");
+}
+
+Mesh make_mesh(std::size_t number) {
+    return make_mesh(static_cast<MeshKind>(number / kDetails), static_cast<Detail>(number % kDetails));
 }
 
 }  // namespace jw::render

@@ -25,12 +25,22 @@ enum class MeshKind : std::uint8_t {
     nut,           ///< hexagon with corners at radius 1, first one on x; round hole
     right_thread,  ///< one turn of a ridge; z counts turns
     left_thread,
-    shaft,  ///< of an arrow, like `round_bar` with sharp ends and fewer triangles: it is thin
+    shaft,  ///< of an arrow, like `round_bar` with sharp ends
     cone,   ///< arrow head of radius 1 and length `kConeLength`; scale it uniformly
 };
 
 inline constexpr std::size_t kMeshKinds = 10;
 inline constexpr float kConeLength = 2.7F;
+
+/// Fineness of a mesh. A software renderer pays for every vertex in every pass, and for a whole block of
+/// pixels for every triangle that touches it: triangles thinner than a pixel cost more than all the rest.
+enum class Detail : std::uint8_t { coarse, low, medium, high };
+
+inline constexpr std::size_t kDetails = 4;
+
+/// The least detail of which no corner stands out.
+/// @param radius  of the shape on the picture [pixels]; NaN and what is behind the eye, < 0: `high`
+Detail detail_for(double radius);
 
 struct MeshVertex {
     Eigen::Vector4f core;    ///< w = 1: x and y scale with the inner radius instead of the outer
@@ -42,6 +52,15 @@ struct Mesh {
     std::vector<std::uint16_t> indices;  ///< triangles, counter-clockwise seen from outside
 };
 
-Mesh make_mesh(MeshKind kind);
+Mesh make_mesh(MeshKind kind, Detail detail = Detail::high);
+
+/// Number of a mesh among all, below `kMeshes`.
+constexpr std::size_t mesh_number(MeshKind kind, Detail detail) {
+    return static_cast<std::size_t>(kind) * kDetails + static_cast<std::size_t>(detail);
+}
+inline constexpr std::size_t kMeshes = kMeshKinds * kDetails;
+
+/// The mesh of that number.
+Mesh make_mesh(std::size_t number);
 
 }  // namespace jw::render

@@ -52,7 +52,7 @@ render::Image ExerciseFigures::Surface::draw(const Picture& picture, const rende
     context.enter();
     offscreen.begin_3d(panels::theme::kWhite);
     renderer.draw(
-        picture.scene, camera, whole, offscreen.size(), render::Tone::light, render::Backdrop::paper);
+        picture.scene, camera, whole, offscreen.targets(), render::Tone::light, render::Backdrop::paper);
     offscreen.begin_2d();
     ImGui::NewFrame();
     const panels::Canvas canvas(ImGui::GetBackgroundDrawList(), fonts);

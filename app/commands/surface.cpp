@@ -134,7 +134,7 @@ render::Image draw_test_picture(const render::GlFunctions& gl, render::RenderTar
     }
     const render::SceneRenderer renderer(gl);
     targets.begin_3d();
-    renderer.draw(scene, test_camera(), whole(), targets.size());
+    renderer.draw(scene, test_camera(), whole(), targets);
     targets.begin_2d();
     return targets.read();
 }

@@ -57,10 +57,10 @@ gltf::Mesh mesh_of(const RigidPart& part) {
     gltf::Mesh mesh;
     mesh.colour = {part.shape.colour.r, part.shape.colour.g, part.shape.colour.b, 1.0F};
     for (const render::InstanceLists* const list : {&lists.bodies, &lists.see_through}) {
-        for (std::size_t kind = 0; kind < render::kMeshKinds; ++kind) {
-            if ((*list)[kind].empty()) { continue; }
-            const render::Mesh shape = render::make_mesh(static_cast<render::MeshKind>(kind));
-            for (const render::Instance& instance : (*list)[kind]) { append(mesh, shape, instance); }
+        for (std::size_t number = 0; number < render::kMeshes; ++number) {
+            if ((*list)[number].empty()) { continue; }
+            const render::Mesh shape = render::make_mesh(number);
+            for (const render::Instance& instance : (*list)[number]) { append(mesh, shape, instance); }
         }
     }
     return mesh;

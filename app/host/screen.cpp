@@ -158,7 +158,7 @@ void Screen::draw_scene() {
     s.targets->begin_3d(
         render::toned(render::palette::kPaper, now.dark ? render::Tone::dark : render::Tone::light));
     s.scene.draw(
-        picture.scene, now.camera, now.viewport, s.targets->size(),
+        picture.scene, now.camera, now.viewport, *s.targets,
         now.dark ? render::Tone::dark : render::Tone::light);
     s.drawn = now;
 }
@@ -198,7 +198,7 @@ void Screen::draw_one_thumbnail() {
         const render::Camera camera = camera_of(story, style, whole, render::shrunk(whole, 16.0));
         const Picture picture = picture_of(story, style, story.last_assembled());
         s.small->begin_3d();
-        s.scene.draw(picture.scene, camera, whole, s.small->size());
+        s.scene.draw(picture.scene, camera, whole, *s.small);
         s.small->begin_2d();
         s.thumbnails.push_back(std::make_unique<render::PictureTexture>(gl_, s.small->read()));
         for (CatalogueEntry& same : entries) {

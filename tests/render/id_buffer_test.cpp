@@ -214,7 +214,7 @@ TEST_CASE("ids cover exactly the pixels that bodies and vectors colour", "[rende
     Picker picker;
     const auto draw = [&](const Scene& what) {
         picker.offscreen.begin_3d();
-        picker.renderer.draw(what, camera, kWhole, picker.offscreen.size());
+        picker.renderer.draw(what, camera, kWhole, picker.offscreen.targets());
         picker.offscreen.begin_2d();
         return picker.offscreen.read();
     };
@@ -260,7 +260,7 @@ TEST_CASE("picking in the middle of a frame does not touch the picture", "[rende
         };
         picker.offscreen.begin_3d();
         look();
-        picker.renderer.draw(scene, camera, kWhole, picker.offscreen.size());
+        picker.renderer.draw(scene, camera, kWhole, picker.offscreen.targets());
         look();
         picker.offscreen.begin_2d();
         look();
@@ -278,7 +278,7 @@ TEST_CASE("in a viewport without pixels nothing is drawn or hit, and no error is
     CHECK_FALSE(picker.show(scene, front_view(), none));
     CHECK(picker.ids.nearest_id(100.0, 50.0, 0.0) == 0);
     picker.offscreen.begin_3d();
-    picker.renderer.draw(scene, front_view(), none, picker.offscreen.size());
+    picker.renderer.draw(scene, front_view(), none, picker.offscreen.targets());
     picker.offscreen.begin_2d();
     const Image image = picker.offscreen.read();
     CHECK(std::equal(image.rgb.begin() + 3, image.rgb.end(), image.rgb.begin()));

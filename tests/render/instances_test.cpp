@@ -14,7 +14,7 @@ std::size_t count(const InstanceLists& lists) {
 }
 
 const std::vector<Instance>& of(const InstanceLists& lists, MeshKind kind) {
-    return lists[static_cast<std::size_t>(kind)];
+    return lists[mesh_number(kind, Detail::high)];
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_CASE("in the dark the backdrop is dark and bodies keep their colours", "[re
     const SceneRenderer renderer(offscreen.gl());
     const auto draw = [&](Tone tone) {
         offscreen.begin_3d(toned(kPaper, tone));
-        renderer.draw(scene, camera, whole, offscreen.size(), tone);
+        renderer.draw(scene, camera, whole, offscreen.targets(), tone);
         offscreen.begin_2d();
         return offscreen.read();
     };

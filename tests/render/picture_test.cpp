@@ -67,7 +67,7 @@ TEST_CASE("one renderer draws the same frame whatever it drew before", "[render]
     const SceneRenderer renderer(offscreen.gl());
     const auto draw = [&](const Scene& what) {
         offscreen.begin_3d();
-        renderer.draw(what, view_of(scene), kWhole, offscreen.size());
+        renderer.draw(what, view_of(scene), kWhole, offscreen.targets());
         offscreen.begin_2d();
         return offscreen.read();
     };
@@ -86,7 +86,7 @@ TEST_CASE("a shadow moves with its body and with the light that goes with the ca
         if (n % 3 == 1) { camera.eye.x() += 0.7; }
         if (n % 3 == 2) { std::get<Box>(scene.shapes[0].geometry).pose.r.y() += 0.4; }
         offscreen.begin_3d();
-        renderer.draw(scene, camera, kWhole, offscreen.size());
+        renderer.draw(scene, camera, kWhole, offscreen.targets());
         offscreen.begin_2d();
         CHECK(offscreen.read() == picture(scene, camera, kWhole, kWidth, kHeight));
     }
@@ -163,7 +163,7 @@ TEST_CASE("a highlighted vector is thicker and has a halo, through a body as wel
     camera.eye = {0.0, -3.0, 0.0};
     const auto draw = [&] {
         offscreen.begin_3d();
-        renderer.draw(scene, camera, kWhole, offscreen.size(), tone);
+        renderer.draw(scene, camera, kWhole, offscreen.targets(), tone);
         offscreen.begin_2d();
         return offscreen.read();
     };

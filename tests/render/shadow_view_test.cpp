@@ -10,10 +10,16 @@ namespace {
 
 const Rect kViewport{40.0, 30.0, 600.0, 400.0};
 const Vector3d kUp = Vector3d::UnitZ();
+constexpr double kBorder = 0.006;
 
 /// Point where a ray from the light through `point` meets the plane z = height.
 Vector3d shadow_of(const Vector3d& point, const Vector3d& towards_light, double height) {
     return point - towards_light * ((point.z() - height) / towards_light.z());
+}
+
+Rect shadow_seen(
+    const ShadowView& view, const Camera& camera, const Vector3d& point, const Vector3d& normal) {
+    return seen_part(bounds_of(shadow_on_plane(view, kBorder, point, normal).value()), camera, kViewport);
 }
 
 }  // namespace
@@ -35,7 +41,7 @@ TEST_CASE("no shadow falls outside of the part of the picture that is named", "[
         camera.eye = random_vector(random, 6.0) + 4.0 * kUp;
         camera.orthographic = n % 2 == 0;
         const ShadowView view = shadow_view(casters, light, 1024);
-        const Rect part = shadow_on_plane(view, 0.006, camera, kViewport, {5.0, 2.0, height}, 2.0 * kUp);
+        const Rect part = shadow_seen(view, camera, {5.0, 2.0, height}, 2.0 * kUp);
         for (const Vector3d& point : points) {
             const Projected seen = project(camera, kViewport, shadow_of(point, light, height));
             if (!seen.visible) { continue; }
@@ -52,7 +58,7 @@ TEST_CASE("the part where shadow can fall is little more than the shadow", "[ren
     Camera camera;
     camera.eye = {0.0, -0.01, 10.0};
     const ShadowView view = shadow_view(casters, kUp, 1024);
-    const Rect part = shadow_on_plane(view, 0.006, camera, kViewport, Vector3d::Zero(), kUp);
+    const Rect part = shadow_seen(view, camera, Vector3d::Zero(), kUp);
     const double pixels = 1.0 / pixel_size(camera, kViewport, Vector3d::Zero());
     // border and margin of 0.016 of the map on each side, whose width is up to 1.15 x 1.25 diagonals of a
     // cube around the ball; 2 pixels of rounding on each side
@@ -66,15 +72,15 @@ TEST_CASE("the part where shadow can fall is little more than the shadow", "[ren
 TEST_CASE("nothing casts no shadow, and where none can be ruled out it is looked for", "[render][shadow]") {
     const Camera camera;
     const ShadowView nothing = shadow_view(Bounds{}, kUp, 1024);
-    CHECK(shadow_on_plane(nothing, 0.006, camera, kViewport, Vector3d::Zero(), kUp).width == 0.0);
+    CHECK(nothing.empty());
     Bounds casters;
     casters.include(Vector3d::Zero(), 0.5);
     const ShadowView grazing = shadow_view(casters, Vector3d(1.0, 0.0, 0.01).normalized(), 1024);
-    CHECK(shadow_on_plane(grazing, 0.006, camera, kViewport, Vector3d::Zero(), kUp) == kViewport);
+    CHECK_FALSE(shadow_on_plane(grazing, kBorder, Vector3d::Zero(), kUp));
     Bounds behind;
     behind.include(2.0 * camera.eye, 0.5);
     const ShadowView overhead = shadow_view(behind, kUp, 1024);
-    CHECK(shadow_on_plane(overhead, 0.006, camera, kViewport, 2.0 * camera.eye, kUp) == kViewport);
+    CHECK(shadow_seen(overhead, camera, 2.0 * camera.eye, kUp) == kViewport);
 }
 
 }  // namespace jw::render::test

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <Eigen/Geometry>
@@ -29,8 +30,9 @@ Key key_of(const Eigen::Vector3f& p) {
 
 TEST_CASE("triangles of every mesh face the way their normals point", "[render][shapes]") {
     const auto kind = static_cast<MeshKind>(GENERATE(range(0, static_cast<int>(kMeshKinds))));
-    const Mesh mesh = make_mesh(kind);
-    CAPTURE(static_cast<int>(kind));
+    const auto detail = static_cast<Detail>(GENERATE(range(0, static_cast<int>(kDetails))));
+    const Mesh mesh = make_mesh(kind, detail);
+    CAPTURE(static_cast<int>(kind), static_cast<int>(detail));
     REQUIRE(mesh.indices.size() % 3 == 0);
     std::size_t solid = 0;
     for (std::size_t n = 0; n < mesh.indices.size(); n += 3) {
@@ -52,8 +54,9 @@ TEST_CASE("solid meshes are closed: every edge has a triangle on both sides", "[
     const MeshKind kind = GENERATE(
         MeshKind::box, MeshKind::round_bar, MeshKind::rod, MeshKind::tube, MeshKind::ring, MeshKind::nut,
         MeshKind::cone);
-    const Mesh mesh = make_mesh(kind);
-    CAPTURE(static_cast<int>(kind));
+    const auto detail = static_cast<Detail>(GENERATE(range(0, static_cast<int>(kDetails))));
+    const Mesh mesh = make_mesh(kind, detail);
+    CAPTURE(static_cast<int>(kind), static_cast<int>(detail));
     std::map<std::pair<Key, Key>, int> crossings;
     for (std::size_t n = 0; n < mesh.indices.size(); n += 3) {
         std::array<Key, 3> corner;
@@ -70,9 +73,35 @@ TEST_CASE("solid meshes are closed: every edge has a triangle on both sides", "[
     for (const auto& [edge, balance] : crossings) { CHECK(balance == 0); }
 }
 
+TEST_CASE(
+    "a circle misses at most a sixth of a pixel, with no more points than it needs", "[render][shapes]") {
+    std::size_t last = 0;
+    for (double radius = 0.2; radius < 30.0; radius *= 1.05) {
+        const Detail detail = detail_for(radius);
+        const Mesh mesh = make_mesh(MeshKind::shaft, detail);
+        // the inner circle of the chords of the mesh, by its own triangles
+        float inside = 1.0F;
+        for (std::size_t n = 0; n + 1 < mesh.indices.size(); ++n) {
+            const Eigen::Vector2f a = mesh.vertices[mesh.indices[n]].core.head<2>();
+            const Eigen::Vector2f b = mesh.vertices[mesh.indices[n + 1]].core.head<2>();
+            const bool is_chord = n % 3 != 2 && a.norm() > 0.9F && b.norm() > 0.9F;
+            if (is_chord) { inside = std::min(inside, (0.5F * (a + b)).norm()); }
+        }
+        CAPTURE(radius, static_cast<int>(detail));
+        if (detail != Detail::high) { CHECK(radius * (1.0 - static_cast<double>(inside)) < 1.0 / 6.0); }
+        CHECK(mesh.vertices.size() >= last);
+        last = mesh.vertices.size();
+    }
+    CHECK(detail_for(1.0) == Detail::coarse);
+    CHECK(detail_for(100.0) == Detail::high);
+    CHECK(detail_for(-1.0) == Detail::high);
+    CHECK(detail_for(std::nan("")) == Detail::high);
+}
+
 TEST_CASE("normals have unit length", "[render][shapes]") {
     const auto kind = static_cast<MeshKind>(GENERATE(range(0, static_cast<int>(kMeshKinds))));
-    for (const MeshVertex& vertex : make_mesh(kind).vertices) {
+    const auto detail = static_cast<Detail>(GENERATE(range(0, static_cast<int>(kDetails))));
+    for (const MeshVertex& vertex : make_mesh(kind, detail).vertices) {
         CHECK(vertex.normal.norm() == Approx(1.0F).margin(1e-5));  // single precision
     }
 }

@@ -29,7 +29,7 @@ inline Image picture(const Scene& scene, const Camera& camera, const Rect& viewp
     Offscreen offscreen(width, height);
     const SceneRenderer renderer(offscreen.gl());
     offscreen.begin_3d();
-    renderer.draw(scene, camera, viewport, offscreen.size());
+    renderer.draw(scene, camera, viewport, offscreen.targets());
     offscreen.begin_2d();
     return offscreen.read();
 }

@@ -18,13 +18,16 @@ Scene one_ball(const Colour& colour) {
     return scene;
 }
 
+const RenderTargets& targets_of(const Offscreen& offscreen) { return offscreen.targets(); }
+const RenderTargets& targets_of(const RenderTargets& targets) { return targets; }
+
 /// `Surface` is `Offscreen` or `RenderTargets`.
 template <class Surface>
 Image drawn(Surface& surface, const SceneRenderer& renderer, const Scene& scene) {
     const Rect whole{
         0.0, 0.0, static_cast<double>(surface.size().width), static_cast<double>(surface.size().height)};
     surface.begin_3d();
-    renderer.draw(scene, frame_scene(bounds_of(scene), whole), whole, surface.size());
+    renderer.draw(scene, frame_scene(bounds_of(scene), whole), whole, targets_of(surface));
     surface.begin_2d();
     return surface.read();
 }
@@ -138,12 +141,11 @@ TEST_CASE("one sample gives the same picture but for its borders", "[render][sur
 TEST_CASE("a frame that begins with panels shows the bodies of the frame before", "[render][surface]") {
     const Scene scene = one_ball(palette::kSky);
     const int samples = GENERATE(1, 4);
-    const bool in_part = GENERATE(false, true);
     const Rect part{20.0, 10.0, 100.0, 70.0};
     Offscreen offscreen(160, 90, samples);
     const SceneRenderer renderer(offscreen.gl());
-    offscreen.begin_3d(palette::kPaper, in_part ? std::optional(part) : std::nullopt);
-    renderer.draw(scene, frame_scene(bounds_of(scene), part), part, offscreen.size());
+    offscreen.begin_3d();
+    renderer.draw(scene, frame_scene(bounds_of(scene), part), part, offscreen.targets());
     offscreen.begin_2d();
     const Image first = offscreen.read();
     // something over all of it
@@ -152,25 +154,6 @@ TEST_CASE("a frame that begins with panels shows the bodies of the frame before"
     CHECK_FALSE(offscreen.read() == first);
     offscreen.begin_2d();
     CHECK(offscreen.read() == first);
-}
-
-TEST_CASE(
-    "a picture drawn in part only is the same as one that was cleared as a whole", "[render][surface]") {
-    const Scene scene = one_ball(palette::kBlue);
-    const Rect part =
-        GENERATE(Rect{20.0, 10.0, 100.0, 70.0}, Rect{0.0, 0.0, 160.0, 90.0}, Rect{30.4, 9.6, 80.2, 60.7});
-    const Colour paper = GENERATE(from_hex(0xFDFCFA), from_hex(0x1D1C1B));
-    Offscreen offscreen(160, 90);
-    const SceneRenderer renderer(offscreen.gl());
-    const auto draw = [&](const std::optional<Rect>& drawn) {
-        offscreen.begin_3d(paper, drawn);
-        renderer.draw(scene, frame_scene(bounds_of(scene), part), part, offscreen.size());
-        offscreen.begin_2d();
-        return offscreen.read();
-    };
-    const Image whole = draw(std::nullopt);
-    CHECK(draw(part) == whole);
-    CHECK(draw(std::nullopt) == whole);
 }
 
 TEST_CASE("what is copied to the window is what a screenshot shows", "[render][surface]") {

@@ -72,6 +72,7 @@ struct FramePainter::Surface {
     void begin_3d(const render::Colour& paper) {
         offscreen ? offscreen->begin_3d(paper) : targets->begin_3d(paper);
     }
+    const render::RenderTargets& drawn_into() const { return offscreen ? offscreen->targets() : *targets; }
     void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
     render::Image read(bool is_opaque) {
         return offscreen ? offscreen->read(is_opaque) : targets->read(is_opaque);
@@ -154,13 +155,13 @@ void FramePainter::draw_scene(const Picture& picture) {
     Surface& s = *surface_;
     if (look_.is_opaque) {
         s.begin_3d(toned(render::palette::kPaper, look_.tone));
-        s.scene.draw(picture.scene, s.camera, s.layout.scene, s.size(), look_.tone);
+        s.scene.draw(picture.scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone);
         return;
     }
     s.begin_3d(kNothing);
     render::Scene scene = picture.scene;
     scene.ground.reset();
-    s.scene.draw(scene, s.camera, s.layout.scene, s.size(), look_.tone, render::Backdrop::paper);
+    s.scene.draw(scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone, render::Backdrop::paper);
 }
 
 void FramePainter::draw_panels(const View& view, const Picture& picture, const Emphasis& lit) {
@@ -210,8 +211,7 @@ std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::Ve
     s.make_current();
     render::RenderTargets large(*s.functions, width, height);
     large.begin_3d();
-    s.scene.draw(
-        shown.scene, s.camera, {0.0, 0.0, scene.width * kSharper, scene.height * kSharper}, large.size());
+    s.scene.draw(shown.scene, s.camera, {0.0, 0.0, scene.width * kSharper, scene.height * kSharper}, large);
     large.begin_2d();
     const render::Image solid = large.read();
 

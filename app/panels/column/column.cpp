@@ -271,7 +271,6 @@ float column_height(const Canvas& canvas, const Box& box, const View& view) {
 }
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {
-    canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
     const Box inner = inside_column(canvas, box);
     const std::vector<Block> blocks = blocks_of(canvas, view);

@@ -113,7 +113,6 @@ std::string run_on(std::string_view text) {
 
 void draw_title(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
-    canvas.fill(box, theme::kPaper);
     if (view.steps > 0) { draw_progress(canvas, box, view); }
     const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(8.0F));
     const float right = draw_position(canvas, inner, view) - canvas.px(20.0F);
@@ -140,7 +139,6 @@ float caption_height(const Canvas& canvas, const Box& box, const View& view) {
 
 void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
-    canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.y, box.width, std::max(1.0F, canvas.px(1.0F))}, theme::kLine);
     if (view.question) { return draw_question(canvas, inside_caption(canvas, box), *view.question); }
     const Box inner = inside_caption(canvas, box);
