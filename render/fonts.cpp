@@ -18,7 +18,10 @@
 namespace jw::render {
 namespace {
 
+// for letters of the usual size and up to three times as large; the height follows, and is 16384 at the most
 constexpr int kAtlasWidth = 2048;
+constexpr float kLargeScale = 3.0F;
+constexpr int kLargeAtlasWidth = 8192;
 
 constexpr char32_t kMissing = 0xFFFD;
 constexpr char32_t kBox = 0x25A1;            // □
@@ -68,11 +71,17 @@ constexpr std::array<std::array<char32_t, 2>, 16> kFormula{{
 
 /// Hairlines of Latin Modern are a third of a pixel wide: darkened, they survive a projector.
 std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
-    constexpr double exponent = 0.78;
-    if (glyph) {
-        for (std::uint8_t& c : glyph->coverage) {
-            c = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(c / 255.0, exponent)));
+    static const std::array<std::uint8_t, 256> darker = [] {
+        constexpr double exponent = 0.78;
+        std::array<std::uint8_t, 256> made{};
+        for (std::size_t c = 0; c < made.size(); ++c) {
+            made[c] = static_cast<std::uint8_t>(
+                std::lround(255.0 * std::pow(static_cast<double>(c) / 255.0, exponent)));
         }
+        return made;
+    }();
+    if (glyph) {
+        for (std::uint8_t& c : glyph->coverage) { c = darker[c]; }
     }
     return glyph;
 }
@@ -82,10 +91,10 @@ std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
 class AtlasBuilder {
 public:
     /// @throws std::runtime_error as `load_fonts`; then the atlas is as it was
-    explicit AtlasBuilder(ImFontAtlas& atlas) : atlas_(atlas) {
+    AtlasBuilder(ImFontAtlas& atlas, float scale) : atlas_(atlas) {
         for (const FontFile& file : kFontFiles) { face_of(file); }
         atlas_.Clear();
-        atlas_.TexDesiredWidth = kAtlasWidth;
+        atlas_.TexDesiredWidth = scale > kLargeScale ? kLargeAtlasWidth : kAtlasWidth;
         atlas_.Flags |= ImFontAtlasFlags_NoMouseCursors;
     }
 
@@ -213,7 +222,7 @@ private:
 }  // namespace
 
 Fonts load_fonts(float scale, std::u32string_view others) {
-    AtlasBuilder builder(*ImGui::GetIO().Fonts);
+    AtlasBuilder builder(*ImGui::GetIO().Fonts, scale);
     builder.open_chinese(others);
     const auto size = [scale](float pixels) { return std::round(pixels * scale); };
     Fonts fonts;

@@ -16,8 +16,8 @@ namespace {
 // below this the panels have no room; above it the letters do not fit into one texture
 constexpr PixelSize kSmallestFrame{960, 540};
 constexpr PixelSize kSmallestPicture{320, 180};  // without panels
-constexpr PixelSize kLargestFrame{3840, 2160};
-constexpr float kLargestLetters = 3.0F;  // as in the largest frame
+constexpr PixelSize kLargestFrame{7680, 4320};
+constexpr float kLargestLetters = 6.0F;  // as in the largest frame
 constexpr double kLargestText = 1.5;     // as in the window
 constexpr double kMostFps = 240.0;
 constexpr int kMostJobs = 256;

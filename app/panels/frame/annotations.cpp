@@ -84,9 +84,11 @@ void draw_words(const Canvas& canvas, const Drawn& drawn, Point at, Colour colou
 /// Light around dark letters: readable over any body.
 void draw_halo(const Canvas& canvas, const Drawn& drawn, Point at) {
     const Colour light = render::with_alpha(theme::kWhite, 0.55F);
+    // in large pictures eight copies would show as steps
+    const int copies = 8 * std::max(1, static_cast<int>(canvas.px(0.5F)));
     for (const float radius : {canvas.px(2.0F), canvas.px(1.0F)}) {
-        for (int k = 0; k < 8; ++k) {
-            const float angle = 0.785398F * static_cast<float>(k);
+        for (int k = 0; k < copies; ++k) {
+            const float angle = 6.283185F * static_cast<float>(k) / static_cast<float>(copies);
             draw_words(
                 canvas, drawn, {at.x + radius * std::cos(angle), at.y + radius * std::sin(angle)}, light);
         }
