@@ -1,6 +1,7 @@
 #include "app/host/frames/frame_painter.hpp"
 
 #include <cmath>
+#include <future>
 #include <optional>
 
 #include <imgui.h>
@@ -32,8 +33,11 @@ std::u32string characters_of(const Story& story) {
     return panels::characters_of(story.lesson()) + panels::characters_of_messages();
 }
 
-render::Fonts fonts_for(int width, int height, const FrameLook& look, const std::u32string& characters) {
-    return render::load_fonts(look.scale(width, height), characters);
+/// Letters, drawn while GL is made ready on this thread: either takes a third of the time to a first picture.
+std::future<render::Fonts> fonts_for(
+    int width, int height, const FrameLook& look, const std::u32string& characters) {
+    return std::async(
+        [scale = look.scale(width, height), characters] { return render::load_fonts(scale, characters); });
 }
 
 panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
@@ -53,19 +57,21 @@ float FrameLook::scale(int width, int height) const {
 
 struct FramePainter::Surface {
     Surface(int width, int height, const FrameLook& look, const std::u32string& characters)
-        : offscreen(std::in_place, width, height),
+        : context(width, height),
+          loading(fonts_for(width, height, look, characters)),
+          offscreen(std::in_place, width, height),
           functions(&offscreen->gl()),
           scene(offscreen->gl()),
-          context(width, height),
-          fonts(fonts_for(width, height, look, characters)),
+          fonts(loading.get()),
           panels(offscreen->gl()),
           layout(layout_for(width, height, look)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
-        : targets(std::in_place, gl, width, height),
+        : context(width, height),
+          loading(fonts_for(width, height, {}, characters)),
+          targets(std::in_place, gl, width, height),
           functions(&gl),
           scene(gl),
-          context(width, height),
-          fonts(fonts_for(width, height, {}, characters)),
+          fonts(loading.get()),
           panels(gl),
           layout(layout_for(width, height, {})) {}
 
@@ -82,14 +88,16 @@ struct FramePainter::Surface {
         if (offscreen) { offscreen->make_current(); }
     }
 
-    // destroyed from the last to the first: what holds GL objects goes before the context
+    PanelContext context;
+    // into the context above, which nobody else uses before they are there
+    std::future<render::Fonts> loading;
+    // destroyed from the last to the first: what holds GL objects goes before their context
     std::optional<render::Offscreen> offscreen;
     std::optional<render::RenderTargets> targets;
     const render::GlFunctions* functions;
     render::SceneRenderer scene;
     std::optional<render::IdBuffer> ids;  // made when layers are asked for
     std::uint64_t layers_drawn = 0;
-    PanelContext context;
     render::Fonts fonts;
     render::ImguiBackend panels;
     panels::FrameLayout layout;
