@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/snapshot/units_of_keys.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 
@@ -16,20 +17,10 @@ namespace {
 constexpr std::size_t kLongestValue = 60;
 constexpr std::size_t kBeforeChange = 20;  // bytes of a long text that are shown in front of its change
 
-/// Keys of lengths in m; all others but angles and times are shown as they stand.
-constexpr std::array<std::string_view, 17> kLengths{
-    "point", "point_i",  "point_j", "radius", "size",           "at",     "at_i",       "at_j", "from", "to",
-    "pitch", "position", "offset",  "length", "centre_of_mass", "target", "free_length"};
-
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 /// Which choice is right: a number, but none that is larger or smaller.
 constexpr std::string_view kChoice = "answer";
-
-/// `from` of the camera is no point.
-bool is_direction(std::string_view path) { return path == "camera.from"; }
-
-std::string_view last_part(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
 
 /// "crank" of "body.crank.shape.0.rod.radius"; empty for a key of the lesson itself.
 std::string subject_of(const std::string& path) {
@@ -60,26 +51,9 @@ std::vector<double> numbers_in(std::string_view text) {
     return numbers;
 }
 
-/// "1 mm", "0.2 m", "5 deg"
-std::string amount_text(std::string_view key, double amount) {
-    if (std::ranges::find(kLengths, key) != kLengths.end()) {
-        return amount < 0.1 ? short_number(1000.0 * amount, 4) + " mm" : short_number(amount, 4) + " m";
-    }
-    constexpr std::array<std::pair<std::string_view, const char*>, 5> units{
-        {{"_deg_per_s", " deg/s"},
-         {"_rad_per_s", " rad/s"},
-         {"_deg", " deg"},
-         {"_rad", " rad"},
-         {"_s", " s"}}};
-    const auto found =
-        std::ranges::find_if(units, [key](const auto& unit) { return key.ends_with(unit.first); });
-    const char* const unit = found == units.end() ? "" : found->second;
-    return short_number(amount, 4) + unit;
-}
-
 /// "1 mm larger", "x 2 mm smaller, z 1 mm larger"; nothing for values that are no numbers.
 std::optional<std::string> in_numbers(
-    std::string_view key, const std::string& before, const std::string& now) {
+    const UnitsOfKeys& units, const std::string& path, const std::string& before, const std::string& now) {
     const std::vector<double> a = numbers_in(before);
     const std::vector<double> b = numbers_in(now);
     if (a.empty() || a.size() != b.size()) { return std::nullopt; }
@@ -89,7 +63,7 @@ std::optional<std::string> in_numbers(
         const std::string which = a.size() == 1   ? ""
                                   : a.size() == 3 ? std::string(kAxes[k]) + " "
                                                   : "number " + std::to_string(k + 1) + " ";
-        text += (text.empty() ? "" : ", ") + which + amount_text(key, std::abs(b[k] - a[k])) +
+        text += (text.empty() ? "" : ", ") + which + units.amount(path, k, std::abs(b[k] - a[k])) +
                 (b[k] > a[k] ? " larger" : " smaller");
     }
     return text;
@@ -130,14 +104,27 @@ std::string both_shown(const std::string& before, const std::string& now) {
     return piece_of(a, first) + " → " + piece_of(b, first);
 }
 
-std::string change_text(const std::string& path, const std::string& before, const std::string& now) {
-    const std::string_view key = last_part(path);
+/// "radius of crank"; "force on rod" of the vector of a force, "polynomial of force on rod".
+std::string what_changed(const std::string& path, const std::string& lesson_before) {
+    const std::string key(last_key(path));
+    const std::string table = path.substr(0, path.find('.'));
     const std::string subject = subject_of(path);
+    if (table != "force" && table != "torque") { return key + (subject.empty() ? "" : " of " + subject); }
+    std::string body = value_in(lesson_before, path.substr(0, path.find('.', table.size() + 1)) + ".body");
+    std::erase_if(body, [](char c) { return c == '\'' || c == '"'; });
+    return (key == table ? "" : key + " of ") + table + " on " + body;
+}
+
+std::string change_text(
+    const std::string& path, const std::string& lesson_before, const std::string& lesson_now) {
+    const std::string before = value_in(lesson_before, path);
+    const std::string now = value_in(lesson_now, path);
     const std::string values = both_shown(before, now);
-    const std::string what = std::string(key) + (subject.empty() ? "" : " of " + subject);
-    const auto difference = key == kChoice ? std::optional<std::string>()
-                                           : in_numbers(is_direction(path) ? "" : key, before, now);
-    const std::string place = subject.empty() ? values : path + ", " + values;
+    const std::string what = what_changed(path, lesson_before);
+    const auto difference = last_key(path) == kChoice
+                                ? std::optional<std::string>()
+                                : in_numbers(UnitsOfKeys(lesson_now), path, before, now);
+    const std::string place = path.find('.') == std::string::npos ? values : path + ", " + values;
     return difference ? what + ": " + *difference + " (" + place + ")" : what + ": " + values;
 }
 
@@ -154,9 +141,7 @@ std::vector<std::string> lesson_changes(const std::string& before, const std::st
     };
     for (const std::string& path : found.removed) { add(path, path + ": left out"); }
     for (const std::string& path : found.added) { add(path, path + ": added"); }
-    for (const std::string& path : found.changed) {
-        add(path, change_text(path, value_in(before, path), value_in(now, path)));
-    }
+    for (const std::string& path : found.changed) { add(path, change_text(path, before, now)); }
     lines.insert(lines.end(), of_camera.begin(), of_camera.end());
     return lines;
 }

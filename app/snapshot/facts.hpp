@@ -44,7 +44,7 @@ std::vector<Fact> facts_of(const View& view);
 /// Facts about everything drawn in 3D: bodies with their shapes, vectors, frames, lines, names.
 std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
 
-/// Facts about the lesson itself: its title; masses, gravity and springs if it has dynamics.
+/// Facts about the lesson itself: its title; masses, gravity, forces, torques and springs if it has dynamics.
 std::vector<Fact> facts_of(const Lesson& lesson);
 
 /// Facts of the camera. Another one changes every pixel, but it is mostly the consequence of something

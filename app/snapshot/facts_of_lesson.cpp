@@ -1,4 +1,5 @@
 #include "app/snapshot/fact_list.hpp"
+#include "app/snapshot/facts_of_loads.hpp"
 #include "lessons/lesson.hpp"
 
 namespace jw::snapshot {
@@ -20,31 +21,6 @@ void add_mass(const MassProperties& mass, const std::string& name, FactList& fac
     entry("yz", J(1, 2));
 }
 
-void add_spring(const Spring& spring, const std::string& name, FactList& facts) {
-    facts.given(Weight::pose, name + " · from", spring.P_i_local, "m");
-    facts.given(Weight::pose, name + " · to", spring.P_j_local, "m");
-    facts.given(Weight::pose, name + " · stiffness", spring.stiffness, "N/m");
-    facts.given(Weight::pose, name + " · free length", spring.free_length, "m");
-    facts.given(Weight::pose, name + " · damping", spring.damping, "N s/m");
-}
-
-void add_spring(const RotationalSpring& spring, const std::string& name, FactList& facts) {
-    facts.given(Weight::pose, name + " · stiffness", spring.stiffness, "N m/rad");
-    facts.given(Weight::pose, name + " · free angle", spring.free_angle, "rad");
-    facts.given(Weight::pose, name + " · damping", spring.damping, "N m s/rad");
-}
-
-/// Springs have no names: they are counted.
-template <class Springs>
-void add_springs(const Springs& springs, const Mechanism& mechanism, const char* kind, FactList& facts) {
-    const auto body = [&](int k) { return mechanism.bodies[static_cast<std::size_t>(k)].name; };
-    for (std::size_t k = 0; k < springs.size(); ++k) {
-        const std::string name = kind + (" " + std::to_string(k + 1));
-        facts.text(Weight::count, name, body(springs[k].body_i) + " – " + body(springs[k].body_j));
-        add_spring(springs[k], name, facts);
-    }
-}
-
 }  // namespace
 
 std::vector<Fact> facts_of(const Lesson& lesson) {
@@ -56,8 +32,7 @@ std::vector<Fact> facts_of(const Lesson& lesson) {
     for (std::size_t k = 0; k < loads.masses.size(); ++k) {
         if (loads.masses[k]) { add_mass(*loads.masses[k], lesson.mechanism.bodies[k].name, facts); }
     }
-    add_springs(loads.springs, lesson.mechanism, "spring", facts);
-    add_springs(loads.rotational_springs, lesson.mechanism, "rotational spring", facts);
+    add_loads(loads, lesson.mechanism, facts);
     return facts.take();
 }
 

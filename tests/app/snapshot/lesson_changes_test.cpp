@@ -41,6 +41,31 @@ TEST_CASE("a change of a lesson is one line with its amount", "[snapshot]") {
         std::vector<std::string>{"colour of crank: 'vermilion' → 'blue'"});
 }
 
+TEST_CASE("a changed load is explained with its body and its unit", "[snapshot]") {
+    const std::string before =
+        "[[force]]\nbody = 'rod'\nforce = [0, 0, -5]\n"
+        "[[force]]\nbody = 'crank'\ndirection = [0, 0, 1]\npolynomial = [2, 3]\n"
+        "step = [{ from = 1, to = 2, end_s = 1 }]\n"
+        "[[torque]]\nbody = 'rod'\ntorque = [0.5, 0, 0]\nharmonics = [{ amplitude = 1, frequency_hz = 2 }]\n"
+        "[[spring]]\nstiffness = 100\n[dynamics]\ngravity = [0, 0, -9.5]\n";
+    const auto line = [&](const std::string& from, const std::string& to) {
+        return lesson_changes(before, replaced(before, from, to)).at(0);
+    };
+    CHECK(
+        line("[0, 0, -5]", "[0, 0, -4]") ==
+        "force on rod: z 1 N larger (force.0.force, [0, 0, -5] → [0, 0, -4])");
+    CHECK(
+        line("[2, 3]", "[3, 2]") ==
+        "polynomial of force on crank: number 1 1 N larger, number 2 1 N/s smaller "
+        "(force.1.polynomial, [2, 3] → [3, 2])");
+    CHECK(line("from = 1", "from = 1.05").starts_with("from of force on crank: 0.05 N larger"));
+    CHECK(line("[0.5, 0, 0]", "[0, 0, 0]").starts_with("torque on rod: x 0.5 N m smaller"));
+    // a factor of the vector
+    CHECK(line("amplitude = 1", "amplitude = 3").starts_with("amplitude of torque on rod: 2 larger"));
+    CHECK(line("stiffness = 100", "stiffness = 101").starts_with("stiffness of spring 1: 1 N/m larger"));
+    CHECK(line("-9.5]", "-1.5]").starts_with("gravity of dynamics: z 8 m/s² larger"));
+}
+
 TEST_CASE("the camera comes behind what it looks at", "[snapshot]") {
     const std::string body = "[[body]]\nname = \"a\"\nmass = 1\n";
     const std::string before = body + "[camera]\ndistance = 2\n";
@@ -48,7 +73,7 @@ TEST_CASE("the camera comes behind what it looks at", "[snapshot]") {
     const std::vector<std::string> lines = lesson_changes(before, now);
     REQUIRE(lines.size() == 3);
     CHECK(lines[0] == "title: added");
-    CHECK(lines[1].starts_with("mass of a: 1 larger"));
+    CHECK(lines[1].starts_with("mass of a: 1 kg larger"));
     CHECK(lines[2].starts_with("camera"));
 }
 

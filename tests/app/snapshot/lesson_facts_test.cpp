@@ -7,9 +7,31 @@
 namespace jw::snapshot {
 namespace {
 
-/// Changes of the facts about a lesson with springs where a piece of its text is another.
-std::vector<FactChange> changed_facts(const std::string& from, const std::string& to) {
-    const std::string before = test::bytes_of(test::lesson_path("dynamics/governor.toml"));
+std::string governor() { return test::bytes_of(test::lesson_path("dynamics/governor.toml")); }
+
+/// The governor with loads of every kind.
+std::string with_loads() {
+    return governor() + R"(
+[[force]]
+body = 'shaft'
+point = [0, 0, 0.25]
+force = [0, 0, 5]
+[[force]]
+body = 'left rod'
+direction = [0, 1, 0]
+frame = 'local'
+polynomial = [9e8, 2]
+[[torque]]
+body = 'left rod' # of the torque
+direction = [1, 0, 0]
+harmonics = [{ amplitude = 0.5, frequency_hz = 2 }]
+step = [{ to = 4, end_s = 0.5 }]
+)";
+}
+
+/// Changes of the facts about a lesson where a piece of its text is another.
+std::vector<FactChange> changed_facts(
+    const std::string& before, const std::string& from, const std::string& to) {
     std::string now = before;
     const std::size_t at = now.find(from);
     REQUIRE(at != std::string::npos);
@@ -21,10 +43,14 @@ std::vector<FactChange> changed_facts(const std::string& from, const std::string
     return changes_of(facts_of(*a.lesson), facts_of(*b.lesson));
 }
 
-FactChange only_change(const std::string& from, const std::string& to) {
-    const std::vector<FactChange> found = changed_facts(from, to);
+FactChange only_change_of(const std::string& before, const std::string& from, const std::string& to) {
+    const std::vector<FactChange> found = changed_facts(before, from, to);
     REQUIRE(found.size() == 1);
     return found.front();
+}
+
+FactChange only_change(const std::string& from, const std::string& to) {
+    return only_change_of(governor(), from, to);
 }
 
 }  // namespace
@@ -42,6 +68,33 @@ TEST_CASE("title, masses, gravity and springs of a lesson are facts", "[snapshot
     CHECK(only_change("damping = 40000", "damping = 0").name == "spring 1 · damping");
     CHECK(only_change("free_length = 0.5", "free_length = 0.51").name == "spring 1 · free length");
     CHECK(only_change("[0.05, 0, 0]\npoint_j", "[0.06, 0, 0]\npoint_j").name == "spring 1 · from · x");
+}
+
+TEST_CASE("forces and torques of a lesson are facts, each of its own scale", "[snapshot]") {
+    // beside a force of 9e8 N, which would hide the others
+    const auto change = [](const std::string& from, const std::string& to) {
+        return only_change_of(with_loads(), from, to);
+    };
+    CHECK(
+        change("force = [0, 0, 5]", "force = [0, 0, 6]") ==
+        FactChange{Weight::pose, "force 1 · z", "5 N", "6 N"});
+    CHECK(change("point = [0, 0, 0.25]", "point = [0, 0, 0.2]").name == "force 1 · at · z");
+    CHECK(change("frame = 'local'", "frame = 'global'").name == "force 2 · frame");
+    CHECK(
+        change("polynomial = [9e8, 2]", "polynomial = [9e8, 3]") ==
+        FactChange{Weight::pose, "force 2 · c1", "2 N/s", "3 N/s"});
+    CHECK(change("amplitude = 0.5", "amplitude = 0.6").name == "torque 1 · harmonic 1 · amplitude");
+    CHECK(change("frequency_hz = 2", "frequency_hz = 3").name == "torque 1 · harmonic 1 · ω");
+    CHECK(change("to = 4", "to = 5").name == "torque 1 · step 1 · to");
+    CHECK(change("end_s = 0.5", "end_s = 0.6").name == "torque 1 · step 1 · end");
+    CHECK(
+        change("body = 'left rod' # of the torque", "body = 'right rod'") ==
+        FactChange{Weight::count, "torque 1", "on left rod", "on right rod"});
+}
+
+TEST_CASE("a load that is written otherwise is the same load", "[snapshot]") {
+    CHECK(
+        changed_facts(with_loads(), "force = [0, 0, 5]", "direction = [0, 0, 2]\npolynomial = [5]").empty());
 }
 
 TEST_CASE("a small moment of inertia beside large ones is compared", "[snapshot]") {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace jw::snapshot {
+
+/// "radius" of "body.crank.shape.0.rod.radius"
+inline std::string_view last_key(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
+
+/// Units of the numbers that a lesson file states.
+class UnitsOfKeys {
+public:
+    /// @param lesson  text of the file, must outlive this: a function of time is a force or a factor of one,
+    /// which other keys of its table decide
+    explicit UnitsOfKeys(const std::string& lesson) : lesson_(lesson) {}
+
+    /// An amount of a number with its unit: "1 mm", "0.2 m", "5 deg", "1 N"; without one if it is not known.
+    /// @param path   of the key, as `difference_of` names it
+    /// @param index  of the number in its list, 0 for a single one
+    std::string amount(const std::string& path, std::size_t index, double amount) const;
+
+private:
+    std::string unit(const std::string& path, std::size_t index) const;
+    std::string unit_of_load(const std::string& path, std::size_t index) const;
+
+    const std::string& lesson_;
+};
+
+}  // namespace jw::snapshot
