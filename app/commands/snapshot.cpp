@@ -137,7 +137,8 @@ std::vector<snapshot::LessonResult> compared(
         results.push_back(std::move(result));
         if (tells) { streams.out << snapshot::describe(results.back()) << std::flush; }
     };
-    const std::vector<snapshot::SuiteLesson> suite = snapshot::suite_of(options.paths);
+    const std::vector<snapshot::SuiteLesson> suite =
+        snapshot::suite_or_emptied(options.paths, options.golden);
     for (const snapshot::SuiteLesson& lesson : suite) {
         add(compared(options, lesson, rules, results.empty(), streams));
     }
@@ -210,7 +211,8 @@ Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     }
     const SnapshotRules rules = rules_of(options);
     std::size_t changed = 0;
-    const std::vector<snapshot::SuiteLesson> suite = snapshot::suite_of(options.paths);
+    const std::vector<snapshot::SuiteLesson> suite =
+        snapshot::suite_or_emptied(options.paths, options.golden);
     for (const snapshot::SuiteLesson& lesson : suite) {
         const Opened now = opened(lesson.file, streams);
         const snapshot::GoldenFolder folder = folder_of(options, lesson);

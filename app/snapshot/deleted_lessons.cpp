@@ -49,6 +49,13 @@ std::vector<std::string> deleted_lessons(
     return deleted;
 }
 
+std::vector<SuiteLesson> suite_or_emptied(const std::vector<std::string>& paths, const fs::path& golden) {
+    std::vector<SuiteLesson> suite = suite_of(paths, EmptyFolders::allowed);
+    const bool lost_some = !deleted_lessons(paths, suite, golden).empty();
+    const bool is_known = lost_some || (suite.empty() && !removed_so_far(golden / kRemoved).empty());
+    return is_known ? suite : suite_of(paths);
+}
+
 LessonResult result_of_deleted(const std::string& name, const fs::path& golden) {
     LessonResult result;
     result.lesson = {{}, name};

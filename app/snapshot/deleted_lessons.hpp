@@ -15,6 +15,12 @@ std::vector<std::string> deleted_lessons(
     const std::vector<std::string>& paths, const std::vector<SuiteLesson>& suite,
     const std::filesystem::path& golden);
 
+/// The lessons that paths name. A folder may be empty if lessons were deleted: golden snapshots are left of
+/// them, or the reasons for which those were removed. Else it is rather the wrong folder, and is refused.
+/// @throws std::runtime_error as `suite_of` does, and for a damaged `removed.json`
+std::vector<SuiteLesson> suite_or_emptied(
+    const std::vector<std::string>& paths, const std::filesystem::path& golden);
+
 /// Result of the comparison of a deleted lesson: all of its snapshots are gone.
 LessonResult result_of_deleted(const std::string& name, const std::filesystem::path& golden);
 

@@ -135,7 +135,7 @@ std::string differing_otherwise(const std::vector<SnapshotResult>& snapshots) {
 
 }  // namespace
 
-std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
+std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths, EmptyFolders empty) {
     std::vector<SuiteLesson> suite;
     for (const std::string& path : paths) {
         std::error_code error;
@@ -145,7 +145,7 @@ std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths) {
         }
         std::vector<fs::path> files = lessons_below(path);
         std::erase_if(files, GoldenFolder::is_copy_of_lesson);
-        if (files.empty()) {
+        if (files.empty() && empty == EmptyFolders::refused) {
             throw std::runtime_error(
                 "'" + path + "': there is no lesson below this folder; expected files *.toml");
         }

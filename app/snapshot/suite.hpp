@@ -19,10 +19,14 @@ struct SuiteLesson {
     std::string name;  ///< "loops/four-bar"
 };
 
+enum class EmptyFolders { refused, allowed };
+
 /// The lessons that paths name. Those below a folder have their path from there as a name, a single file its
 /// own name.
-/// @throws std::runtime_error for two lessons of one name
-std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths);
+/// @throws std::runtime_error for two lessons of one name, and for a folder without lessons if that is
+/// refused
+std::vector<SuiteLesson> suite_of(
+    const std::vector<std::string>& paths, EmptyFolders empty = EmptyFolders::refused);
 
 enum class Verdict {
     same,

@@ -30,6 +30,7 @@ public:
         return Suite::snapshot(arguments);
     }
     std::string golden(const std::string& name) const { return folder_.path("golden/" + name); }
+    void remove_crank() const { fs::remove(folder_.path("lessons/crank.toml")); }
 
 private:
     Folder folder_;
@@ -103,6 +104,38 @@ TEST_CASE("golden snapshots of a deleted lesson are removed with a reason that i
     CHECK(kept["removed"][0]["lesson"] == "loops/plate");
     CHECK(kept["removed"][0]["reason"] == "told elsewhere");
     CHECK(lessons.ran("compare").status == 0);
+}
+
+TEST_CASE("the deletion of every lesson fails, and is accepted with a reason", "[snapshot]") {
+    TwoLessons lessons;
+    lessons.remove_crank();
+    const Ran ran = lessons.ran("compare");
+    INFO(ran.out << ran.err);
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "crank: 0 of 1 snapshot same\n  why: the lesson is deleted, and its golden"));
+    CHECK(says(ran, "2 lessons are deleted"));
+    CHECK(lessons.ran("bless", {"--reason", "one step", "--only", "bodies"}).status == 2);
+    REQUIRE(fs::exists(lessons.golden("crank/bodies.json")));
+    CHECK(lessons.ran("bless", {"--reason", "the course is over"}).status == 0);
+    CHECK_FALSE(fs::exists(lessons.golden("crank")));
+    const auto kept = nlohmann::json::parse(bytes_of(lessons.golden("removed.json")));
+    CHECK(kept["removed"].size() == 2);
+    CHECK(lessons.ran("compare").status == 0);
+    // nothing is recorded of nothing
+    CHECK(lessons.ran("record").status == 2);
+}
+
+TEST_CASE("an empty folder is refused where no lesson was deleted", "[snapshot]") {
+    const Folder folder;
+    fs::create_directories(folder.path("lessons"));
+    fs::create_directories(folder.path("golden"));
+    for (const char* const verb : {"compare", "bless"}) {
+        std::vector<std::string> arguments{verb, folder.path("lessons"), "--golden", folder.path("golden")};
+        if (std::string(verb) == "bless") { arguments.insert(arguments.end(), {"--reason", "r"}); }
+        const Ran ran = Suite::snapshot(arguments);
+        CHECK(ran.status == 2);
+        CHECK(says(ran, "there is no lesson below this folder"));
+    }
 }
 
 TEST_CASE("a golden file that allows far more than the program does is blind", "[snapshot]") {
