@@ -1,29 +1,13 @@
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-
 #include "app/commands/commands.hpp"
 #include "app/commands/frame_range.hpp"
 #include "app/commands/render_run.hpp"
-#include "app/session/story/timeline.hpp"
+#include "app/film/film_steps.hpp"
 
 namespace jw {
 
 namespace {
-
-constexpr double kMostFrames = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
-
-int intervals_of(const Lesson& lesson, double fps) {
-    const std::optional<MotionPlan> motion = shown_motion(lesson);
-    if (!motion) { return 0; }
-    if (motion->duration * fps > kMostFrames) {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: 'duration_s' of the motion times --fps is more than 100000 "
-            "pictures; shorten the one or lower the other");
-    }
-    return std::max(1, static_cast<int>(std::lround(motion->duration * fps)));
-}
 
 /// The moments; empty (last before first) where the motion is not reached.
 FrameRange motion_of(const Story& story) {
@@ -43,27 +27,13 @@ FrameRange motion_of(const Story& story) {
     return motion;
 }
 
-int step_named(const std::string& option, const std::string& name, const Story& story) {
-    if (const std::optional<int> step = step_at(story, name)) { return *step; }
-    throw CommandError(
-        Exit::bad_input, "jointwise: error: " + option + " '" + name + "'; expected a step from 1 to " +
-                             std::to_string(story.steps().size()) +
-                             ", the name of a joint or driver, or t=SECONDS");
-}
-
 /// The steps that are drawn; empty (last before first) where only the motion is wanted and it is not reached.
 FrameRange range_of(const RenderOptions& options, const Story& story) {
     const int frames = static_cast<int>(story.steps().size());
     if (options.frames) { return frame_range(*options.frames, frames); }
     if (options.motion_only) { return motion_of(story); }
-    FrameRange range{0, frames - 1};
-    if (!options.from.empty()) { range.first = step_named("--from", options.from, story); }
-    if (!options.to.empty()) { range.last = step_named("--to", options.to, story); }
-    if (range.first <= range.last) { return range; }
-    throw CommandError(
-        Exit::bad_input, "jointwise: error: --to '" + options.to + "' is step " +
-                             std::to_string(range.last + 1) + ", before step " +
-                             std::to_string(range.first + 1) + " of --from");
+    const film::StepRange steps = film::steps_between(options.from, options.to, story);
+    return {steps.first, steps.last};
 }
 
 Exit render_command(const RenderOptions& options, const Streams& streams) {
@@ -76,7 +46,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     const Lesson& lesson = changed.lesson;
     streams.err << done_text(changed.done);
     StoryOptions how;
-    how.intervals = intervals_of(lesson, options.fps);
+    how.intervals = film::intervals_for(lesson, options.fps);
     const Story story(lesson, how);
     const FrameRange range = range_of(options, story);
     if (range.first > range.last) { throw not_reached(lesson, *story.failure()); }

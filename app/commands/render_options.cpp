@@ -7,19 +7,15 @@
 
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
-#include "app/film/movie.hpp"
+#include "app/film/film_steps.hpp"
 
 namespace jw {
 
 namespace {
 
-// below this the panels have no room; above it the letters do not fit into one texture
-constexpr PixelSize kSmallestFrame{960, 540};
-constexpr PixelSize kSmallestPicture{320, 180};  // without panels
-constexpr PixelSize kLargestFrame{7680, 4320};
-constexpr float kLargestLetters = 6.0F;  // as in the largest frame
-constexpr double kLargestText = 1.5;     // as in the window
-constexpr double kMostFps = 240.0;
+constexpr PixelSize kSmallestFrame{film::kSmallestWidth, film::kSmallestHeight};
+constexpr PixelSize kSmallestPicture{film::kSmallestWidthAlone, film::kSmallestHeightAlone};
+constexpr PixelSize kLargestFrame{film::kLargestWidth, film::kLargestHeight};
 constexpr int kMostJobs = 256;
 
 CommandError wrong(const std::string& message) { return bad_option("render", message); }
@@ -44,20 +40,14 @@ Vec3 direction_of(const std::string& text) {
 
 void check_film(const RenderOptions& options, film::FilmFormat format) {
     check_output("--out", options.out, {options.file});
-    if (options.transparent && !film::can_be_transparent(format)) {
-        throw wrong("--transparent needs .webm, .apng, .html or a folder; this format has no transparency");
+    if (film::needs_ffmpeg(format)) {
+        check_output("--out", film::captions_file(options.out), {options.file});
     }
-    const bool has_loop = format == film::FilmFormat::gif || format == film::FilmFormat::apng;
-    if (options.loop && !has_loop) {
-        throw wrong("--loop is of .gif and .apng; for other films players have it");
-    }
-    if (!film::needs_ffmpeg(format)) { return; }
-    check_output("--out", film::captions_file(options.out), {options.file});
-    if (!film::has_ffmpeg()) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --out '" + options.out +
-                                 "' is made by ffmpeg, which is not there; install it (Debian: apt install "
-                                 "ffmpeg), or give .gif, .apng, .html or a folder");
+    const film::FilmSettings settings{
+        options.out, format, options.fps, options.loop ? render::Repeat::without_end : render::Repeat::once,
+        !options.transparent};
+    if (const std::string problem = film::problem_of_format(settings); !problem.empty()) {
+        throw wrong(problem);
     }
 }
 
@@ -83,13 +73,8 @@ CheckedRender checked(const RenderOptions& options) {
     if (!std::isfinite(options.fps)) {
         throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
     }
-    const float letters = options.look().scale(result.size.width, result.size.height);
-    if (!std::isfinite(options.text) || letters > kLargestLetters) {
-        throw wrong("--text is too large for this --size: the letters do not fit into one texture");
-    }
-    if (options.text > kLargestText && !options.no_panel) {
-        throw wrong("--text above 1.5 leaves the panels no room; expected 0.75 to 1.5, or --no-panel");
-    }
+    const std::string problem = film::problem_of_look(result.size.width, result.size.height, options.look());
+    if (!problem.empty()) { throw wrong(problem); }
     if (options.transparent && !options.no_panel) {
         throw wrong("--transparent needs --no-panel: panels are opaque");
     }
@@ -122,7 +107,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
         ->type_name("PATH");
     command.add_option("--size", options.size, "pixels")->type_name("WxH")->capture_default_str();
     command.add_option("--fps", options.fps, "pictures per second of what moves")
-        ->check(CLI::Range(0.1, kMostFps))
+        ->check(CLI::Range(0.1, film::kMostFps))
         ->type_name("X")
         ->capture_default_str();
     command.add_option("--frames", options.frames, "draw only pictures A to B of the same numbering")

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "app/film/film_file.hpp"
+#include "app/host/frames/frame_painter.hpp"
+
+/// What may be asked of a film: its steps, its size, what its format can. For the program and the library,
+/// which give options other names.
+namespace jw::film {
+
+// below this the panels have no room; above it the letters do not fit into one texture
+inline constexpr int kSmallestWidth = 960;
+inline constexpr int kSmallestHeight = 540;
+inline constexpr int kSmallestWidthAlone = 320;  // without panels
+inline constexpr int kSmallestHeightAlone = 180;
+inline constexpr int kLargestWidth = 7680;
+inline constexpr int kLargestHeight = 4320;
+inline constexpr double kMostFps = 240.0;
+
+/// What stands before the name of an option: "--" for the program, nothing for an argument.
+struct OptionNames {
+    std::string before = "--";
+    std::string from = "--from";
+};
+
+/// Steps of a story, both included, from 0.
+struct StepRange {
+    int first = 0;
+    int last = 0;
+};
+
+/// Intervals of the motion of a lesson at so many pictures per second; 0 if nothing moves.
+/// @throws std::invalid_argument if these are too many
+int intervals_for(const Lesson& lesson, double fps, const OptionNames& names = {});
+
+/// The steps from one to another, each "3", "crank" or "t=0.5"; empty: the first, the last.
+/// @throws std::invalid_argument naming the option, and what was expected
+StepRange steps_between(
+    const std::string& from, const std::string& to, const Story& story, const OptionNames& names = {});
+
+/// What is wrong with the look of pictures of this size; empty if nothing is.
+std::string problem_of_look(
+    int width, int height, const host::FrameLook& look, const OptionNames& names = {});
+/// What the format cannot: to be transparent, to begin again; or that there is no ffmpeg to make it.
+std::string problem_of_format(const FilmSettings& settings, const OptionNames& names = {});
+
+}  // namespace jw::film
