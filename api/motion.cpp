@@ -49,7 +49,9 @@ jw::SimulationSettings settings_of(const Simulation& simulation) {
 
 }  // namespace
 
-void follow_into(const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive) {
+void follow_into(
+    const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive,
+    const std::function<bool()>& go_on) {
     expect_ascending(times);
     const jw::Mechanism& inside = mechanism.inside().mechanism;
     const jw::State start = state_of(inside, assemble(mechanism, times.front()));
@@ -57,6 +59,9 @@ void follow_into(const Mechanism& mechanism, const std::vector<double>& times, c
     system.choose_rows(start);
     jw::MotionTracker tracker(system, start, times.front());
     for (const double t : times) {
+        if (go_on && !go_on()) {
+            throw NotReached("jointwise: the motion was given up before t = " + number_text(t) + " s");
+        }
         if (!tracker.advance_to(t)) {
             throw NotReached(
                 "jointwise: the motion ends at t = " + number_text(tracker.frame().t) +

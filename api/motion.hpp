@@ -11,7 +11,9 @@ inline namespace JOINTWISE_ABI {
 using Receive = std::function<void(const Moment&)>;
 
 /// @throws as follow and simulate of analysis.hpp
-void follow_into(const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive);
+void follow_into(
+    const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive,
+    const std::function<bool()>& go_on = {});
 void simulate_into(
     const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings,
     const Receive& receive);

@@ -86,9 +86,10 @@ Moment Trajectory::moment(int row) const {
     return moment;
 }
 
-Trajectory follow_trajectory(const Mechanism& mechanism, const std::vector<double>& times) {
+Trajectory follow_trajectory(
+    const Mechanism& mechanism, const std::vector<double>& times, const std::function<bool()>& go_on) {
     Trajectory trajectory = empty_trajectory(mechanism, times.size());
-    follow_into(mechanism, times, writer_of(trajectory));
+    follow_into(mechanism, times, writer_of(trajectory), go_on);
     return trajectory;
 }
 

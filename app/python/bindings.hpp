@@ -19,6 +19,7 @@ void add_motion(py::module_& module);
 void add_measures(py::module_& module);
 void add_lessons(py::module_& module);
 void add_pictures(py::module_& module);
+void add_films(py::module_& module);
 
 /// Calls `f` while other threads of Python may run: f touches nothing that belongs to Python, and its
 /// arguments are its own.
@@ -26,6 +27,24 @@ template <class F>
 auto in_parallel(F&& f) {
     const py::gil_scoped_release release;
     return std::forward<F>(f)();
+}
+
+/// Calls `f` as `in_parallel` does, with what it has to ask now and then: false if a signal asks Python to
+/// stop, as Ctrl-C and interrupting a notebook do. What the handler of the signal has raised then comes
+/// before the NotReached with which f gives up.
+template <class F>
+auto until_interrupted(F&& f) {
+    bool interrupted = false;
+    const std::function<bool()> go_on = [&] {
+        const py::gil_scoped_acquire acquire;
+        return !(interrupted = PyErr_CheckSignals() != 0);
+    };
+    try {
+        return in_parallel([&] { return f(go_on); });
+    } catch (const NotReached&) {
+        if (interrupted) { throw py::error_already_set(); }
+        throw;
+    }
 }
 
 /// An argument `coordinates`: a member of Coordinates or its name. @throws py::value_error

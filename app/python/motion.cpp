@@ -64,12 +64,6 @@ void add_tables(py::class_<Trajectory>& type) {
     }
 }
 
-/// True if a signal asks Python to stop: a notebook is interrupted, Ctrl-C. The exception is set then.
-bool is_interrupted() {
-    const py::gil_scoped_acquire acquire;
-    return PyErr_CheckSignals() != 0;
-}
-
 Moment moment_of(const Trajectory& trajectory, int index) {
     const int row = index < 0 ? index + trajectory.times() : index;
     if (row < 0 || row >= trajectory.times()) {
@@ -113,7 +107,9 @@ void add_motion(py::module_& module) {
         [](const Mechanism& mechanism, const py::object& times) {
             const Mechanism own = mechanism;
             const std::vector<double> at = list_of(times, "times");
-            return in_parallel([&] { return std::make_unique<Trajectory>(follow_trajectory(own, at)); });
+            return until_interrupted([&](const std::function<bool()>& go_on) {
+                return std::make_unique<Trajectory>(follow_trajectory(own, at, go_on));
+            });
         },
         "mechanism"_a, "times"_a,
         "Motion that the drivers prescribe, at ascending times [s]. Raises NotReached.");
@@ -124,17 +120,10 @@ void add_motion(py::module_& module) {
            double step) {
             const Mechanism own = mechanism;
             const std::vector<double> at = list_of(times, "times");
-            bool interrupted = false;
-            const Simulation settings{
-                method, tolerance, step, [&] { return !(interrupted = is_interrupted()); }};
-            try {
-                return in_parallel(
-                    [&] { return std::make_unique<Trajectory>(simulate_trajectory(own, at, settings)); });
-            } catch (const NotReached&) {
-                // what the handler of the signal has raised comes before the reason that this gave up
-                if (interrupted) { throw py::error_already_set(); }
-                throw;
-            }
+            return until_interrupted([&](const std::function<bool()>& go_on) {
+                const Simulation settings{method, tolerance, step, go_on};
+                return std::make_unique<Trajectory>(simulate_trajectory(own, at, settings));
+            });
         },
         "mechanism"_a, "times"_a, py::kw_only(), "method"_a = usual.method, "tolerance"_a = usual.tolerance,
         "step"_a = usual.step,

@@ -24,7 +24,9 @@ struct Trajectory {
 };
 
 /// `follow` and `simulate` of analysis.hpp into a table; no moment is kept beside it.
-Trajectory follow_trajectory(const Mechanism& mechanism, const std::vector<double>& times);
+/// @param go_on  asked before each time; false gives up, as NotReached
+Trajectory follow_trajectory(
+    const Mechanism& mechanism, const std::vector<double>& times, const std::function<bool()>& go_on = {});
 Trajectory simulate_trajectory(
     const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings = {});
 

@@ -34,8 +34,11 @@ def moving(pose):
     )
 
 
-def four_bar():
-    """The mechanism of docs/library.md: 20 equations of four hinges, 17 of them independent, and a motor."""
+def four_bar(driven="A"):
+    """The mechanism of docs/library.md: 20 equations of four hinges, 17 of them independent, and a motor.
+
+    Hinge A can be driven on and on, D until the crank and the coupler are in line.
+    """
     A, B, C, D = np.array([[0, 0, 0], [0, 1, 0], [2, 2, 0], [3, 0, 0]], dtype=float)
     m = jw.Mechanism()
     crank = m.add_body("crank", (A + B) / 2)
@@ -45,7 +48,7 @@ def four_bar():
     m.add_joint("B", "revolute", crank, coupler, at=B)
     m.add_joint("C", "revolute", coupler, rocker, at=C)
     m.add_joint("D", "revolute", 0, rocker, at=D)
-    m.add_driver("motor", "A", [0.0, 2 * np.pi])
+    m.add_driver("motor", driven, [0.0, 2 * np.pi])
     return m
 
 

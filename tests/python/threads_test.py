@@ -71,7 +71,8 @@ class Threads(unittest.TestCase):
             np.testing.assert_allclose(r[:, :4], alone, rtol=0, atol=1e-9)
             self.assertEqual(len(m.body_names), 24)
 
-    def test_a_signal_ends_a_long_simulation(self):
+    def ended_by_signal(self, call):
+        """True if a signal ends a call that would end by itself with NotReached, and later."""
         class Interrupted(Exception):
             pass
 
@@ -82,9 +83,8 @@ class Threads(unittest.TestCase):
         before = signal.signal(signal.SIGALRM, interrupt)
         try:
             signal.setitimer(signal.ITIMER_REAL, 0.05)
-            # twenty million steps: more than are taken, after many seconds, unless something ends it
             try:
-                jw.simulate(pendulum(1.0), [0, 2000], method="euler", step=1e-4)
+                call()
             except jw.NotReached:
                 ended_by = "itself"
             except Interrupted:
@@ -94,7 +94,17 @@ class Threads(unittest.TestCase):
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, before)
-        self.assertEqual(ended_by, "the signal")
+        return ended_by == "the signal"
+
+    def test_a_signal_ends_a_long_simulation(self):
+        # twenty million steps: more than are taken, after many seconds, unless something ends it
+        self.assertTrue(
+            self.ended_by_signal(lambda: jw.simulate(pendulum(1.0), [0, 2000], method="euler", step=1e-4)))
+
+    def test_a_signal_ends_a_long_motion_of_drivers(self):
+        # more than a hundred thousand times before it can go no farther, unless something ends it
+        times = np.linspace(0, 0.13, 200001)
+        self.assertTrue(self.ended_by_signal(lambda: jw.follow(four_bar(driven="D"), times)))
 
 
 if __name__ == "__main__":
