@@ -41,5 +41,7 @@ set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_NAME jointwise-dev)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_DEPENDS
   "jointwise (= ${PROJECT_VERSION}), libeigen3-dev, libtomlplusplus-dev, libfmt-dev, libdeflate-dev, libgif-dev")
-set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_RECOMMENDS cmake)
+# a program with films links what draws their panels
+set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_RECOMMENDS
+  "cmake, libimgui-dev, libstb-dev, libfreetype-dev, libcairo2-dev, libmd-dev")
 include(CPack)

@@ -16,4 +16,5 @@ PYBIND11_MODULE(_jointwise, module) {
     add_measures(module);
     add_lessons(module);
     add_pictures(module);
+    add_films(module);
 }

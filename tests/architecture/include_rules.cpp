@@ -77,8 +77,9 @@ constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "co
 
 // what other programs see shows nothing of what is behind it
 constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen/"};
-constexpr std::array<std::string_view, 7> kLibrary{"api/",    "jointwise/",   "core/", "lessons/",
-                                                   "render/", "app/session/", "Eigen/"};
+constexpr std::array<std::string_view, 9> kLibrary{"api/",      "jointwise/",       "core/",
+                                                   "lessons/",  "render/",          "app/session/",
+                                                   "app/film/", "app/host/frames/", "Eigen/"};
 
 // the module is thin: of the project it knows what other programs know
 constexpr std::array<std::string_view, 3> kPython{"app/python/", "jointwise/", "pybind11/"};

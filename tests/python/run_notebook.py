@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs the code cells of a notebook, one after the other in one namespace, as a notebook does: run_notebook.py FILE.
 
-What the last expression of a cell gives is shown, a picture by its bytes and all else as text. IPython is not needed: its
+What the last expression of a cell gives is shown, a picture or a film by its bytes and all else as text. IPython is not needed: its
 packages would be 23 MB on the machine that tests, and a process with sockets for each notebook.
 """
 
@@ -24,6 +24,11 @@ def run_cell(source, place, namespace):
 def shown(value):
     if value is None:
         return ""
+    page = getattr(value, "_repr_html_", None)
+    if page is not None:
+        html = page()
+        assert "base64," in html and len(html) < 1_000_000, f"{len(html)} bytes: too much for a notebook, or no film"
+        return f"film, {len(html)} bytes"
     picture = getattr(value, "_repr_png_", None)
     if picture is None:
         return repr(value)

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Literal, TypedDict, overload
@@ -292,7 +292,35 @@ class Lesson:
     def simulation_times(self) -> _Array: ...
     @property
     def simulation(self) -> _SimulationArguments: ...
+    def film(
+        self,
+        *,
+        from_: str = "",
+        to: str = "",
+        fps: float = 30.0,
+        loop: bool = False,
+        tween: bool = True,
+        dark: bool = False,
+        text: float = 1.0,
+        camera: Sequence[float] | None = None,
+        panels: bool = True,
+        transparent: bool = False,
+        width: int = 1280,
+        height: int = 720,
+    ) -> Film: ...
     def _repr_png_(self) -> bytes: ...
+
+class Film:
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def pictures(self) -> int: ...
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    def save(self, file: str | PathLike[str]) -> None: ...
+    def _repr_html_(self) -> str: ...
 
 class Image:
     @property
