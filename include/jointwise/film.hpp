@@ -29,8 +29,8 @@ struct FilmOptions {
 /// A lesson told as a film: steps are found when it is made, pictures are drawn when it is written.
 class Film {
 public:
-    /// @throws std::invalid_argument for options that make no sense, NotReached if the lesson fails before
-    /// there is a picture
+    /// A lesson that fails at a step ends there, and shows that.
+    /// @throws std::invalid_argument for options that make no sense
     Film(const Lesson& lesson, const FilmOptions& options);
 
     double seconds() const;  ///< [s]
