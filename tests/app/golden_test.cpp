@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 
@@ -60,6 +61,21 @@ TEST_CASE("lessons show what they did when their golden snapshots were looked at
 
 TEST_CASE("golden windows look as they did when they were looked at", "[app][golden]") {
     for (const GoldenWindow& golden : kWindows) { compare_with_golden(golden.file, picture_of(golden)); }
+}
+
+TEST_CASE("a golden window notices a shift by one pixel and another digit", "[app][golden]") {
+    const render::Image golden = read_png(source_path("tests/golden/window-small.png"));
+    CHECK(broken_rule_of(golden, golden).empty());
+    render::Image shifted = golden;
+    std::rotate(shifted.rgb.begin(), shifted.rgb.begin() + 3, shifted.rgb.end());
+    CHECK_FALSE(broken_rule_of(golden, shifted).empty());
+    // as many pixels as a digit has ink
+    render::Image other = golden;
+    for (std::size_t row = 100; row < 108; ++row) {
+        const std::size_t pixel = row * static_cast<std::size_t>(golden.width) + 100;
+        std::fill_n(other.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 6, std::uint8_t{90});
+    }
+    CHECK_FALSE(broken_rule_of(golden, other).empty());
 }
 
 }  // namespace jw::test
