@@ -19,6 +19,9 @@ constexpr double kPromisedRest = 0.1;
 // are independent by rounding only increases them from 1e-8, say, to the size of the machine
 constexpr double kNear = 1e-3;
 constexpr double kLargestGrowth = 10.0;
+// an iteration that still removes a tenth of the residual has not stalled: where branches cross, residuals
+// fall to a quarter per step, but by half only while one part of the error takes over from another
+constexpr double kStalled = 0.9;
 // Armijo's condition: a ten-thousandth of the decrease that the tangent predicts is sufficient, and above
 // rounding; where a millionth of the step gives no decrease, the direction leads nowhere
 constexpr double kSufficient = 1e-4;
@@ -153,7 +156,7 @@ NewtonStep NewtonStepper<C>::step() {
         return step;
     }
     // equations of a small part of the scene enter last, and their first step may well increase the residual
-    const bool stalled = iteration_ > 0 && !reached_further_ && step.residual > 0.5 * previous_residual_;
+    const bool stalled = iteration_ > 0 && !reached_further_ && step.residual > kStalled * previous_residual_;
     if (stalled && step.residual <= kFloorTolerance) {
         step.converged = true;
         // within a factor of a hundred, the arithmetic itself is the limit (long chains, many rows)
