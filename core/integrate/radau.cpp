@@ -88,6 +88,15 @@ void RadauIntegrator::choose_coordinates() {
     choose_again_ = false;
 }
 
+/// Chooses new coordinates on the way, with rows that were left out before and are independent now.
+/// @return false if those rows move the state: it never obeyed them, so its motion was free to first order
+/// only, and no mechanism moves so
+bool RadauIntegrator::keeps_its_place() {
+    const std::vector<double> before = y_;
+    choose_coordinates();
+    return scales_.difference(y_.data(), before.data()) <= kOneMotion;
+}
+
 bool RadauIntegrator::jacobian_is_stale() const {
     return reduced_.size() == 0 || contraction_ > kSlowContraction;
 }
@@ -292,7 +301,7 @@ double RadauIntegrator::growth_after(double error, int iterations) const {
 bool RadauIntegrator::step(double t_end) {
     const bool fixed = options_.fixed_step > 0.0;
     if (coordinates_->verdict().left_out > std::max(kContradicts, options_.tolerance)) { return false; }
-    if (choose_again_) { choose_coordinates(); }
+    if (choose_again_ && !keeps_its_place()) { return false; }
     Trial trial;
     trial.doubtful = step_before_ == 0.0;
     trial.renewed = jacobian_is_stale();

@@ -71,6 +71,7 @@ private:
         return {y_.data(), static_cast<Eigen::Index>(y_.size())};
     }
     void choose_coordinates();
+    bool keeps_its_place();
     bool jacobian_is_stale() const;
     void renew_jacobian();
     void factor(double h);
