@@ -19,17 +19,6 @@ namespace {
 constexpr int kDeflateLevel = 1;
 constexpr std::uint8_t kNoFilter = 0;
 
-struct Free {
-    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
-};
-
-/// Room for one picture after the other: as large as the largest.
-struct Room {
-    std::unique_ptr<libdeflate_compressor, Free> compressor{libdeflate_alloc_compressor(kDeflateLevel)};
-    std::vector<std::uint8_t> rows;  ///< of the picture, each behind the number of its filter
-    std::vector<std::uint8_t> packed;
-};
-
 void copy_row(const Image& image, std::size_t row, std::uint8_t* to) {
     const auto width = static_cast<std::size_t>(image.width);
     const std::uint8_t* const rgb = &image.rgb[3 * row * width];
@@ -44,18 +33,14 @@ void copy_row(const Image& image, std::size_t row, std::uint8_t* to) {
     }
 }
 
-std::span<const std::uint8_t> packed_rows(const Image& image, Room& room) {
+/// Rows of a picture, each behind the number of its filter.
+void copy_rows(const Image& image, std::vector<std::uint8_t>& rows) {
     const std::size_t length = 1 + (image.alpha.empty() ? 3 : 4) * static_cast<std::size_t>(image.width);
-    room.rows.resize(length * static_cast<std::size_t>(image.height));
+    rows.resize(length * static_cast<std::size_t>(image.height));
     for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
-        room.rows[row * length] = kNoFilter;
-        copy_row(image, row, &room.rows[row * length + 1]);
+        rows[row * length] = kNoFilter;
+        copy_row(image, row, &rows[row * length + 1]);
     }
-    if (!room.compressor) { throw std::bad_alloc(); }
-    room.packed.resize(libdeflate_zlib_compress_bound(room.compressor.get(), room.rows.size()));
-    const std::size_t size = libdeflate_zlib_compress(
-        room.compressor.get(), room.rows.data(), room.rows.size(), room.packed.data(), room.packed.size());
-    return std::span(room.packed).first(size);
 }
 
 std::vector<std::uint8_t> head_of(const Image& image) {
@@ -84,18 +69,42 @@ void check(const Image& image) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+struct PngEncoder::Room {
+    struct Free {
+        void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
+    };
+    std::unique_ptr<libdeflate_compressor, Free> compressor{libdeflate_alloc_compressor(kDeflateLevel)};
+    std::vector<std::uint8_t> rows;
+    std::vector<std::uint8_t> packed;
+    std::vector<std::uint8_t> file;
+
+    std::span<const std::uint8_t> pack() {
+        if (!compressor) { throw std::bad_alloc(); }
+        const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), rows.size());
+        if (packed.size() < most) { packed.resize(most); }
+        const std::size_t size = libdeflate_zlib_compress(
+            compressor.get(), rows.data(), rows.size(), packed.data(), packed.size());
+        return std::span(packed).first(size);
+    }
+};
+
+PngEncoder::PngEncoder() : room_(std::make_unique<Room>()) {}
+
+PngEncoder::~PngEncoder() = default;
+
+const std::vector<std::uint8_t>& PngEncoder::encode(const Image& image) {
     check(image);
-    // kept: pictures of a film are of one size, and memory from the system costs as much as copying
-    thread_local Room room;
-    const std::span<const std::uint8_t> packed = packed_rows(image, room);
+    copy_rows(image, room_->rows);
     const std::span<const std::uint8_t> signature = png_signature();
-    std::vector<std::uint8_t> file(signature.begin(), signature.end());
+    std::vector<std::uint8_t>& file = room_->file;
+    file.assign(signature.begin(), signature.end());
     append_png_chunk(file, "IHDR", head_of(image));
-    append_png_chunk(file, "IDAT", packed);
+    append_png_chunk(file, "IDAT", room_->pack());
     append_png_chunk(file, "IEND", {});
     return file;
 }
+
+std::vector<std::uint8_t> encode_png(const Image& image) { return PngEncoder().encode(image); }
 
 std::string libdeflate_version() { return LIBDEFLATE_VERSION_STRING; }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,25 @@
 /// Pictures as PNG files, byte-deterministic.
 namespace jw::render {
 
-/// Encodes a picture as PNG, with an alpha channel where it has one. The same picture gives the same bytes on
-/// every machine with the same libdeflate.
-/// @throws std::invalid_argument if the picture is empty or its size and its data disagree.
+/// Encodes pictures one after the other in memory that it keeps: that of the largest. The same picture gives
+/// the same bytes on every machine with the same libdeflate.
+class PngEncoder {
+public:
+    PngEncoder();
+    ~PngEncoder();
+    PngEncoder(const PngEncoder&) = delete;
+    PngEncoder& operator=(const PngEncoder&) = delete;
+
+    /// A PNG file, with an alpha channel where the picture has one; there until the next one.
+    /// @throws std::invalid_argument if the picture is empty or its size and its data disagree.
+    const std::vector<std::uint8_t>& encode(const Image& image);
+
+private:
+    struct Room;
+    std::unique_ptr<Room> room_;
+};
+
+/// Encodes one picture as `PngEncoder` does.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// "1.14": bytes of pictures depend on it.

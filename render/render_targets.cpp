@@ -62,8 +62,11 @@ Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size, b
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     Image image{size.width, size.height, std::vector<std::uint8_t>(3 * pixels)};
     if (is_opaque) {
-        for_each_pixel(rgba, size, [&](std::size_t n, const std::uint8_t* pixel) {
-            std::copy_n(pixel, 3, &image.rgb[3 * n]);
+        for_each_pixel(rgba, size, [to = image.rgb.data()](std::size_t n, const std::uint8_t* pixel) {
+            // one by one: three bytes are less than a call of memmove
+            to[3 * n] = pixel[0];
+            to[3 * n + 1] = pixel[1];
+            to[3 * n + 2] = pixel[2];
         });
         return image;
     }

@@ -81,6 +81,7 @@ std::vector<int> moments_of(const Story& story) {
 void measure_stages(
     const Story& story, host::FramePainter& painter, const std::vector<int>& steps, const fs::path& file,
     RenderTimes& times) {
+    render::PngEncoder encoder;
     Clock::time_point begin = Clock::now();
     for (const int step : steps) {
         Clock::time_point last = Clock::now();
@@ -91,7 +92,7 @@ void measure_stages(
             times.stages[static_cast<std::size_t>(Stage::shadow) + static_cast<std::size_t>(stage)] +=
                 seconds_since(last);
         });
-        const std::vector<std::uint8_t> png = render::encode_png(image);
+        const std::vector<std::uint8_t>& png = encoder.encode(image);
         times.stages[Stage::encode] += seconds_since(last);
         render::write_file_atomically(file, png);
         times.stages[Stage::write] += seconds_since(last);

@@ -20,9 +20,9 @@ std::set<std::string> names_of(int first, int last) {
 
 void PictureWriter::add(int number, render::Image image) {
     wait();
-    writing_ =
-        std::async(std::launch::async, [path = folder_ / frame_name(number), picture = std::move(image)] {
-            render::write_file_atomically(path, render::encode_png(picture));
+    writing_ = std::async(
+        std::launch::async, [this, path = folder_ / frame_name(number), picture = std::move(image)] {
+            render::write_file_atomically(path, encoder_.encode(picture));
         });
 }
 

@@ -7,6 +7,7 @@
 #include "app/host/frames/frame_folder.hpp"
 #include "app/session/view/view.hpp"
 #include "render/image.hpp"
+#include "render/png.hpp"
 
 /// Pictures of a lesson as files, and the manifest that maps each to its step.
 namespace jw::host {
@@ -24,6 +25,7 @@ public:
 
 private:
     std::filesystem::path folder_;
+    render::PngEncoder encoder_;  // of the one picture that is being written
     std::future<void> writing_;
 };
 
