@@ -7,17 +7,17 @@ namespace jw::render {
 
 DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
     const auto pixels = [&](double length) {
-        return static_cast<GLint>(std::lround(length * frame.pixel_ratio));
+        return static_cast<int>(std::lround(length * frame.pixel_ratio));
     };
     return {
         pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
 }
 
 DeviceRect common_part(const DeviceRect& a, const DeviceRect& b) {
-    const GLint left = std::max(a.x, b.x);
-    const GLint bottom = std::max(a.y, b.y);
-    const GLint right = std::min(a.x + a.width, b.x + b.width);
-    const GLint top = std::min(a.y + a.height, b.y + b.height);
+    const int left = std::max(a.x, b.x);
+    const int bottom = std::max(a.y, b.y);
+    const int right = std::min(a.x + a.width, b.x + b.width);
+    const int top = std::min(a.y + a.height, b.y + b.height);
     return {left, bottom, std::max(right - left, 0), std::max(top - bottom, 0)};
 }
 

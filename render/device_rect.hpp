@@ -1,7 +1,5 @@
 #pragma once
 
-#include <GL/glcorearb.h>
-
 #include "render/camera.hpp"
 #include "render/frame_size.hpp"
 
@@ -9,8 +7,8 @@ namespace jw::render {
 
 /// Pixels of the device, counted from the bottom as GL does.
 struct DeviceRect {
-    GLint x, y;
-    GLsizei width, height;
+    int x, y;
+    int width, height;
 
     bool empty() const { return width < 1 || height < 1; }
 };

@@ -67,8 +67,8 @@ IdBuffer::IdBuffer(const GlFunctions& gl, const SceneMeshes& meshes)
 
 bool IdBuffer::update(
     const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
-    std::uint64_t version) {
-    const Seen now{version, camera, viewport, frame};
+    std::uint64_t version, SceneView::Details details) {
+    const Seen now{version, camera, viewport, frame, details};
     if (rect_.width > 0 && seen_ == now) { return false; }
     // one id per pixel of the picture, whatever the device has
     const FrameSize pixels{frame.width, frame.height, 1};
@@ -77,7 +77,7 @@ bool IdBuffer::update(
         rect_ = {};
         return false;
     }
-    const SceneView view(pickable(scene), camera, viewport, pixels);
+    const SceneView view(pickable(scene), camera, viewport, pixels, Tone::light, details);
     const BoundFramebuffer bound(gl_, framebuffer_);
     make_framebuffer_for(rect);
     draw(view);

@@ -23,11 +23,12 @@ public:
     /// Draws the ids, unless version, camera, viewport and frame are those of the call before. Leaves the
     /// framebuffer that was bound bound.
     /// @param version  a number that is another one whenever the scene is another
+    /// @param details  `by_size` covers the pixels that a picture colours
     /// @return whether anything had to be drawn
     /// @throws std::invalid_argument if an id is out of range
     bool update(
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
-        std::uint64_t version);
+        std::uint64_t version, SceneView::Details details = SceneView::Details::by_size);
 
     /// The id for a pointer that need not be exact: that of the nearest vector, point or line within `radius`
     /// pixels, else of the body under the pointer, else of the nearest body within `radius`, else 0.
@@ -43,6 +44,7 @@ private:
         Camera camera;
         Rect viewport;
         FrameSize frame;
+        SceneView::Details details = SceneView::Details::by_size;
 
         bool operator==(const Seen&) const = default;
     };

@@ -10,6 +10,10 @@
 
 namespace jw::render {
 
+/// Number of looks that pictures have had: one more each time that the same scene comes to look otherwise.
+/// Golden pictures of an earlier look are compared without their colours.
+inline constexpr int kLook = 2;
+
 /// Draws scenes through a table of GL functions, whoever made the context.
 ///
 /// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is seen

@@ -6,15 +6,20 @@ namespace {
 constexpr double kDashPixels = 9.0;
 constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
 
+PixelAt pixels_of(const Camera& camera, const Rect& viewport, const FrameSize& frame) {
+    return [=](const Vector3d& point) { return pixel_size(camera, viewport, point) / frame.pixel_ratio; };
+}
+
 }  // namespace
 
 SceneView::SceneView(
-    const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone)
+    const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone,
+    Details details)
     : camera(seen_by),
       lists(draw_lists_of(
           scene,
           kDashPixels * frame.height / kReferenceHeight * pixel_size(seen_by, viewport, seen_by.target), tone,
-          [&](const Vector3d& point) { return pixel_size(seen_by, viewport, point) / frame.pixel_ratio; })),
+          details == Details::full ? PixelAt() : pixels_of(seen_by, viewport, frame))),
       clip_from_world(projection_matrix(seen_by, viewport.width / viewport.height) * view_matrix(seen_by)),
       clip_per_pixel_x(static_cast<float>(2.0 / (viewport.width * frame.pixel_ratio))),
       clip_per_pixel_y(static_cast<float>(2.0 / (viewport.height * frame.pixel_ratio))),

@@ -11,6 +11,10 @@ namespace jw::render {
 
 /// A scene as one camera sees it: what picture and id picture have in common, so that they agree.
 struct SceneView {
+    /// Detail of meshes: `by_size` as in pictures, `full` whatever the rules for that are: layers of golden
+    /// snapshots are compared to the pixel, also with those of earlier versions.
+    enum class Details { by_size, full };
+
     Camera camera;
     DrawLists lists;
     Matrix4d clip_from_world;
@@ -20,7 +24,7 @@ struct SceneView {
 
     SceneView(
         const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame,
-        Tone tone = Tone::light);
+        Tone tone = Tone::light, Details details = Details::by_size);
 
     /// Uniforms of `shaders::body_vertex` but for shadow. @param edge_scale  0 or `pixel_scale`
     void set_solid_uniforms(const GlProgram& program, float edge_scale) const;

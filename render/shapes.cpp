@@ -18,11 +18,14 @@ constexpr float kPi = std::numbers::pi_v<float>;
 
 /// Numbers of points.
 struct Points {
-    int around;    ///< a circle; divides by 2
+    int around;    ///< a circle
+    int vector;    ///< a circle of a vector, which is thin, and of which there are many
+    int quarter;   ///< the quarter of a circle at the end of a rod, its first point not counted
     int rounding;  ///< the quarter of a circle at an edge, its first point not counted
 };
 
-constexpr std::array<Points, kDetails> kPoints{{{12, 1}, {18, 1}, {28, 2}, {36, 2}}};
+constexpr std::array<Points, kDetails> kPoints{
+    {{12, 12, 3, 1}, {18, 18, 4, 1}, {28, 18, 6, 2}, {36, 18, 8, 2}}};
 
 /// What a polygon may miss of its circle [pixels]: nothing that the smoothing of borders would show.
 constexpr double kMostMissed = 0.15;
@@ -126,13 +129,13 @@ Mesh shaft(Points points) {
          {1.0F, 0.0F, {0.0F, -1.0F}},
          {1.0F, 0.0F, {1.0F, 0.0F}},
          {1.0F, 1.0F, {1.0F, 0.0F}}},
-        circle(points.around));
+        circle(points.vector));
 }
 
 Mesh rod(Points points) {
     std::vector<ProfilePoint> profile;
-    add_arc(profile, 0.0F, 0.0F, -kPi / 2, 0.0F, points.around / 4, false);
-    add_arc(profile, 0.0F, 1.0F, 0.0F, kPi / 2, points.around / 4, false);
+    add_arc(profile, 0.0F, 0.0F, -kPi / 2, 0.0F, points.quarter, false);
+    add_arc(profile, 0.0F, 1.0F, 0.0F, kPi / 2, points.quarter, false);
     return lathe(profile, circle(points.around));
 }
 
@@ -157,7 +160,7 @@ Mesh cone(Points points) {
     std::vector<ProfilePoint> profile{{0.0F, 0.0F, {0.0F, -1.0F}}};
     add_arc(profile, 1.0F, 0.0F, -kPi / 2, slope, 1, false);
     add_arc(profile, 0.0F, kConeLength, slope, kPi / 2, 1, false);
-    return lathe(profile, circle(points.around));
+    return lathe(profile, circle(points.vector));
 }
 
 /// Every face is a grid; on either half of it one corner's normals, spread like the squares of a cube

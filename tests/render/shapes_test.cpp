@@ -78,7 +78,7 @@ TEST_CASE(
     std::size_t last = 0;
     for (double radius = 0.2; radius < 30.0; radius *= 1.05) {
         const Detail detail = detail_for(radius);
-        const Mesh mesh = make_mesh(MeshKind::shaft, detail);
+        const Mesh mesh = make_mesh(MeshKind::round_bar, detail);
         // the inner circle of the chords of the mesh, by its own triangles
         float inside = 1.0F;
         for (std::size_t n = 0; n + 1 < mesh.indices.size(); ++n) {

@@ -7,10 +7,16 @@
 #include "render/font_face.hpp"
 #include "render/font_file.hpp"
 #include "render/font_search.hpp"
+#include "render/scene_renderer.hpp"
 
 namespace jw::host {
 
 namespace {
+
+constexpr const char* kLookName = "look of pictures";
+
+/// What stands for a name that is not there: the first look had no number.
+std::string missing(const std::string& name) { return name == kLookName ? "1" : "nothing"; }
 
 /// FNV-1a of 64 bits: tells two versions of a font apart. @source draft-eastlake-fnv
 std::string hash_of(const std::vector<std::uint8_t>& bytes) {
@@ -36,6 +42,7 @@ std::string without_register_width(std::string renderer) {
 Environment environment(const std::string& renderer) {
     Environment found{
         {"jointwise", JW_VERSION},
+        {kLookName, std::to_string(render::kLook)},
         {"FreeType", render::freetype_version()},
         {"renderer", without_register_width(renderer)}};
     for (const render::FontFile& font : render::kFontFiles) {
@@ -51,7 +58,7 @@ std::string environment_change(const Environment& before, const Environment& now
     for (const auto& [name, what] : now) { names.insert(name); }
     const auto value = [](const Environment& in, const std::string& name) {
         const auto found = in.find(name);
-        return found == in.end() ? std::string("nothing") : found->second;
+        return found == in.end() ? missing(name) : found->second;
     };
     std::string text;
     for (const std::string& name : names) {

@@ -241,7 +241,9 @@ render::PictureLayers FramePainter::layers(const Picture& picture) {
     Surface& s = *surface_;
     s.make_current();
     if (!s.ids) { s.ids.emplace(*s.functions, s.scene.meshes()); }
-    s.ids->update(picture.scene, s.camera, s.layout.scene, s.size(), ++s.layers_drawn);
+    s.ids->update(
+        picture.scene, s.camera, s.layout.scene, s.size(), ++s.layers_drawn,
+        render::SceneView::Details::full);
     return s.ids->read_layers();
 }
 
