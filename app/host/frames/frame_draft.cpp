@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "render/atomic_file.hpp"
@@ -24,6 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRun = "run.json";
+// two seconds: on a busy machine a killed process needs part of one
+constexpr int kLockTries = 100;
+constexpr std::chrono::milliseconds kLockPause{20};
 
 std::vector<std::uint8_t> bytes_of(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -111,8 +116,12 @@ void FrameDraft::lock(bool for_all) {
     unlock();
     lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock_ < 0) { return; }
-    // where the file system knows no locks, nobody is kept out
-    if (::flock(lock_, (for_all ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0 || errno != EWOULDBLOCK) { return; }
+    // processes of a run that was killed keep their lock until the system has taken them apart
+    for (int tries = 0; tries < kLockTries; ++tries) {
+        // where the file system knows no locks, nobody is kept out
+        if (::flock(lock_, (for_all ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0 || errno != EWOULDBLOCK) { return; }
+        std::this_thread::sleep_for(kLockPause);
+    }
     unlock();
     refuse(
         folder_,

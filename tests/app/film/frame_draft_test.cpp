@@ -1,5 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
 #include "app/host/frames/frame_draft.hpp"
 #include "app/host/frames/frame_files.hpp"
 #include "render/png.hpp"
@@ -110,6 +118,21 @@ TEST_CASE(
     two.join(kThis, FrameDraft::Joined::shard);
     FrameDraft end(path);
     CHECK_THROWS_WITH(end.go_on(kThis), Catch::Contains("at this moment"));
+}
+
+TEST_CASE("A run goes on while the system still takes apart a killed one", "[film]") {
+    const Folder folder;
+    const std::string path = folder.path("draft");
+    std::filesystem::create_directory(path);
+    const int killed = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    REQUIRE(::flock(killed, LOCK_EX | LOCK_NB) == 0);
+    std::thread system([killed] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        ::close(killed);
+    });
+    FrameDraft draft(path);
+    CHECK_NOTHROW(draft.join(kThis, FrameDraft::Joined::shard));
+    system.join();
 }
 
 TEST_CASE("The hash of a file is the one that sha256sum prints", "[film]") {
