@@ -1,6 +1,5 @@
 #include "jointwise/film.hpp"
 
-#include <cmath>
 #include <mutex>
 
 #include "api/inside_lesson.hpp"
@@ -12,7 +11,7 @@ inline namespace JOINTWISE_ABI {
 
 namespace {
 
-const jw::film::OptionNames kNames{"", "from_"};
+const jw::film::OptionNames kNames{"", "from_", "panels=False"};
 
 void refuse(const std::string& problem) {
     if (!problem.empty()) { throw std::invalid_argument("jointwise: " + problem); }
@@ -24,6 +23,8 @@ jw::host::FrameLook look_of(const FilmOptions& options) {
         options.dark ? render::Tone::dark : render::Tone::light, options.text, options.panels,
         !options.transparent};
 }
+
+jw::Vec3 direction_of(const std::array<double, 3>& camera) { return {camera[0], camera[1], camera[2]}; }
 
 void check_size(const FilmOptions& options) {
     namespace film = jw::film;
@@ -47,23 +48,14 @@ const FilmOptions& checked(const FilmOptions& options) {
         refuse("text is out of range; expected 0.75 to 3");
     }
     refuse(jw::film::problem_of_look(options.width, options.height, look_of(options), kNames));
-    if (options.transparent && options.panels) {
-        refuse("transparent needs panels=False: panels are opaque");
-    }
-    if (!options.camera) { return options; }
-    const auto [x, y, z] = *options.camera;
-    const double length = std::hypot(x, y, z);
-    if (!(length > 1e-100 && std::isfinite(length))) {
+    if (options.camera && !jw::film::is_direction(direction_of(*options.camera))) {
         refuse("camera has no direction; expected X,Y,Z, the direction in which the eye is");
     }
     return options;
 }
 
 jw::Lesson seen_from(jw::Lesson lesson, const FilmOptions& options) {
-    if (options.camera) {
-        const auto [x, y, z] = *options.camera;
-        lesson.camera.from = jw::Vec3(x, y, z);
-    }
+    if (options.camera) { lesson.camera.from = direction_of(*options.camera); }
     return lesson;
 }
 

@@ -32,8 +32,7 @@ Vec3 direction_of(const std::string& text) {
         is_good = is_good && error == std::errc() && std::isfinite(v[k]);
         at = stop;
     }
-    // what is shorter has lost its digits
-    if (is_good && at == end && v.norm() > 1e-100 && std::isfinite(v.squaredNorm())) { return v; }
+    if (is_good && at == end && film::is_direction(v)) { return v; }
     throw wrong(
         "--camera '" + text + "'; expected X,Y,Z, the direction in which the eye is, for example 1,-2,0.5");
 }
@@ -75,9 +74,6 @@ CheckedRender checked(const RenderOptions& options) {
     }
     const std::string problem = film::problem_of_look(result.size.width, result.size.height, options.look());
     if (!problem.empty()) { throw wrong(problem); }
-    if (options.transparent && !options.no_panel) {
-        throw wrong("--transparent needs --no-panel: panels are opaque");
-    }
     if (!options.camera.empty()) { result.camera = direction_of(options.camera); }
     check_range(options);
     if (const auto format = options.format()) {

@@ -53,7 +53,10 @@ std::string problem_of_look(int width, int height, const host::FrameLook& look, 
     }
     if (look.text > kLargestText && look.has_panels) {
         return names.before + "text above 1.5 leaves the panels no room; expected 0.75 to 1.5, or " +
-               (names.before.empty() ? "panels=False" : "--no-panel");
+               names.without_panels;
+    }
+    if (!look.is_opaque && look.has_panels) {
+        return names.before + "transparent needs " + names.without_panels + ": panels are opaque";
     }
     return {};
 }
@@ -72,5 +75,7 @@ std::string problem_of_format(const FilmSettings& settings, const OptionNames& n
            "' is made by ffmpeg, which is not there; install it (Debian: apt install ffmpeg), or give .gif, "
            ".apng, .html or a folder";
 }
+
+bool is_direction(const Vec3& v) { return v.norm() > 1e-100 && std::isfinite(v.squaredNorm()); }
 
 }  // namespace jw::film

@@ -5,8 +5,8 @@
 #include "app/film/film_file.hpp"
 #include "app/host/frames/frame_painter.hpp"
 
-/// What may be asked of a film: its steps, its size, what its format can. For the program and the library,
-/// which give options other names.
+/// Options of a film and their limits: steps, size, look, format. For the program and the library, which give
+/// options other names.
 namespace jw::film {
 
 // below this the panels have no room; above it the letters do not fit into one texture
@@ -18,10 +18,11 @@ inline constexpr int kLargestWidth = 7680;
 inline constexpr int kLargestHeight = 4320;
 inline constexpr double kMostFps = 240.0;
 
-/// What stands before the name of an option: "--" for the program, nothing for an argument.
+/// Names of options in messages: those of the program, unless others are given.
 struct OptionNames {
     std::string before = "--";
     std::string from = "--from";
+    std::string without_panels = "--no-panel";
 };
 
 /// Steps of a story, both included, from 0.
@@ -39,10 +40,13 @@ int intervals_for(const Lesson& lesson, double fps, const OptionNames& names = {
 StepRange steps_between(
     const std::string& from, const std::string& to, const Story& story, const OptionNames& names = {});
 
-/// What is wrong with the look of pictures of this size; empty if nothing is.
+/// Problem with the look of pictures of this size; empty if there is none.
 std::string problem_of_look(
     int width, int height, const host::FrameLook& look, const OptionNames& names = {});
-/// What the format cannot: to be transparent, to begin again; or that there is no ffmpeg to make it.
+/// Problem with the format: transparency or repetition that it does not have, or ffmpeg that is not there;
+/// empty if there is none.
 std::string problem_of_format(const FilmSettings& settings, const OptionNames& names = {});
+/// True for a vector that says where the eye is: what is shorter than 1e-100 has lost its digits.
+bool is_direction(const Vec3& v);
 
 }  // namespace jw::film
