@@ -107,10 +107,10 @@ std::string both_shown(const std::string& before, const std::string& now) {
 /// "radius of crank"; "force on rod" of the vector of a force, "polynomial of force on rod".
 std::string what_changed(const std::string& path, const std::string& lesson_before) {
     const std::string key(last_key(path));
-    const std::string table = path.substr(0, path.find('.'));
+    const std::string table(table_of(path));
     const std::string subject = subject_of(path);
     if (table != "force" && table != "torque") { return key + (subject.empty() ? "" : " of " + subject); }
-    std::string body = value_in(lesson_before, path.substr(0, path.find('.', table.size() + 1)) + ".body");
+    std::string body = value_in(lesson_before, entry_of(path) + ".body");
     std::erase_if(body, [](char c) { return c == '\'' || c == '"'; });
     return (key == table ? "" : key + " of ") + table + " on " + body;
 }

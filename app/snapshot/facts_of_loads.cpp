@@ -1,5 +1,6 @@
 #include "app/snapshot/facts_of_loads.hpp"
 
+#include "app/snapshot/units_of_keys.hpp"
 #include "lessons/enum_words.hpp"
 
 namespace jw::snapshot {
@@ -15,11 +16,6 @@ std::string counted(const char* kind, std::size_t from_zero) {
     return kind + (" " + std::to_string(from_zero + 1));
 }
 
-/// "N", "N/s", "N/s^2": of the coefficient of t^power.
-std::string per_power(const std::string& unit, std::size_t power) {
-    return power == 0 ? unit : power == 1 ? unit + "/s" : unit + "/s^" + std::to_string(power);
-}
-
 /// Parts of a function of time, each multiplied by `factor`.
 void add_function(
     const TimeFunction& function, double factor, const std::string& name, const std::string& unit,
@@ -28,7 +24,7 @@ void add_function(
         facts.given(Weight::pose, name + " · " + what, value, of_unit);
     };
     for (std::size_t k = 0; k < function.polynomial.size(); ++k) {
-        part("c" + std::to_string(k), factor * function.polynomial[k], per_power(unit, k));
+        part("c" + std::to_string(k), factor * function.polynomial[k], unit_of_coefficient(unit, k));
     }
     for (std::size_t k = 0; k < function.harmonics.size(); ++k) {
         const TimeFunction::Harmonic& harmonic = function.harmonics[k];
@@ -47,8 +43,8 @@ void add_function(
     }
 }
 
-/// What forces and torques have in common. A constant load is a vector with its unit; of others the direction
-/// has length 1, so that a factor means the same wherever it is written.
+/// Adds the facts that forces and torques share. A constant load is a vector with its unit; of others the
+/// direction has length 1, so that a factor means the same wherever it is written.
 template <class Load>
 void add_vector(const Load& load, const std::string& name, const std::string& unit, FactList& facts) {
     facts.text(Weight::pose, name + " · frame", word_of(kFrames, load.frame));
@@ -101,7 +97,8 @@ void add_springs(const Springs& springs, const Mechanism& mechanism, const char*
     }
 }
 
-/// Which joints a spring acts about: two between the same bodies may have axes of their own.
+/// Adds the joints that each rotational spring acts about: two between the same bodies may have axes of their
+/// own.
 void add_axes(const Loads& loads, const Mechanism& mechanism, FactList& facts) {
     for (std::size_t k = 0; k < loads.rotational_springs.size(); ++k) {
         std::string names;

@@ -46,25 +46,21 @@ bool has(const Words& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
 
-std::string_view table_of(std::string_view path) { return path.substr(0, path.find('.')); }
-
-/// What follows the unit of a function in that of its coefficient of t^power: "/s^2".
-std::string per_power(std::size_t power) {
-    return power == 0 ? "" : power == 1 ? "/s" : "/s^" + std::to_string(power);
-}
-
 }  // namespace
 
+std::string unit_of_coefficient(const std::string& unit, std::size_t power) {
+    return power == 0 ? unit : power == 1 ? unit + "/s" : unit + "/s^" + std::to_string(power);
+}
+
 std::string UnitsOfKeys::unit_of_load(const std::string& path, std::size_t index) const {
-    const std::string table(table_of(path));
+    const std::string_view table = table_of(path);
     const std::string unit = table == "force" ? "N" : "N m";
     const std::string_view key = last_key(path);
     if (key == table) { return unit; }
     if (!has(kValues, key)) { return {}; }
     // beside a vector in N a function is a factor
-    const std::string load = path.substr(0, path.find('.', table.size() + 1));
-    const bool is_factor = value_in(lesson_, load + ".direction").empty();
-    return is_factor ? std::string() : unit + (key == "polynomial" ? per_power(index) : "");
+    const bool is_factor = value_in(lesson_, entry_of(path) + ".direction").empty();
+    return is_factor ? std::string() : unit_of_coefficient(unit, key == "polynomial" ? index : 0);
 }
 
 std::string UnitsOfKeys::unit(const std::string& path, std::size_t index) const {

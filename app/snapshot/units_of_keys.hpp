@@ -8,6 +8,18 @@ namespace jw::snapshot {
 /// "radius" of "body.crank.shape.0.rod.radius"
 inline std::string_view last_key(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
 
+/// "body" of "body.crank.shape.0.rod.radius"
+inline std::string_view table_of(std::string_view path) { return path.substr(0, path.find('.')); }
+
+/// "body.crank" of "body.crank.shape.0.rod.radius"; all of a shorter path
+inline std::string entry_of(const std::string& path) {
+    const std::size_t first = path.find('.');
+    return first == std::string::npos ? path : path.substr(0, path.find('.', first + 1));
+}
+
+/// Unit of the coefficient of t^power in a function of time of that unit: "N", "N/s", "N/s^2".
+std::string unit_of_coefficient(const std::string& unit, std::size_t power);
+
 /// Units of the numbers that a lesson file states.
 class UnitsOfKeys {
 public:
