@@ -3,6 +3,7 @@
 #include "render/shaders.hpp"
 
 namespace jw::render {
+
 BackdropPass::BackdropPass(const GlFunctions& gl)
     : gl_(gl),
       sky_(gl, "sky", shaders::backdrop_vertex(), shaders::sky_fragment()),
@@ -55,7 +56,7 @@ void BackdropPass::draw(const BackdropView& wanted, const SceneView& view, const
         view_ = wanted;
         shadows_ = shadows.version();
     }
-    copy(shown_, whole);
+    copy_part(gl_, shown_.framebuffer, whole);
 }
 
 void BackdropPass::paint_lit(const BackdropView& wanted, const SceneView& view) {
@@ -72,7 +73,7 @@ void BackdropPass::paint_shown(
     const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed) {
     const DeviceRect whole = device_rect(wanted.viewport, wanted.frame);
     const BoundFramebuffer bound(gl_, shown_.framebuffer);
-    copy(lit_, lit_changed ? whole : shaded_);
+    copy_part(gl_, lit_.framebuffer, lit_changed ? whole : shaded_);
     shaded_ = {};
     const ShadowView& shadow = shadows.view();
     if (!wanted.ground || shadow.empty()) { return; }
@@ -94,16 +95,6 @@ void BackdropPass::paint_behind_ground(const BackdropView& wanted) const {
     sky_.set("top", toned(palette::kSkyTop, wanted.tone));
     sky_.set("bottom", toned(palette::kSkyBottom, wanted.tone));
     fill();
-}
-
-/// To the framebuffer that is bound, of the same size.
-void BackdropPass::copy(const Layer& from, const DeviceRect& part) const {
-    if (part.empty()) { return; }
-    const GLint right = part.x + part.width;
-    const GLint top = part.y + part.height;
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
-    gl_.BlitFramebuffer(
-        part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void BackdropPass::draw_behind_bodies() const {

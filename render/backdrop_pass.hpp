@@ -61,7 +61,6 @@ private:
     void paint_shown(
         const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed);
     void paint_behind_ground(const BackdropView& wanted) const;
-    void copy(const Layer& from, const DeviceRect& part) const;
     void fill() const;
 
     const GlFunctions& gl_;

@@ -170,9 +170,14 @@ double Bounds::extent(const Vector3d& direction) const {
     return most;
 }
 
-Bounds bounds_of(const Scene& scene) {
+Bounds bounds_of_shapes(const std::vector<Shape>& shapes) {
     Bounds bounds;
-    for (const Shape& shape : scene.shapes) { std::visit(Include{bounds}, shape.geometry); }
+    for (const Shape& shape : shapes) { std::visit(Include{bounds}, shape.geometry); }
+    return bounds;
+}
+
+Bounds bounds_of(const Scene& scene) {
+    Bounds bounds = bounds_of_shapes(scene.shapes);
     for (const Arrow& arrow : scene.arrows) {
         bounds.include(arrow.from, arrow.radius);
         bounds.include(arrow.to, arrow.radius);

@@ -47,6 +47,7 @@ private:
 
 /// Bounds of everything in the scene but the ground plane.
 Bounds bounds_of(const Scene& scene);
+Bounds bounds_of_shapes(const std::vector<Shape>& shapes);
 
 /// Part of the picture that covers what is within the bounds, in whole pixels, perhaps reaching beyond the
 /// viewport; all of the viewport if they reach the eye. Empty bounds cover nothing.

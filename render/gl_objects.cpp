@@ -58,6 +58,18 @@ GlVertexArray make_vertex_array(const GlFunctions& gl) {
     return generate<GlVertexArray>(gl, gl.GenVertexArrays);
 }
 
+void copy_part(const GlFunctions& gl, const GlFramebuffer& from, const DeviceRect& part) {
+    if (part.empty()) { return; }
+    const GLint right = part.x + part.width;
+    const GLint top = part.y + part.height;
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    gl.BlitFramebuffer(
+        part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
 GlProgram::GlProgram(
     const GlFunctions& gl, std::string_view title, std::string_view vertex, std::string_view fragment)
     : gl_(&gl), program_(gl, gl.CreateProgram()) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "render/device_rect.hpp"
 #include "render/gl_functions.hpp"
 #include "render/palette.hpp"
 
@@ -74,6 +75,10 @@ private:
     const GlFunctions& gl_;
     GLint before_ = 0;
 };
+
+/// Copies a part of a framebuffer into the one that is bound, of the same size; of several samples their
+/// mean.
+void copy_part(const GlFunctions& gl, const GlFramebuffer& from, const DeviceRect& part);
 
 /// A linked pair of shaders and its uniforms by name.
 class GlProgram {

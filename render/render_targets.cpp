@@ -143,23 +143,17 @@ void RenderTargets::begin_3d(const Colour& paper) {
 
 void RenderTargets::begin_bodies() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, bodies_.framebuffer.name()); }
 
-void RenderTargets::end_bodies(const DeviceRect& part) const { copy(bodies_, scene_, part); }
-
-void RenderTargets::begin_2d() const {
-    copy(scene_, flat_, {0, 0, device_width(), device_height()});
-    gl_.Viewport(0, 0, device_width(), device_height());
+void RenderTargets::end_bodies(const DeviceRect& part) const {
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
+    copy_part(gl_, bodies_.framebuffer, part);
 }
 
-/// The mean of the samples where `from` has several. Leaves `to` bound.
-void RenderTargets::copy(const Target& from, const Target& to, const DeviceRect& part) const {
-    const GLint right = part.x + part.width;
-    const GLint top = part.y + part.height;
+void RenderTargets::begin_2d() const {
     gl_.Disable(GL_SCISSOR_TEST);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.name());
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.name());
-    gl_.BlitFramebuffer(
-        part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.name());
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
+    copy_part(gl_, scene_.framebuffer, {0, 0, device_width(), device_height()});
+    gl_.Viewport(0, 0, device_width(), device_height());
 }
 
 Image RenderTargets::read(bool is_opaque) {

@@ -66,7 +66,6 @@ private:
 
     Target make_target(int samples, Depth depth) const;
     void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
-    void copy(const Target& from, const Target& to, const DeviceRect& part) const;
     GLsizei device_width() const { return size_.width * size_.pixel_ratio; }
     GLsizei device_height() const { return size_.height * size_.pixel_ratio; }
 

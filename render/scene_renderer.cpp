@@ -47,11 +47,8 @@ struct SceneRenderer::Pass : SceneView {
     Pass(const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame, Tone tone_)
         : SceneView(scene, seen_by, viewport, frame, tone_),
           seen_in(viewport),
-          light(light_for(scene, seen_by)) {
-        Scene casters;
-        casters.shapes = scene.shapes;
-        shadow = shadow_view(bounds_of(casters), light.towards_key, ShadowMap::kTexels);
-    }
+          light(light_for(scene, seen_by)),
+          shadow(shadow_view(bounds_of_shapes(scene.shapes), light.towards_key, ShadowMap::kTexels)) {}
 
     /// Part of the picture that bodies, lines and outlines reach, perhaps beyond the viewport.
     Rect reached(const FrameSize& frame) const {
