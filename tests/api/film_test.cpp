@@ -1,23 +1,13 @@
 #include <catch2/catch.hpp>
 
 #include "jointwise/film.hpp"
+#include "tests/support/crank.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace jointwise::test {
 namespace {
 
-constexpr const char* kCrank = R"(format = 1
-title = "A crank"
-[[body]]
-name = "crank"
-shape = [{ rod = { from = [0, 0, 0], to = [1, 0, 0], radius = 0.05 } }]
-[[joint]]
-name = "pivot"
-type = "revolute"
-bodies = ["ground", "crank"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-)";
+using jw::test::kCrank;
 
 FilmOptions small() {
     FilmOptions options;

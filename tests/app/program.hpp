@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/program.hpp"
+#include "tests/support/crank.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 /// The program as a function, and lessons for it.
@@ -50,27 +51,6 @@ inline std::string bytes_of(const std::filesystem::path& path) {
     text << stream.rdbuf();
     return text.str();
 }
-
-/// A crank on the ground, driven at 90 deg/s.
-inline constexpr const char* kCrank = R"(format = 1
-title = "A crank"
-[[body]]
-name = "crank"
-[[joint]]
-name = "pivot"
-type = "revolute"
-bodies = ["ground", "crank"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-[[driver]]
-name = "drive"
-joint = "pivot"
-quantity = "angle"
-polynomial_deg = [0, 90]
-[motion]
-to_s = 1
-steps = 4
-)";
 
 /// A rod of 1 m between two points that are 3 m apart.
 inline constexpr const char* kTooShort = R"(format = 1

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kLookName = "look of pictures";
 
-/// What stands for a name that is not there: the first look had no number.
+/// Value of a name that is not there: the first look had no number.
 std::string missing(const std::string& name) { return name == kLookName ? "1" : "nothing"; }
 
 /// FNV-1a of 64 bits: tells two versions of a font apart. @source draft-eastlake-fnv
