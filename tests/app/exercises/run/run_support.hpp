@@ -55,15 +55,23 @@ inline SandboxLimits short_limits() {
     return limits;
 }
 
-/// A Python program in the sandbox.
-inline SandboxResult python(
+/// A Python program in the sandbox, from any thread: it says nothing to the test, since Catch2 is not made
+/// for that.
+inline SandboxResult silent_python(
     const std::string& source, const std::string& input = {}, const SandboxLimits& limits = short_limits()) {
     SandboxJob job;
     job.command = {"/usr/bin/python3", "-I", std::string(kSandboxFolder) + "/task.py"};
     job.files = {{"task.py", source, false}};
     job.input = input;
     job.limits = limits;
-    SandboxResult result = run_in_sandbox(job);
+    return run_in_sandbox(job);
+}
+
+/// A Python program in the sandbox, with its result printed where a check fails; from the test's own thread
+/// only.
+inline SandboxResult python(
+    const std::string& source, const std::string& input = {}, const SandboxLimits& limits = short_limits()) {
+    SandboxResult result = silent_python(source, input, limits);
     UNSCOPED_INFO("could not run: " << result.could_not_run);
     UNSCOPED_INFO(
         "status " << result.exit_status << " after " << result.wall_seconds << " s, " << result.cpu_seconds

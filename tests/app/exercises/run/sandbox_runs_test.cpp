@@ -83,7 +83,7 @@ TEST_CASE("Runs at the same time, in threads and in processes, do not disturb ea
         // together they have more processes than one run may have
         SandboxLimits limits;
         limits.wall_seconds = 30.0;
-        const SandboxResult result = python(
+        const SandboxResult result = silent_python(
             R"(
 import os, sys, time
 for k in range(20):
