@@ -1,7 +1,6 @@
 #include "app/exercises/given_value.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "app/exercises/spelt_answer.hpp"
 #include "app/exercises/units.hpp"
 #include "app/session/wording/messages.hpp"
+#include "core/numerics/decimal.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -257,7 +257,7 @@ private:
     double number() {
         double value = 0.0;
         const char* const begin = text_.data() + at_;
-        const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+        const auto [end, error] = read_decimal(begin, text_.data() + text_.size(), value);
         if (error != std::errc()) { fail(tr("a number, such as 0.5, 1/3 or sqrt(3)/2")); }
         at_ += static_cast<std::size_t>(end - begin);
         return value;

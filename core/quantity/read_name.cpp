@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
+#include "core/numerics/decimal.hpp"
 #include "core/quantity/names.hpp"
 
 namespace jw {
@@ -39,7 +39,7 @@ std::optional<Vec3> take_vector(std::string_view& text) {
     if (!take(text, "[")) { return std::nullopt; }
     Vec3 v = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v(k));
+        const auto [end, error] = read_decimal(text.data(), text.data() + text.size(), v(k));
         if (error != std::errc{} || !std::isfinite(v(k))) { return std::nullopt; }
         text.remove_prefix(static_cast<std::size_t>(end - text.data()));
         if (!take(text, k < 2 ? " " : "]")) { return std::nullopt; }

@@ -1,7 +1,6 @@
 #include "app/session/answers/judged_answer.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -9,6 +8,7 @@
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/numerics/decimal.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
@@ -30,7 +30,7 @@ std::optional<double> typed_number(std::string text, const std::string& unit) {
     }
     const auto parse = [](std::string_view part) -> std::optional<double> {
         double value = 0.0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        const auto [end, error] = read_decimal(part.data(), part.data() + part.size(), value);
         const bool whole = error == std::errc() && end == part.data() + part.size();
         return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
     };

@@ -1,9 +1,9 @@
 #include "app/session/story/timeline.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include "core/numerics/decimal.hpp"
 
 namespace jw {
 
@@ -79,7 +79,7 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
     const bool is_time = at.starts_with("t=");
     const char* const begin = at.data() + (is_time ? 2 : 0);
     const char* const end = at.data() + at.size();
-    const auto [stop, error] = std::from_chars(begin, end, number);
+    const auto [stop, error] = read_decimal(begin, end, number);
     if (error == std::errc() && stop == end && std::isfinite(number)) {
         if (!is_time) {
             const double index = number - 1.0;

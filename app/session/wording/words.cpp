@@ -1,9 +1,9 @@
 #include "app/session/wording/words.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/numerics/decimal.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -115,7 +115,7 @@ double Words::number(const std::string& what) {
     const std::string_view text = peek();
     double value = 0.0;
     const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+    const auto [end, error] = read_decimal(begin, text.data() + text.size(), value);
     if (text.empty() || error != std::errc()) {
         throw Unreadable(what_came(text) + " where " + what + " should be; expected a number");
     }
