@@ -53,23 +53,38 @@ private:
     }
 };
 
+/// Words in which EGL is asked for a profile.
+struct Kind {
+    const char* name;
+    EGLenum api;
+    std::array<EGLint, 7> attributes;
+};
+
+Kind kind_of(GlProfile profile) {
+    if (profile == GlProfile::es_30) {
+        return {
+            "OpenGL ES 3.0",
+            EGL_OPENGL_ES_API,
+            {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE, EGL_NONE, EGL_NONE}};
+    }
+    return {
+        "core profile",
+        EGL_OPENGL_API,
+        {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}};
+}
+
 class EglContext : public HeadlessContext {
 public:
-    EglContext() {
-        constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                                   3,
-                                                   EGL_CONTEXT_MINOR_VERSION,
-                                                   3,
-                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                   EGL_NONE};
+    explicit EglContext(GlProfile profile) : api_(kind_of(profile).api) {
+        const Kind kind = kind_of(profile);
         const Egl& egl = Egl::get();
-        if (egl.bind_api(EGL_OPENGL_API) == EGL_TRUE) {
-            handle_ = egl.create(egl.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+        if (egl.bind_api(api_) == EGL_TRUE) {
+            handle_ = egl.create(egl.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kind.attributes.data());
         }
         if (handle_ == EGL_NO_CONTEXT) {
             throw std::runtime_error(
-                std::string(kNeeds) + "the one that is there gives no core profile context");
+                std::string(kNeeds) + "the one that is there gives no " + kind.name + " context");
         }
         EglContext::make_current();
         gl_ = load_gl_functions(
@@ -84,18 +99,21 @@ public:
     void make_current() override {
         const Egl& egl = Egl::get();
         // the interface is bound for each thread
-        egl.bind_api(EGL_OPENGL_API);
+        egl.bind_api(api_);
         if (egl.make_current(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) == EGL_FALSE) {
             throw std::runtime_error("EGL cannot make its context current");
         }
     }
 
 private:
+    EGLenum api_;
     EGLContext handle_ = EGL_NO_CONTEXT;
 };
 
 }  // namespace
 
-std::unique_ptr<HeadlessContext> make_egl_context() { return std::make_unique<EglContext>(); }
+std::unique_ptr<HeadlessContext> make_egl_context(GlProfile profile) {
+    return std::make_unique<EglContext>(profile);
+}
 
 }  // namespace jw::render

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace jw::render {
 namespace {
@@ -26,6 +27,10 @@ GlFunctions load_gl_functions(GlLoader loader) {
 #undef JW_LOAD
     if (!missing.empty()) {
         throw std::runtime_error("the graphics driver lacks parts of OpenGL 3.3: " + missing);
+    }
+    const auto* const version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+    if (version != nullptr && std::string_view(version).starts_with("OpenGL ES")) {
+        gl.profile = GlProfile::es_30;
     }
     return gl;
 }

@@ -4,8 +4,8 @@
 
 #include <GL/glcorearb.h>
 
-/// OpenGL 3.3 core through one table of function pointers, so that a window and OSMesa can live in one
-/// program: nothing links libGL, and whoever owns a context fills a table for it.
+/// OpenGL 3.3 core or OpenGL ES 3.0 through one table of function pointers, so that a window and OSMesa can
+/// live in one program: nothing links libGL, and whoever owns a context fills a table for it.
 ///
 /// The types come from <GL/glcorearb.h> (Debian: libgl-dev).
 namespace jw::render {
@@ -44,7 +44,7 @@ namespace jw::render {
     X(PFNGLDRAWARRAYSPROC,                     DrawArrays)             \
     X(PFNGLDRAWARRAYSINSTANCEDPROC,            DrawArraysInstanced)    \
     X(PFNGLDRAWBUFFERSPROC,                    DrawBuffers)            \
-    X(PFNGLDRAWELEMENTSBASEVERTEXPROC,         DrawElementsBaseVertex) \
+    X(PFNGLDRAWELEMENTSPROC,                   DrawElements)           \
     X(PFNGLDRAWELEMENTSINSTANCEDPROC,          DrawElementsInstanced)  \
     X(PFNGLENABLEPROC,                         Enable)                 \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC,        EnableVertexAttribArray) \
@@ -72,7 +72,6 @@ namespace jw::render {
     X(PFNGLSCISSORPROC,                        Scissor)                \
     X(PFNGLSHADERSOURCEPROC,                   ShaderSource)           \
     X(PFNGLTEXIMAGE2DPROC,                     TexImage2D)             \
-    X(PFNGLTEXPARAMETERFVPROC,                 TexParameterfv)         \
     X(PFNGLTEXPARAMETERIPROC,                  TexParameteri)          \
     X(PFNGLUNIFORM1FPROC,                      Uniform1f)              \
     X(PFNGLUNIFORM1IPROC,                      Uniform1i)              \
@@ -86,7 +85,15 @@ namespace jw::render {
     X(PFNGLVIEWPORTPROC,                       Viewport)
 // clang-format on
 
+/// Kinds of OpenGL that the pictures are drawn with. They differ in how shaders begin (gl_objects.cpp) and in
+/// how samples are averaged (render_targets.cpp); depth can be read from the first alone.
+enum class GlProfile {
+    core_33,  ///< OpenGL 3.3 core
+    es_30,    ///< OpenGL ES 3.0, which WebGL 2 is
+};
+
 struct GlFunctions {
+    GlProfile profile = GlProfile::core_33;
 #define JW_DECLARE(type, name) type name = nullptr;
     JW_GL_FUNCTIONS(JW_DECLARE)
 #undef JW_DECLARE

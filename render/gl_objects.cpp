@@ -5,11 +5,26 @@
 namespace jw::render {
 namespace {
 
+/// First lines of every shader.
+const char* header_of(GlProfile profile) {
+    switch (profile) {
+        case GlProfile::core_33: return "#version 330 core\n";
+        case GlProfile::es_30:
+            return "#version 300 es\n"
+                   "precision highp float;\n"
+                   "precision highp int;\n"
+                   "precision highp sampler2D;\n"
+                   "precision highp sampler2DShadow;\n";
+    }
+    return "";
+}
+
 GlShader compile(const GlFunctions& gl, GLenum stage, std::string_view title, std::string_view source) {
     GlShader shader(gl, gl.CreateShader(stage));
-    const char* text = source.data();
-    const auto length = static_cast<GLint>(source.size());
-    gl.ShaderSource(shader.name(), 1, &text, &length);
+    const std::string_view header = header_of(gl.profile);
+    const char* const texts[] = {header.data(), source.data()};
+    const GLint lengths[] = {static_cast<GLint>(header.size()), static_cast<GLint>(source.size())};
+    gl.ShaderSource(shader.name(), 2, texts, lengths);
     gl.CompileShader(shader.name());
     GLint compiled = 0;
     gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);

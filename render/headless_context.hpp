@@ -15,7 +15,8 @@ enum class HeadlessSurface {
     egl,        ///< EGL without a surface; on a machine with a graphics card that draws
 };
 
-/// Context of OpenGL 3.3 core without a framebuffer of its own that anything is drawn into.
+/// Context of OpenGL 3.3 core, or ES 3.0 where that is asked for, without a framebuffer of its own that
+/// anything is drawn into.
 class HeadlessContext {
 public:
     HeadlessContext() = default;
@@ -33,7 +34,7 @@ protected:
 
 /// Each @throws std::runtime_error with the Debian package that has it, if there is none.
 std::unique_ptr<HeadlessContext> make_osmesa_context();
-std::unique_ptr<HeadlessContext> make_egl_context();
+std::unique_ptr<HeadlessContext> make_egl_context(GlProfile profile = GlProfile::core_33);
 std::unique_ptr<HeadlessContext> make_headless_context(HeadlessSurface surface);
 
 /// The kind that `Offscreen` makes from now on; `automatic` until this is called.

@@ -12,7 +12,7 @@
 namespace jw::render {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kVertexShader = R"(
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 colour;
@@ -27,20 +27,24 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kFragmentShader = R"(
 in vec2 texel;
 in vec4 tint;
 uniform sampler2D picture;
+uniform bool coverage;  // the texture holds only that: white of this opacity
 out vec4 pixel;
 
-void main() { pixel = tint * texture(picture, texel); }
+void main() {
+    vec4 read = texture(picture, texel);
+    pixel = tint * (coverage ? vec4(1.0, 1.0, 1.0, read.r) : read);
+}
 )";
 
 /// Id of the font atlas in draw data: the one that ImGui gives an atlas without a texture, which no texture
 /// of GL has. So draw data stay valid when the atlas is uploaded anew under another name.
 constexpr GLuint kAtlas = 0;
 
-/// The atlas holds coverage only; the texture reads as white of that opacity.
+/// The atlas holds coverage only.
 GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     unsigned char* texels = nullptr;
     int width = 0;
@@ -52,10 +56,6 @@ GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum channel : {GL_TEXTURE_SWIZZLE_R, GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B}) {
-        gl.TexParameteri(GL_TEXTURE_2D, channel, GL_ONE);
-    }
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_RED);
     return texture;
 }
 
@@ -66,6 +66,17 @@ Eigen::Matrix4d clip_from_picture(const ImDrawData& data) {
     m(0, 3) = -1.0 - static_cast<double>(data.DisplayPos.x) * m(0, 0);
     m(1, 3) = 1.0 - static_cast<double>(data.DisplayPos.y) * m(1, 1);
     return m;
+}
+
+/// Reads vertices from the one of this number on: indices of ImGui are small, and count from there.
+void point_at_vertices(const GlFunctions& gl, std::size_t first) {
+    constexpr auto stride = static_cast<GLsizei>(sizeof(ImDrawVert));
+    const auto at = [first](std::size_t offset) {
+        return reinterpret_cast<const void*>(first * sizeof(ImDrawVert) + offset);
+    };
+    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, pos)));
+    gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, uv)));
+    gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at(offsetof(ImDrawVert, col)));
 }
 
 /// GL counts pixels from the bottom. @return false if nothing is left to draw in
@@ -94,15 +105,10 @@ ImguiBackend::ImguiBackend(const GlFunctions& gl)
     io.BackendRendererName = "jointwise";
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
 
-    constexpr auto stride = static_cast<GLsizei>(sizeof(ImDrawVert));
-    const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
     gl_.BindVertexArray(array_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     for (const GLuint location : {0U, 1U, 2U}) { gl_.EnableVertexAttribArray(location); }
-    gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, pos)));
-    gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, at(offsetof(ImDrawVert, uv)));
-    gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at(offsetof(ImDrawVert, col)));
     gl_.BindVertexArray(0);
 }
 
@@ -132,10 +138,11 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
             if (!set_scissor(gl_, command.ClipRect, data, frame)) { continue; }
             const GLuint name = texture_name(command.GetTexID());
             gl_.BindTexture(GL_TEXTURE_2D, name == kAtlas ? font_.name() : name);
-            gl_.DrawElementsBaseVertex(
+            program_.set("coverage", name == kAtlas ? 1 : 0);
+            point_at_vertices(gl_, command.VtxOffset);
+            gl_.DrawElements(
                 GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
-                reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
-                static_cast<GLint>(command.VtxOffset));
+                reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)));
         }
     }
     gl_.Disable(GL_SCISSOR_TEST);

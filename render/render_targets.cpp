@@ -145,8 +145,16 @@ void RenderTargets::begin_bodies() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, b
 
 void RenderTargets::end_bodies(const DeviceRect& part) const {
     gl_.Disable(GL_SCISSOR_TEST);
+    const Target* resolved = &bodies_;
+    if (gl_.profile == GlProfile::es_30) {
+        // Browsers (ANGLE of Chromium 156) lose what lies around a part that samples are averaged into: they
+        // are averaged where nothing is yet.
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
+        copy_part(gl_, bodies_.framebuffer, part);
+        resolved = &flat_;
+    }
     gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
-    copy_part(gl_, bodies_.framebuffer, part);
+    copy_part(gl_, resolved->framebuffer, part);
 }
 
 void RenderTargets::begin_2d() const {

@@ -3,8 +3,6 @@
 namespace jw::render::shaders {
 namespace {
 
-constexpr const char* kVersion = "#version 330 core\n";
-
 /// Share of the key light that reaches a point; 1 outside the map. The hardware compares and blends four
 /// texels per tap; fixed taps on a spiral make the border soft without noise.
 constexpr const char* kShadow = R"(
@@ -59,7 +57,7 @@ vec4 id_colour() {
 }  // namespace
 
 std::string body_vertex() {
-    return std::string(kVersion) + R"(
+    return R"(
 layout(location = 0) in vec4 core;  // w: 1 where x and y scale with the inner radius
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 pose_x;
@@ -103,7 +101,7 @@ void main() {
 }
 
 std::string body_fragment(Shadows shadows) {
-    return std::string(kVersion) + kTransfer + shadow_lookup(shadows) + R"(
+    return std::string(kTransfer) + shadow_lookup(shadows) + R"(
 in vec3 position;
 in vec3 surface_normal;
 in vec3 shadow_position;
@@ -144,7 +142,7 @@ void main() {
 }
 
 std::string edge_fragment() {
-    return std::string(kVersion) + R"(
+    return R"(
 in vec4 outline_colour;
 out vec4 pixel;
 
@@ -153,13 +151,13 @@ void main() { pixel = outline_colour; }
 }
 
 std::string depth_fragment() {
-    return std::string(kVersion) + R"(
+    return R"(
 void main() {}
 )";
 }
 
 std::string ground_vertex() {
-    return std::string(kVersion) + R"(
+    return R"(
 uniform mat4 clip_from_world;
 uniform mat4 shadow_from_world;
 uniform vec3 centre;  // of the part that is drawn, and its half sides
@@ -181,7 +179,7 @@ void main() {
 }
 
 std::string ground_fragment() {
-    return std::string(kVersion) + kFade + R"(
+    return std::string(kFade) + R"(
 uniform float lines_per_radius;
 uniform vec4 plane_colour;
 uniform vec4 line_colour;
@@ -207,7 +205,7 @@ void main() {
 }
 
 std::string ground_shadow_fragment() {
-    return std::string(kVersion) + kFade + kShadow + R"(
+    return std::string(kFade) + kShadow + R"(
 in vec3 shadow_position;
 
 uniform vec4 shadow_colour;
@@ -222,7 +220,7 @@ void main() {
 }
 
 std::string backdrop_vertex() {
-    return std::string(kVersion) + R"(
+    return R"(
 out float height;
 
 void main() {
@@ -234,7 +232,7 @@ void main() {
 }
 
 std::string sky_fragment() {
-    return std::string(kVersion) + R"(
+    return R"(
 in float height;
 uniform vec4 top;
 uniform vec4 bottom;
@@ -245,7 +243,7 @@ void main() { pixel = mix(bottom, top, smoothstep(0.15, 1.0, height)); }
 }
 
 std::string copy_fragment() {
-    return std::string(kVersion) + R"(
+    return R"(
 uniform sampler2D picture;
 out vec4 pixel;
 
@@ -254,7 +252,7 @@ void main() { pixel = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
 }
 
 std::string line_vertex() {
-    return std::string(kVersion) + R"(
+    return R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in float width;
@@ -298,7 +296,7 @@ void main() {
 }
 
 std::string line_fragment() {
-    return std::string(kVersion) + R"(
+    return R"(
 in vec2 offset;
 flat in float half_length;
 flat in float half_width;
@@ -318,13 +316,13 @@ void main() {
 }
 
 std::string body_id_fragment() {
-    return std::string(kVersion) + kIdColour + R"(
+    return std::string(kIdColour) + R"(
 void main() { pixel = id_colour(); }
 )";
 }
 
 std::string line_id_fragment() {
-    return std::string(kVersion) + kIdColour + R"(
+    return std::string(kIdColour) + R"(
 in vec2 offset;
 flat in float half_length;
 flat in float half_width;

@@ -7,7 +7,7 @@
 namespace jw::render {
 namespace {
 
-constexpr double kMargin = 1.15;  // room for the soft border
+constexpr double kMargin = 1.15;  // room for the soft border, and a border of the map that stays lit
 constexpr double kStep = 1.25;    // widths are powers of this
 
 constexpr double kGrazing = 0.05;

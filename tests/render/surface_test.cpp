@@ -72,6 +72,22 @@ TEST_CASE("OSMesa and EGL draw the same things at the same places", "[render][su
     CHECK(images[0] == images[1]);
 }
 
+TEST_CASE("OpenGL ES 3.0 draws what OpenGL 3.3 draws", "[render][surface]") {
+    std::vector<Image> images;
+    for (const GlProfile profile : {GlProfile::core_33, GlProfile::es_30}) {
+        const std::unique_ptr<HeadlessContext> context = make_egl_context(profile);
+        context->make_current();
+        CHECK(context->gl().profile == profile);
+        const SceneRenderer renderer(context->gl());
+        RenderTargets targets(context->gl(), 464, 264);
+        for (const Colour& colour : {palette::kOrange, palette::kBlue}) {
+            images.push_back(drawn(targets, renderer, one_ball(colour)));
+        }
+    }
+    CHECK(images[0] == images[2]);
+    CHECK(images[1] == images[3]);
+}
+
 TEST_CASE("a surface that was resized draws what a new one of that size draws", "[render][surface]") {
     const Scene scene = one_ball(palette::kOrange);
     Painter painter(160, 90);

@@ -35,8 +35,8 @@ struct Driver {
         return GL_FRAMEBUFFER_UNSUPPORTED;
     }
 
-    static void draw(GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base) {
-        real.DrawElementsBaseVertex(mode, count, type, indices, base);
+    static void draw(GLenum mode, GLsizei count, GLenum type, const void* indices) {
+        real.DrawElements(mode, count, type, indices);
         if (always) { errors = 1; }
     }
 
@@ -45,7 +45,7 @@ struct Driver {
         errors = 0;
         always = false;
         bad_targets = 0;
-        table.DrawElementsBaseVertex = draw;
+        table.DrawElements = draw;
         table.GetError = get_error;
         table.CheckFramebufferStatus = check;
     }
