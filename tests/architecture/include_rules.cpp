@@ -72,6 +72,9 @@ constexpr std::array<std::string_view, 7> kSnapshot{
 constexpr std::array<std::string_view, 11> kFilm{
     "app/film/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/",
     "Eigen/",    "fcntl.h",          "spawn.h",      "sys/",  "unistd.h"};
+// the page: the interface, and the browser around it
+constexpr std::array<std::string_view, 7> kWeb{"app/web/", "app/host/", "app/session/", "lessons/",
+                                               "render/",  "imgui.h",   "emscripten/"};
 // the hard cases are run, not drawn
 constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
@@ -98,43 +101,28 @@ constexpr std::array kFolders{
     FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/film/", kFilm},
+    FolderRule{"app/web/", kWeb},
     FolderRule{"app/python/", kPython},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 31> kRooms{
-    "core/numerics/",
-    "core/jets/",
-    "core/model/",
-    "core/equations/",
-    "core/poses/",
-    "core/motion/",
-    "core/motion/block/",
-    "core/motion/tree/",
-    "core/motion/dense/",
-    "core/kinematics/",
-    "core/integrate/",
-    "core/quantity/",
-    "app/session/wording/",
-    "app/session/story/",
-    "app/session/answers/",
-    "app/session/view/",
-    "app/session/picture/",
-    "app/session/claims/",
-    "app/session/output/",
-    "app/session/try/",
-    "app/session/benchmark/",
-    "app/panels/parts/",
-    "app/panels/plot/",
-    "app/panels/column/",
-    "app/panels/frame/",
-    "app/host/lesson/",
-    "app/host/frames/",
-    "app/host/ui/",
-    "app/host/tabs/",
-    "app/host/parts/",
-    "app/host/"};
+constexpr std::array<std::string_view, 32> kRooms{"core/numerics/",      "core/jets/",
+                                                  "core/model/",         "core/equations/",
+                                                  "core/poses/",         "core/motion/",
+                                                  "core/motion/block/",  "core/motion/tree/",
+                                                  "core/motion/dense/",  "core/kinematics/",
+                                                  "core/integrate/",     "core/quantity/",
+                                                  "app/session/beside/", "app/session/wording/",
+                                                  "app/session/story/",  "app/session/answers/",
+                                                  "app/session/view/",   "app/session/picture/",
+                                                  "app/session/claims/", "app/session/output/",
+                                                  "app/session/try/",    "app/session/benchmark/",
+                                                  "app/panels/parts/",   "app/panels/plot/",
+                                                  "app/panels/column/",  "app/panels/frame/",
+                                                  "app/host/lesson/",    "app/host/frames/",
+                                                  "app/host/ui/",        "app/host/tabs/",
+                                                  "app/host/parts/",     "app/host/"};
 
 /// Folders that consist of rooms alone.
 constexpr std::array<std::string_view, 4> kFoldersOfRooms{
@@ -174,6 +162,7 @@ constexpr std::array kLibraries{
     LibraryRule{"Eigen/Dense", "tests/.*"},
     LibraryRule{"fmt/", "app/session/wording/messages\\.[ch]pp"},
     LibraryRule{"pybind11/", "app/python/.*"},
+    LibraryRule{"emscripten/", "app/web/.*"},
     LibraryRule{"lapacke.h", "tests/support/lapack_svd\\.hpp"},
 };
 

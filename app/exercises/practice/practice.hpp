@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/exercises/practice/background.hpp"
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/exercises/practice/progress.hpp"
 #include "app/exercises/practice/verdict.hpp"
 #include "app/exercises/slide_lessons.hpp"
+#include "app/session/beside/background.hpp"
 
 /// Practising the exercises of a lesson, without drawing.
 namespace jw {

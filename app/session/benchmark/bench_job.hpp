@@ -2,14 +2,14 @@
 
 #include <cstdint>
 #include <mutex>
-#include <thread>
 
 #include "app/session/benchmark/benchmark.hpp"
+#include "app/session/beside/worker.hpp"
 
 /// A benchmark beside whatever else goes on.
 namespace jw {
 
-/// Measures a lesson in a thread of its own. Destroyed, it stops at the next sample of the run under way.
+/// Measures a lesson by a `Worker`. Destroyed, it stops at the next sample of the run under way.
 class BenchJob {
 public:
     /// Results known so far.
@@ -38,7 +38,7 @@ private:
     mutable std::mutex mutex_;
     News news_;
     std::uint64_t version_ = 0;
-    std::jthread worker_;  ///< last: it ends before what it writes into
+    Worker worker_;  ///< last: it ends before what it writes into
 };
 
 }  // namespace jw

@@ -7,14 +7,14 @@
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <utility>
 
-/// Work beside whatever else goes on.
+#include "app/session/beside/worker.hpp"
+
 namespace jw {
 
-/// Work in a thread of its own, whatever its result. Destroyed, it waits for the thread: a work that nobody
-/// wants any more is told to stop, and kept until it has.
+/// Work by a `Worker`, whatever its result. Destroyed, it waits for the worker: a work that nobody wants any
+/// more is told to stop, and kept until it has.
 class BackgroundWork {
 public:
     virtual ~BackgroundWork() = default;
@@ -40,9 +40,7 @@ public:
         return done_;
     }
     void stop() override { worker_.request_stop(); }
-    void wait() override {
-        if (worker_.joinable()) { worker_.join(); }
-    }
+    void wait() override { worker_.wait(); }
 
     /// Result, once it is done.
     /// @throws what the work threw
@@ -66,7 +64,7 @@ private:
     bool done_ = false;
     std::optional<Result> result_;  ///< of the worker alone until it has ended
     std::exception_ptr failure_;
-    std::jthread worker_;  ///< last: it ends before what it writes into
+    Worker worker_;  ///< last: it ends before what it writes into
 };
 
 }  // namespace jw
