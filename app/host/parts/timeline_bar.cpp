@@ -131,7 +131,7 @@ void scrub(
 void speed_button(const LessonUi& ui) {
     const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
     if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) { ui.state.playback.next_speed(); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip(tr("Speed  (, and .)")); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", tr("Speed  (, and .)")); }
 }
 
 /// "Play", or "Pause 7 s" with the time until the next still, which also shrinks as a line.

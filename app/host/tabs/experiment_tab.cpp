@@ -94,7 +94,9 @@ void parts(const LessonUi& ui) {
         ImGui::PushID(is_joint ? "joint" : "driver");
         ImGui::PushID(addition.index);
         if (ImGui::Checkbox("##present", &present)) { ui.requests.add(SetPresent{addition, present}); }
-        if (ImGui::IsItemHovered()) { ImGui::SetTooltip(present ? tr("take it out") : tr("put it back")); }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", present ? tr("take it out") : tr("put it back"));
+        }
         ImGui::SameLine();
         const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : tr("driver");
         const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;

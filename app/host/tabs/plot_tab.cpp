@@ -90,7 +90,7 @@ void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     choose_curves(ui, shown);
     ImGui::SameLine();
     if (ImGui::Button(tr("All"))) { state() = panels::unzoomed(state()); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip(tr("everything in sight again")); }
+    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", tr("everything in sight again")); }
     ImGui::SameLine();
     command_button(ui, Command::save_csv, "CSV");
 }

@@ -38,7 +38,6 @@ private:
     std::uint64_t told_ = 0;
     std::array<std::optional<SeriesSet>, kTopics.size()> sets_;
     std::array<panels::PlotState, kTopics.size()> states_;
-    bool panning_ = false;
 };
 
 }  // namespace jw::host

@@ -61,7 +61,7 @@ void PriceTab::controls(const LessonUi& ui) {
     } else {
         if (ImGui::Button(tr("Measure"))) { begin(ui.session); }
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip(tr("a sweep of tolerances with every method; takes some seconds"));
+            ImGui::SetTooltip("%s", tr("a sweep of tolerances with every method; takes some seconds"));
         }
     }
     ImGui::SameLine();
