@@ -90,6 +90,8 @@ public:
     /// A lesson and not the browser is shown.
     bool shows_lesson() const { return session_ && !state_.browser; }
     const Session* session() const { return session_.get(); }
+    /// File of the open lesson; empty without one.
+    const std::filesystem::path& lesson_path() const { return file_.path(); }
     const UiState& state() const { return state_; }
     const render::Camera& camera() const { return hand_.camera(); }
     const WindowLayout& layout() const { return layout_; }

@@ -5,8 +5,8 @@
 
 #include <imgui.h>
 
-#include "app/host/frames/frame_files.hpp"
 #include "app/host/frames/frame_painter.hpp"
+#include "app/host/frames/recorder.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"
@@ -59,16 +59,14 @@ struct Screen::Recording {
           story(lesson),
           first(host.session()->index()),
           next(first),
-          folder(host.task_path()),
-          files(folder, first, static_cast<int>(story.steps().size()) - 1),
+          files(make_recorder(host.task_path(), first, static_cast<int>(story.steps().size()) - 1)),
           painter(story, kWidth, kHeight, gl) {}
 
     Lesson lesson;
     Story story;
     int first;
     int next;
-    std::filesystem::path folder;
-    FrameFiles files;
+    std::unique_ptr<Recorder> files;
     FramePainter painter;
 };
 
@@ -236,7 +234,7 @@ void Screen::record_one() {
     Recording& r = *recording;
     const auto count = static_cast<int>(r.story.steps().size());
     const View view = view_of(r.story, r.next);
-    r.files.add(r.next, view, seconds_of_step(r.story, view), r.painter.paint(view));
+    r.files->add(r.next, view, seconds_of_step(r.story, view), r.painter.paint(view));
     ++r.next;
     if (r.next < count) {
         host_->say(tr("Recording: {0} of {1}   ·   Escape stops", r.next - r.first, count - r.first));
@@ -247,13 +245,12 @@ void Screen::record_one() {
 
 void Screen::finish_recording() {
     const std::unique_ptr<Recording> r = std::move(surface_->recording);
-    r->files.finish(
+    host_->done(r->files->finish(
         {{"format", "jointwise render"},
          {"version", kJsonVersion},
          {"lesson", {{"file", r->lesson.file_name}, {"title", r->lesson.title}}},
          {"size", {Recording::kWidth, Recording::kHeight}},
-         {"frames_in_all", static_cast<int>(r->story.steps().size())}});
-    host_->done(tr("{0} pictures and manifest.json in {1}", r->next - r->first, r->folder.string()));
+         {"frames_in_all", static_cast<int>(r->story.steps().size())}}));
 }
 
 render::Image Screen::read() { return surface_->targets->read(); }

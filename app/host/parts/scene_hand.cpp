@@ -100,17 +100,22 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool re
         viewport.contains(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)) &&
         !io.WantCaptureMouse;
     if (over && reachable && mode_ == Mode::idle) { point_at(ui); }
+    // two fingers shift and zoom at once
+    if (over && (mode_ == Mode::idle || mode_ == Mode::pan) && io.MouseWheel != 0.0F) {
+        const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
+        zoom(
+            factor, viewport, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
+            ui.session);
+    }
     if (mode_ == Mode::idle) {
-        if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) { press(ui, viewport, io.KeyShift); }
-        const bool right =
-            ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-        if (over && right) { press(ui, viewport, true); }
-        if (over && io.MouseWheel != 0.0F) {
-            const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
-            zoom(
-                factor, viewport, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
-                ui.session);
+        if (!over) { return; }
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            press(ui, viewport, io.KeyShift ? Mode::pan : Mode::drag);
         }
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+            press(ui, viewport, Mode::pan);
+        }
+        if (ImGui::IsMouseClicked(kTurningButton)) { press(ui, viewport, Mode::orbit); }
         return;
     }
     const std::size_t bodies = ui.session.lesson().mechanism.bodies.size();
@@ -120,7 +125,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool re
         body_ = joint_ = -1;
         return;
     }
-    const bool held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
+    const bool held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2] || io.MouseDown[kTurningButton];
     if (!held) { return release(ui); }
     move(ui, viewport);
 }
@@ -131,15 +136,16 @@ void SceneHand::point_at(const LessonUi& ui) {
     ui.state.pointed_at = pointable_of(pick_(mouse.x, mouse.y));
 }
 
-void SceneHand::press(const LessonUi& ui, const render::Rect& viewport, bool right) {
+void SceneHand::press(const LessonUi& ui, const render::Rect& viewport, Mode wanted) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     x_ = mouse.x;
     y_ = mouse.y;
     moved_ = false;
     const Pointable link = ui.state.pointed_at;
-    joint_ = !right && link.kind == Pointable::Kind::joint ? link.index : -1;
-    body_ = right ? -1 : body_of(ui.session, link);
-    mode_ = right ? Mode::pan : (body_ >= 0 ? Mode::drag : Mode::orbit);
+    const bool takes_hold = wanted == Mode::drag;
+    joint_ = takes_hold && link.kind == Pointable::Kind::joint ? link.index : -1;
+    body_ = takes_hold ? body_of(ui.session, link) : -1;
+    mode_ = takes_hold && body_ < 0 ? Mode::orbit : wanted;
     if (body_ < 0) { return; }
     const State& state = ui.session.step().state;
     const Vec3 middle = picture::middle_of_body(ui.session.style(), state, body_);

@@ -42,7 +42,8 @@ private:
     void turn(double dx, double dy);
     void zoom(double factor, const render::Rect& viewport, double x, double y, const Session& session);
     void point_at(const LessonUi& ui);
-    void press(const LessonUi& ui, const render::Rect& viewport, bool right);
+    /// @param wanted  `drag` takes hold of a body, and turns the view where there is none
+    void press(const LessonUi& ui, const render::Rect& viewport, Mode wanted);
     void move(const LessonUi& ui, const render::Rect& viewport);
     void release(const LessonUi& ui);
     void turn_to(const render::Camera& camera);

@@ -69,7 +69,9 @@ void feed(ImGuiIO& io, const InputEvent& event) {
     switch (event.kind) {
         case InputEvent::Kind::pointer: io.MousePos = {event.x, event.y}; break;
         case InputEvent::Kind::button:
-            if (event.number >= 0 && event.number < 3) { io.MouseDown[event.number] = event.down; }
+            if (event.number >= 0 && event.number <= kTurningButton) {
+                io.MouseDown[event.number] = event.down;
+            }
             break;
         case InputEvent::Kind::wheel: io.MouseWheel += event.y; break;
         case InputEvent::Kind::key:

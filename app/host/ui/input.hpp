@@ -11,6 +11,9 @@ namespace jw::host {
 /// Way of the pointer [pixels] with a button held that is still a click: more is a drag.
 inline constexpr float kLongestClick = 3.0F;
 
+/// Number of a button that no mouse has: it turns the view whatever is below, as a finger does.
+inline constexpr int kTurningButton = 3;
+
 enum class Key {
     none,
     left,
@@ -47,7 +50,7 @@ enum class Key {
 struct InputEvent {
     enum class Kind {
         pointer,  ///< x, y: pixels of the framebuffer
-        button,   ///< number 0 left, 1 right, 2 middle; down
+        button,   ///< number 0 left, 1 right, 2 middle, kTurningButton; down
         wheel,    ///< y: notches, positive away from the person
         key,      ///< key, down
         text,     ///< character: a Unicode code point that was typed
