@@ -1,6 +1,9 @@
 #include "lessons/data_folder.hpp"
 
+// what is not there on every machine
+#if __has_include(<sys/auxv.h>)
 #include <sys/auxv.h>
+#endif
 
 namespace jw {
 
@@ -17,11 +20,14 @@ fs::path running_program() {
     std::error_code error;
     fs::path program = fs::canonical("/proc/self/exe", error);
     if (!error) { return program; }
+#ifdef AT_EXECFN
     // without /proc, as in a bare chroot: the path by which the program was started
-    const auto* const started_by = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
-    if (started_by == nullptr) { return {}; }
-    program = fs::canonical(started_by, error);
-    return error ? fs::path() : program;
+    if (const auto* const started_by = reinterpret_cast<const char*>(::getauxval(AT_EXECFN))) {
+        program = fs::canonical(started_by, error);
+        if (!error) { return program; }
+    }
+#endif
+    return {};
 }
 
 bool has_data(const fs::path& top) {

@@ -62,7 +62,7 @@ std::string fault_of_font(Bytes bytes) {
         const std::uint64_t begin = number_at(bytes, record + 8);
         const std::uint64_t length = number_at(bytes, record + 12);
         if (begin + length > bytes.size()) { return "it ends too early"; }
-        const Bytes table = bytes.subspan(begin, length);
+        const Bytes table = bytes.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(length));
         std::uint32_t sum = checksum(table);
         if (tag == "head" && length >= kAdjustment + 4) { sum -= number_at(table, kAdjustment); }
         if (sum != number_at(bytes, record + 4)) { return "a checksum is wrong: a part of it was changed"; }

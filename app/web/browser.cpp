@@ -1,0 +1,19 @@
+#include "app/web/browser.hpp"
+
+#include <emscripten/em_js.h>
+
+// `Module.page` are the functions that page.js gives when it loads the program
+
+// clang-format off
+EM_JS(void, jw_download, (const char* path), { Module.page.download(UTF8ToString(path)); })
+EM_JS(void, jw_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); })
+EM_JS(void, jw_log, (const char* text), { console.error(UTF8ToString(text)); })
+// clang-format on
+
+namespace jw::web {
+
+void download(const std::filesystem::path& file) { jw_download(file.c_str()); }
+void copy(const std::string& text) { jw_copy(text.c_str()); }
+void log(const std::string& text) { jw_log(text.c_str()); }
+
+}  // namespace jw::web

@@ -1,0 +1,126 @@
+#include <emscripten/emscripten.h>
+
+#include <exception>
+#include <sstream>
+
+#include "app/host/ui/commands.hpp"
+#include "app/session/beside/worker.hpp"
+#include "app/web/browser.hpp"
+#include "app/web/keys.hpp"
+#include "app/web/page.hpp"
+
+/// The functions that page.js calls. None throws: what goes wrong is a text.
+namespace {
+
+using jw::host::InputEvent;
+
+std::unique_ptr<jw::web::Page> page;
+/// Of the function called last: valid until the next one.
+std::string answer;
+
+const char* answered(std::string text) {
+    answer = std::move(text);
+    return answer.c_str();
+}
+
+std::vector<std::string> lines_of(const char* text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) { lines.push_back(line); }
+    return lines;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// @return why the page cannot begin; empty if it does
+EMSCRIPTEN_KEEPALIVE const char* jw_begin(
+    const char* canvas, int width, int height, double text_scale, int dark, const char* language) {
+    try {
+        page = std::make_unique<jw::web::Page>(
+            jw::web::PageSetup{canvas, width, height, static_cast<float>(text_scale), dark != 0, language});
+        return answered({});
+    } catch (const std::exception& error) { return answered(error.what()); }
+}
+
+/// One turn of the page's loop: as Page::frame, and what is computed beside it.
+EMSCRIPTEN_KEEPALIVE double jw_frame(double seconds) {
+    try {
+        const double due = page->frame(seconds);
+        return jw::run_waiting_work() ? 0.0 : due;
+    } catch (const std::exception& error) {
+        jw::web::log(error.what());
+        return 1.0;
+    }
+}
+
+EMSCRIPTEN_KEEPALIVE void jw_resize(int width, int height) { page->host().resize(width, height); }
+EMSCRIPTEN_KEEPALIVE void jw_lose_context() { page->lose_context(); }
+EMSCRIPTEN_KEEPALIVE const char* jw_restore_context() {
+    try {
+        page->restore_context();
+        return answered({});
+    } catch (const std::exception& error) { return answered(error.what()); }
+}
+
+EMSCRIPTEN_KEEPALIVE void jw_pointer(double x, double y) {
+    page->host().push(InputEvent::pointer(static_cast<float>(x), static_cast<float>(y)));
+}
+EMSCRIPTEN_KEEPALIVE void jw_button(int number, int down) {
+    page->host().push(InputEvent::button(number, down != 0));
+}
+EMSCRIPTEN_KEEPALIVE void jw_wheel(double notches) {
+    page->host().push(InputEvent::wheel(static_cast<float>(notches)));
+}
+/// @return 1 if the program has a use for this key
+EMSCRIPTEN_KEEPALIVE int jw_key(const char* name, int down) {
+    const jw::host::Key key = jw::web::key_of(name);
+    if (key != jw::host::Key::none) { page->host().push(InputEvent::pressed(key, down != 0)); }
+    return key == jw::host::Key::none ? 0 : 1;
+}
+EMSCRIPTEN_KEEPALIVE void jw_text(unsigned character) { page->host().push(InputEvent::typed(character)); }
+EMSCRIPTEN_KEEPALIVE void jw_leave() { page->host().push(InputEvent::leave()); }
+
+/// Opens a lesson file. @param experiments  one a line @return 0 if it has mistakes, which are shown
+EMSCRIPTEN_KEEPALIVE int jw_open(const char* path, const char* at, const char* experiments) {
+    try {
+        return page->host().open(path, at, lines_of(experiments)) ? 1 : 0;
+    } catch (const std::exception& error) {
+        page->host().say(error.what());
+        return 0;
+    }
+}
+
+EMSCRIPTEN_KEEPALIVE const char* jw_state() {
+    try {
+        return answered(page->state());
+    } catch (const std::exception& error) {
+        return answered(std::string("{\"error\": \"") + error.what() + "\"}");
+    }
+}
+/// @return 1 if the 3D picture, and no panel, is at a pixel of the canvas
+EMSCRIPTEN_KEEPALIVE int jw_is_scene(double x, double y) {
+    return page->host().layout().scene.contains(x, y) ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address()); }
+/// @return what is wrong with the address; empty if it is shown
+EMSCRIPTEN_KEEPALIVE const char* jw_go_to_address(const char* address) {
+    try {
+        page->go_to(address);
+        return answered({});
+    } catch (const std::exception& error) { return answered(error.what()); }
+}
+/// The open lesson as text, with what was tried; as its author wrote it if nothing was.
+EMSCRIPTEN_KEEPALIVE const char* jw_lesson_source() { return answered(page->lesson_source()); }
+/// Mistakes of a text as JSON: a list of line, column, severity and message.
+EMSCRIPTEN_KEEPALIVE const char* jw_check(const char* text, const char* name) {
+    return answered(jw::web::mistakes_of(text, name));
+}
+/// Shows a lesson file that was written a moment ago: at the same step, if it is open.
+EMSCRIPTEN_KEEPALIVE void jw_follow(const char* path) { page->follow(path); }
+EMSCRIPTEN_KEEPALIVE void jw_keep_unsaved() { page->host().keep_unsaved(); }
+
+}  // extern "C"
+
+int main() { return 0; }

@@ -1,0 +1,155 @@
+#include "app/web/page.hpp"
+
+#include <iostream>
+
+#include <imgui.h>
+
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/web/browser.hpp"
+#include "app/web/webgl_context.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/reader.hpp"
+
+namespace jw::web {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// a screen reader says no more than a person wants to hear
+constexpr int kDescribedWidth = 100;
+
+const fs::path kDownloads = "/downloads";  // what is put here is given to the person
+const fs::path kKept = "/kept";            // what outlives a visit: page.js keeps this folder
+
+host::HostSetup host_setup(const PageSetup& setup) {
+    set_language(setup.language);
+    fs::create_directories(kDownloads);
+    fs::create_directories(kKept);
+    host::HostSetup wanted;
+    wanted.catalogue = catalogue_folder();
+    wanted.recent_file = kKept / "recent";
+    wanted.unsaved = kKept / "unsaved";
+    wanted.pictures = kDownloads;
+    wanted.progress = kKept / "progress.json";
+    wanted.dark = setup.dark;
+    wanted.text_scale = setup.text_scale;
+    wanted.width = setup.width;
+    wanted.height = setup.height;
+    return wanted;
+}
+
+void use_clipboard() {
+    static std::string last;
+    ImGuiIO& io = ImGui::GetIO();
+    io.SetClipboardTextFn = [](void*, const char* text) {
+        last = text;
+        copy(last);
+    };
+    io.GetClipboardTextFn = [](void*) { return last.c_str(); };
+}
+
+}  // namespace
+
+Page::Page(const PageSetup& setup)
+    : canvas_(setup.canvas), context_(make_webgl_context(canvas_.c_str())), host_(host_setup(setup)) {
+    use_clipboard();
+    screen_ = std::make_unique<host::GuardedScreen>(context_->gl(), host_, std::cerr);
+}
+
+Page::~Page() = default;
+
+double Page::frame(double seconds) {
+    if (!screen_) { return std::numeric_limits<double>::infinity(); }
+    host_.look_at_file();
+    if (seconds >= host_.seconds_to_change()) {
+        host_.frame(seconds);
+        if (screen_->draw()) { screen_->show(); }
+        give_downloads();
+    }
+    return host_.seconds_to_change();
+}
+
+void Page::lose_context() { screen_.reset(); }
+
+void Page::restore_context() {
+    context_ = make_webgl_context(canvas_.c_str());
+    screen_ = std::make_unique<host::GuardedScreen>(context_->gl(), host_, std::cerr);
+    host_.rouse();
+}
+
+void Page::give_downloads() const {
+    for (const fs::directory_entry& entry : fs::directory_iterator(kDownloads)) {
+        download(entry.path());
+        fs::remove(entry.path());
+    }
+}
+
+std::string Page::address() const {
+    if (!host_.shows_lesson()) { return {}; }
+    return host_.lesson_path().stem().string() + "/" + std::to_string(host_.session()->index() + 1);
+}
+
+void Page::go_to(const std::string& address) {
+    const std::size_t slash = address.find('/');
+    const std::string name = address.substr(0, slash);
+    for (const fs::path& file : lessons_below(catalogue_folder())) {
+        if (file.stem() != name) { continue; }
+        host_.open(file, slash == std::string::npos ? std::string() : address.substr(slash + 1));
+        return;
+    }
+    throw std::runtime_error("no lesson '" + name + "'");
+}
+
+std::string Page::lesson_source() const {
+    if (host_.session() == nullptr) { return {}; }
+    if (host_.session()->is_changed()) { return host::text_to_save(*host_.session()); }
+    return read_lesson_file(host_.lesson_path()).source;
+}
+
+void Page::follow(const fs::path& file) {
+    // one that is open is looked at before every picture
+    if (file == host_.lesson_path() && host_.shows_lesson()) { return host_.rouse(); }
+    const std::string at =
+        host_.shows_lesson() ? std::to_string(host_.session()->index() + 1) : std::string();
+    host_.open(file, at);
+}
+
+std::string Page::state() const {
+    Json json;
+    json["shows_lesson"] = host_.shows_lesson();
+    json["language"] = language();
+    json["dark"] = host_.state().dark;
+    json["text_scale"] = host_.state().text_scale;
+    json["notice"] = host_.notice().text();
+    if (!host_.shows_lesson()) { return json.dump(); }
+    const Session& session = *host_.session();
+    json["title"] = session.lesson().title;
+    json["file"] = session.lesson().file_name;
+    json["changed"] = session.is_changed();
+    json["step"] = session.index();
+    json["tab"] = word_of(host::kTabs, host_.state().tab);
+    const render::Camera& camera = host_.camera();
+    json["camera"] = Json::array();
+    for (const render::Vector3d& part : {camera.eye, camera.target, camera.up}) {
+        for (int k = 0; k < 3; ++k) { json["camera"].push_back(part(k)); }
+    }
+    json["text"] = describe(session.view(), kDescribedWidth);
+    return json.dump();
+}
+
+std::string mistakes_of(const std::string& text, const std::string& file_name) {
+    Json list = Json::array();
+    for (const Diagnostic& mistake : read_lesson(text, file_name).diagnostics) {
+        list.push_back(
+            {{"line", std::max(1, static_cast<int>(mistake.span.line))},
+             {"column", std::max(1, static_cast<int>(mistake.span.column))},
+             {"severity", mistake.severity == Severity::error ? "error" : "warning"},
+             {"message", mistake.message + (mistake.hint.empty() ? "" : "\n" + mistake.hint)}});
+    }
+    return json_document(list);
+}
+
+}  // namespace jw::web

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/host/guarded_screen.hpp"
+#include "app/host/host.hpp"
+#include "render/headless_context.hpp"
+
+/// The interface in a page: the host, a canvas, and files that live in the memory of the page.
+namespace jw::web {
+
+struct PageSetup {
+    std::string canvas = "#canvas";  ///< CSS selector
+    int width = 1280;                ///< pixels of the canvas
+    int height = 720;
+    float text_scale = 1.0F;
+    bool dark = false;
+    std::string language = "en";
+};
+
+class Page {
+public:
+    /// @throws std::runtime_error if the browser shows no WebGL 2, or a font is missing
+    explicit Page(const PageSetup& setup);
+    ~Page();
+    Page(const Page&) = delete;
+    Page& operator=(const Page&) = delete;
+
+    host::Host& host() { return host_; }
+
+    /// Draws the next picture if one is due.
+    /// @param seconds  since the last picture
+    /// @return seconds until another one is due without an event; 0: at once, infinity: never
+    double frame(double seconds);
+    /// The browser took everything on the graphics card away, or gives it back.
+    void lose_context();
+    void restore_context();
+
+    /// What is shown, as the part of an address behind '#'; empty without a lesson.
+    std::string address() const;
+    /// Shows what an address says. @throws std::runtime_error if it cannot be read, or names no lesson
+    void go_to(const std::string& address);
+
+    /// Text of the open lesson as it stands, with what was tried; its file where nothing was; empty without a
+    /// lesson.
+    std::string lesson_source() const;
+    /// Shows a file that was written a moment ago, at the step that is shown.
+    void follow(const std::filesystem::path& file);
+    /// What is shown, as JSON: title, step, tab, what was tried, its description for those who do not see the
+    /// picture.
+    std::string state() const;
+
+private:
+    void give_downloads() const;
+
+    std::string canvas_;
+    std::unique_ptr<render::HeadlessContext> context_;
+    host::Host host_;
+    std::unique_ptr<host::GuardedScreen> screen_;
+};
+
+/// Mistakes and warnings of a lesson's text, as JSON: a list of line, column, severity and message.
+std::string mistakes_of(const std::string& text, const std::string& file_name);
+
+}  // namespace jw::web

@@ -1,0 +1,167 @@
+// Mouse, touch, pen and keyboard as the events of the program.
+
+// [ms] a finger that rests so long picks up what is below it
+const LONG_PRESS = 450;
+// [CSS pixels] a finger that moves less than this rests
+const SLOP = 8;
+// [CSS pixels] of a wheel that counts them, for one notch
+const NOTCH = 100;
+// distance between fingers for one notch of the wheel, as in app/host/parts/scene_hand.cpp
+const CLOSER_PER_NOTCH = 0.9;
+const BUTTONS = [0, 2, 1];
+// keys that stay the browser's: leaving the canvas, reading the page again
+const BROWSERS_KEYS = new Set(["Tab", "F5", "F11", "F12"]);
+
+function placeOf(canvas, event) {
+  const box = canvas.getBoundingClientRect();
+  return [(event.clientX - box.left) * canvas.width / box.width, (event.clientY - box.top) * canvas.height / box.height];
+}
+
+/** Fingers: one turns the picture or scrolls a panel, two shift and zoom, one that rests picks up. */
+class Fingers {
+  constructor(canvas, program, loop) {
+    this.canvas = canvas;
+    this.program = program;
+    this.loop = loop;
+    this.down = new Map();
+    this.held = -1;
+    this.scrolls = false;
+  }
+  middle() {
+    const all = [...this.down.values()];
+    return [all.reduce((sum, f) => sum + f[0], 0) / all.length, all.reduce((sum, f) => sum + f[1], 0) / all.length];
+  }
+  spread() {
+    const [a, b] = [...this.down.values()];
+    return Math.hypot(a[0] - b[0], a[1] - b[1]);
+  }
+  press(number) {
+    this.held = number;
+    this.program.button(number, 1);
+  }
+  release() {
+    if (this.held >= 0) { this.program.button(this.held, 0); }
+    this.held = -1;
+    this.scrolls = false;
+    clearTimeout(this.timer);
+  }
+  begin(event) {
+    const at = placeOf(this.canvas, event);
+    this.down.set(event.pointerId, at);
+    if (this.down.size === 1) {
+      this.start = at;
+      this.rests = true;
+      this.program.pointer(...at);
+      this.timer = setTimeout(() => {
+        if (!this.rests) { return; }
+        this.rests = false;
+        this.press(0);
+        this.loop.rouse();
+      }, LONG_PRESS);
+    } else if (this.down.size === 2) {
+      this.release();
+      this.rests = false;
+      this.apart = this.spread();
+      this.program.pointer(...this.middle());
+      this.press(1);
+    }
+  }
+  move(event) {
+    if (!this.down.has(event.pointerId)) { return; }
+    const before = this.down.get(event.pointerId);
+    const at = placeOf(this.canvas, event);
+    this.down.set(event.pointerId, at);
+    if (this.down.size === 2) {
+      const apart = this.spread();
+      this.program.wheel(Math.log(this.apart / apart) / Math.log(CLOSER_PER_NOTCH));
+      this.apart = apart;
+      return this.program.pointer(...this.middle());
+    }
+    const ratio = this.canvas.width / this.canvas.clientWidth;
+    if (this.rests && Math.hypot(at[0] - this.start[0], at[1] - this.start[1]) > SLOP * ratio) {
+      this.rests = false;
+      clearTimeout(this.timer);
+      if (this.program.isScene(...this.start)) {
+        this.press(3);
+      } else if (Math.abs(at[1] - this.start[1]) > Math.abs(at[0] - this.start[0])) {
+        this.scrolls = true;
+      } else { this.press(0); }
+    }
+    if (this.scrolls) { return this.program.wheel((at[1] - before[1]) / (NOTCH * ratio)); }
+    if (!this.rests) { this.program.pointer(...at); }
+  }
+  end(event) {
+    if (!this.down.delete(event.pointerId)) { return; }
+    if (this.rests) { this.press(0); }
+    this.rests = false;
+    this.release();
+    if (this.down.size === 0) { setTimeout(() => { this.program.leave(); this.loop.rouse(); }, 50); }
+  }
+}
+
+function listenToPointers(canvas, program, loop) {
+  const fingers = new Fingers(canvas, program, loop);
+  const on = (name, act) => canvas.addEventListener(name, (event) => { act(event); loop.rouse(); });
+  on("pointerdown", (event) => {
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    if (event.pointerType === "touch") { return fingers.begin(event); }
+    program.pointer(...placeOf(canvas, event));
+    program.button(BUTTONS[event.button] ?? 0, 1);
+  });
+  on("pointermove", (event) => {
+    if (event.pointerType === "touch") { return fingers.move(event); }
+    program.pointer(...placeOf(canvas, event));
+  });
+  on("pointerup", (event) => {
+    if (event.pointerType === "touch") { return fingers.end(event); }
+    program.pointer(...placeOf(canvas, event));
+    program.button(BUTTONS[event.button] ?? 0, 0);
+  });
+  on("pointercancel", (event) => {
+    if (event.pointerType === "touch") { return fingers.end(event); }
+    for (const button of [0, 1, 2]) { program.button(button, 0); }
+  });
+  on("pointerleave", (event) => { if (event.pointerType !== "touch") { program.leave(); } });
+  on("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener("wheel", (event) => {
+    // with Ctrl the browser zooms the page
+    if (event.ctrlKey) { return; }
+    event.preventDefault();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY / NOTCH : event.deltaY / 3;
+    program.wheel(-lines);
+    loop.rouse();
+  }, { passive: false });
+}
+
+function listenToKeys(canvas, program, loop) {
+  canvas.addEventListener("keydown", (event) => {
+    if (BROWSERS_KEYS.has(event.key) || event.altKey || event.isComposing) { return; }
+    const chord = event.ctrlKey || event.metaKey;
+    const letter = [...event.key].length === 1 ? event.key : "";
+    if (chord && letter && !"zyosacvx".includes(letter.toLowerCase())) { return; }
+    let used = false;
+    // of letters the program wants what was typed; with Ctrl, which key it was
+    if (!letter || chord || event.key === " ") { used = program.key(chord ? event.key.toLowerCase().replace("control", "Control").replace("meta", "Meta") : event.key, 1) === 1; }
+    if (letter && !chord) {
+      program.text(event.key.codePointAt(0));
+      used = true;
+    }
+    if (used && event.key !== "Control" && event.key !== "Meta" && !(chord && letter === "v")) { event.preventDefault(); }
+    loop.rouse();
+  });
+  canvas.addEventListener("keyup", (event) => {
+    program.key([...event.key].length === 1 ? event.key.toLowerCase() : event.key, 0);
+    loop.rouse();
+  });
+  // keys that are held while the canvas loses the keyboard would stay down
+  canvas.addEventListener("blur", () => {
+    program.leave();
+    loop.rouse();
+  });
+}
+
+export function listen(canvas, program, loop) {
+  listenToPointers(canvas, program, loop);
+  listenToKeys(canvas, program, loop);
+}

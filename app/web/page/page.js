@@ -1,0 +1,218 @@
+// The page around the program: canvas, input, files, address. What is drawn and computed is in jointwise.wasm.
+import createJointwise from "./jointwise.js";
+import { listen } from "./input.js";
+import { Address } from "./address.js";
+import { keepFolder, restoreFolder } from "./kept.js";
+
+const $ = (id) => document.getElementById(id);
+const canvas = $("canvas");
+
+export function toast(text) {
+  $("toast").textContent = text;
+  $("toast").hidden = false;
+  clearTimeout(toast.timer);
+  toast.timer = setTimeout(() => { $("toast").hidden = true; }, 4000);
+}
+
+/** A message in place of the program: never a blank page. */
+function giveUp(why) {
+  const words = document.createElement("div");
+  words.className = "missing";
+  words.innerHTML = "<h1>Jointwise cannot draw here</h1><p></p><p>Firefox, Chromium and Safari of the last years have WebGL 2; it may be switched off in the settings, or by the driver of the graphics card.</p>";
+  words.querySelector("p").textContent = why;
+  document.querySelector("main").replaceChildren(words);
+}
+
+function download(path, bytes) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([bytes]));
+  link.download = path.split("/").pop();
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    toast("The browser does not let this page write into the clipboard.");
+  }
+}
+
+/** The functions of main.cpp with arguments and results as JavaScript has them. */
+function programOf(module) {
+  const wrap = (name, result, ...types) => module.cwrap(name, result, types);
+  return {
+    module,
+    begin: wrap("jw_begin", "string", "string", "number", "number", "number", "number", "string"),
+    frame: wrap("jw_frame", "number", "number"),
+    resize: wrap("jw_resize", null, "number", "number"),
+    loseContext: wrap("jw_lose_context", null),
+    restoreContext: wrap("jw_restore_context", "string"),
+    pointer: wrap("jw_pointer", null, "number", "number"),
+    button: wrap("jw_button", null, "number", "number"),
+    wheel: wrap("jw_wheel", null, "number"),
+    key: wrap("jw_key", "number", "string", "number"),
+    text: wrap("jw_text", null, "number"),
+    leave: wrap("jw_leave", null),
+    isScene: wrap("jw_is_scene", "number", "number", "number"),
+    open: wrap("jw_open", "number", "string", "string", "string"),
+    state: () => JSON.parse(module.ccall("jw_state", "string", [], [])),
+    address: wrap("jw_address", "string"),
+    goToAddress: wrap("jw_go_to_address", "string", "string"),
+    lessonSource: wrap("jw_lesson_source", "string"),
+    check: wrap("jw_check", "string", "string", "string"),
+    follow: wrap("jw_follow", null, "string"),
+    keepUnsaved: wrap("jw_keep_unsaved", null),
+  };
+}
+
+/** Calls the program when a picture is due, and sleeps otherwise. */
+class Loop {
+  constructor(program, shown) {
+    this.program = program;
+    this.shown = shown;
+    this.last = performance.now();
+    this.waiting = null;
+    this.stopped = false;
+  }
+  rouse() {
+    if (this.stopped || this.asked) { return; }
+    clearTimeout(this.waiting);
+    this.asked = true;
+    requestAnimationFrame(() => this.turn());
+  }
+  turn() {
+    this.asked = false;
+    if (this.stopped) { return; }
+    const now = performance.now();
+    const due = this.program.frame((now - this.last) / 1000);
+    this.last = now;
+    this.frames = (this.frames ?? 0) + 1;
+    this.shown();
+    if (due <= 0.02) { this.rouse(); } else if (Number.isFinite(due)) {
+      this.waiting = setTimeout(() => this.rouse(), due * 1000);
+    }
+  }
+}
+
+function fitCanvas(program, loop) {
+  const fit = (width, height) => {
+    if (width <= 0 || height <= 0) { return; }
+    canvas.width = width;
+    canvas.height = height;
+    program.resize(width, height);
+    loop.rouse();
+  };
+  new ResizeObserver(([entry]) => {
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
+    // whole pixels of the screen where the browser tells them; one that imitates another screen does not
+    const box = entry.devicePixelContentBoxSize?.[0];
+    const told = box && Math.abs(box.inlineSize - width) < 2 && Math.abs(box.blockSize - height) < 2;
+    fit(told ? box.inlineSize : Math.round(width), told ? box.blockSize : Math.round(height));
+  }).observe(canvas);
+}
+
+function surviveLostContext(program, loop) {
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    program.loseContext();
+    toast("The graphics card was taken away; waiting for it.");
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    const why = program.restoreContext();
+    if (why) { return giveUp(why); }
+    loop.rouse();
+  });
+}
+
+/** Text of the step for those who do not see the picture. */
+class Story {
+  tell(state) {
+    const text = state.shows_lesson ? state.text : "The list of lessons is shown. Arrows choose, Enter opens.";
+    if (text !== this.told) { $("story").textContent = this.told = text; }
+    document.title = state.shows_lesson ? `${state.title}${state.changed ? " (changed)" : ""} – Jointwise` : "Jointwise";
+  }
+}
+
+async function begin() {
+  if (!document.createElement("canvas").getContext("webgl2")) {
+    return giveUp("This browser shows no WebGL 2.");
+  }
+  const module = await createJointwise({
+    page: { copy, download: (path) => download(path, module.FS.readFile(path)) },
+    setStatus(text) {
+      const part = /\((\d+(?:\.\d+)?)\/(\d+)\)/.exec(text);
+      if (part) { $("progress").value = part[1] / part[2]; }
+    },
+  });
+  restoreFolder(module.FS, "/kept");
+  const program = programOf(module);
+  const ratio = window.devicePixelRatio || 1;
+  const settings = JSON.parse(localStorage.getItem("jointwise-settings") ?? "{}");
+  const systemIsDark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const dark = settings.dark ?? systemIsDark;
+  canvas.width = Math.round(canvas.clientWidth * ratio);
+  canvas.height = Math.round(canvas.clientHeight * ratio);
+  const language = settings.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
+  const why = program.begin("#canvas", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language);
+  if (why) { return giveUp(why); }
+
+  const story = new Story();
+  const address = new Address(program, toast);
+  let timer = null;
+  const loop = new Loop(program, () => {
+    // what is about the step waits until it has been shown for a moment
+    timer ??= setTimeout(() => {
+      timer = null;
+      const state = program.state();
+      story.tell(state);
+      address.follow(state);
+      localStorage.setItem("jointwise-settings", JSON.stringify(
+        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale, language: state.language }));
+      document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
+      document.documentElement.classList.toggle("dark", state.dark);
+      program.keepUnsaved();
+      keepFolder(module.FS, "/kept");
+    }, 200);
+  });
+  listen(canvas, program, loop);
+  fitCanvas(program, loop);
+  surviveLostContext(program, loop);
+  address.open(() => loop.rouse());
+
+  for (const button of document.querySelectorAll("button[data-key], button[data-text]")) {
+    button.addEventListener("click", () => {
+      if (button.dataset.key) {
+        program.key(button.dataset.key, 1);
+        program.key(button.dataset.key, 0);
+      } else { program.text(button.dataset.text.codePointAt(0)); }
+      loop.rouse();
+    });
+  }
+  $("link").addEventListener("click", async () => {
+    address.follow(program.state());
+    await copy(location.href);
+    toast("The link to what you see is in the clipboard.");
+  });
+  $("full").addEventListener("click", () => {
+    if (document.fullscreenElement) { document.exitFullscreen(); } else { document.documentElement.requestFullscreen(); }
+  });
+  $("describe").addEventListener("click", () => {
+    const unseen = $("story").classList.toggle("unseen");
+    $("describe").setAttribute("aria-expanded", String(!unseen));
+  });
+  const { Editor } = await import("./editor.js");
+  new Editor({ program, loop, download, toast, address });
+  $("loading").hidden = true;
+  if ("serviceWorker" in navigator) { navigator.serviceWorker.register("service_worker.js", { updateViaCache: "none" }).catch(() => {}); }
+  loop.rouse();
+  // for tests, which ask what a person sees
+  window.jointwise = { program, loop };
+}
+
+begin().catch((error) => {
+  console.error(error);
+  giveUp(String(error?.message ?? error));
+});

@@ -1,0 +1,20 @@
+// Keeps the files of the page, so that it opens without network after the first visit. All of one version are fetched
+// together; the page of before goes on with those of before until it is closed.
+const VERSION = "@VERSION@";
+const FILES = ["@FILES@"];
+const CACHE = `jointwise-${VERSION}`;
+
+self.addEventListener("install", (event) => {
+  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(["./", ...FILES.filter((f) => f !== "service_worker.js")])));
+});
+
+self.addEventListener("activate", (event) => {
+  event.waitUntil(caches.keys().then((names) =>
+    Promise.all(names.filter((n) => n.startsWith("jointwise-") && n !== CACHE).map((n) => caches.delete(n)))));
+});
+
+self.addEventListener("fetch", (event) => {
+  if (event.request.method !== "GET" || new URL(event.request.url).origin !== location.origin) { return; }
+  event.respondWith(caches.open(CACHE).then(async (cache) =>
+    (await cache.match(event.request, { ignoreSearch: true })) ?? fetch(event.request)));
+});

@@ -1,0 +1,316 @@
+// Tests of the page: node page_test.mjs ROOT [NAME]; ./dev web test. They end with "N passed, N failed".
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { Visit, difference, startBrowser } from "./browser.mjs";
+
+const root = process.argv[2];
+const wanted = process.argv[3] ?? "";
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+function check(holds, what) {
+  if (!holds) { throw new Error(what); }
+}
+function equal(found, expected, what) {
+  check(JSON.stringify(found) === JSON.stringify(expected), `${what}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
+}
+function noFaults(visit) { equal(visit.faults, [], "faults"); }
+
+const catalogue = join(root, "lessons/catalogue");
+const lessons = readdirSync(catalogue, { recursive: true }).filter((f) => f.endsWith(".toml") && basename(f) !== "course.toml").sort();
+const stems = lessons.map((f) => basename(f, ".toml"));
+
+const { browser, address, stop } = await startBrowser(root);
+const visit = async (options) => Visit.begin(browser, address, options);
+
+test("The list of lessons opens, and keys choose one", async () => {
+  const v = await visit();
+  await v.open();
+  check(!(await v.state()).shows_lesson, "a lesson is shown");
+  await v.rest();
+  await v.key("ArrowRight");
+  await v.key("Enter");
+  check((await v.state()).shows_lesson, "no lesson is shown");
+  noFaults(v);
+  await v.close();
+});
+
+test("Every lesson opens by its address, steps, plays and is pulled without a fault", async () => {
+  const v = await visit();
+  await v.open();
+  for (const stem of stems) {
+    await v.tab.evaluate((s) => { location.hash = `${s}/1`; }, stem);
+    await v.tab.waitForFunction((s) => window.jointwise.program.state().shows_lesson && window.jointwise.program.address().startsWith(s), { timeout: 60000 }, stem);
+    await v.tab.evaluate(() => {
+      const { program, loop } = window.jointwise;
+      const canvas = document.getElementById("canvas");
+      for (const key of ["ArrowRight", "ArrowRight", "PageDown", "End", "ArrowLeft"]) {
+        program.key(key, 1);
+        program.frame(0.02);
+        program.key(key, 0);
+        program.frame(0.02);
+      }
+      program.key(" ", 1);
+      program.frame(0.02);
+      program.key(" ", 0);
+      for (let k = 0; k < 5; ++k) { program.frame(0.3); }
+      program.key(" ", 1);
+      program.frame(0.02);
+      program.key(" ", 0);
+      const [x, y] = [canvas.width * 0.3, canvas.height * 0.4];
+      program.pointer(x, y);
+      program.frame(0.02);
+      program.button(0, 1);
+      for (let k = 1; k < 6; ++k) {
+        program.pointer(x + 10 * k, y + 4 * k);
+        program.frame(0.02);
+      }
+      program.button(0, 0);
+      program.frame(0.02);
+      loop.rouse();
+    });
+    equal(v.faults, [], `faults in ${stem}`);
+  }
+  await v.close();
+});
+
+test("An address opens a step, and the address follows what is shown", async () => {
+  const v = await visit();
+  await v.open("#four-bar/12");
+  await v.rest();
+  equal((await v.state()).step, 11, "step");
+  await v.key("ArrowRight");
+  await v.tab.waitForFunction(() => location.hash === "#four-bar/13", { timeout: 10000 });
+  noFaults(v);
+  await v.close();
+});
+
+test("The page draws what the program draws", async () => {
+  const program = join(root, "build/release/app/jointwise");
+  check(existsSync(program), "build the program first: ./dev setup");
+  const folder = mkdtempSync(join(tmpdir(), "jointwise-page-"));
+  const v = await visit();
+  await v.open("#four-bar/11");
+  await v.fit(1280, 720);
+  try {
+    for (const [file, step] of [["loops/four-bar", 11], ["screws/screw-jack", 3], ["dynamics/andrews", 6], ["joints/universal", 4]]) {
+      if (!lessons.includes(`${file}.toml`)) { throw new Error(`no lesson ${file}; there are ${lessons.join(" ")}`); }
+      const picture = join(folder, "native.png");
+      execFileSync(program, ["open", join(catalogue, `${file}.toml`), "--at", String(step), "--size", "1280x720", "--picture", picture]);
+      await v.tab.evaluate((hash) => { location.hash = hash; }, `${basename(file)}/${step}`);
+      await v.tab.waitForFunction((s) => window.jointwise.program.address().startsWith(s), { timeout: 60000 }, `${basename(file)}/${step}`);
+      await v.tab.mouse.move(0, 0);
+      await v.rest();
+      // what was said when the lesson opened is gone after some seconds
+      const native = `data:image/png;base64,${readFileSync(picture).toString("base64")}`;
+      const found = await difference(browser, await v.picture(), native);
+      console.log(`  ${file}/${step}: ${(100 * found.share).toFixed(2)} % of the pixels differ, ${(100 * found.clear).toFixed(3)} % by more than 8 of 255`);
+      // the two renderers round colours and place the edges of triangles in their own ways; a missing letter is more
+      check(found.clear < 0.001, `${file}: ${100 * found.clear} % of the pixels differ by more than 8 of 255`);
+      await v.key("ArrowRight");
+      check((await difference(browser, await v.picture(), native)).clear > 0.001, `${file}: the next step passes for this one`);
+    }
+  } finally { rmSync(folder, { recursive: true }); }
+  noFaults(v);
+  await v.close();
+});
+
+test("After the first visit the page opens without network", async () => {
+  const context = await browser.createBrowserContext();
+  const v = await visit({ context });
+  await v.open("#four-bar/4");
+  await v.tab.evaluate(async () => { await navigator.serviceWorker.ready; });
+  await v.tab.reload();
+  await v.ready();
+  await v.tab.setOfflineMode(true);
+  await v.tab.reload();
+  await v.ready();
+  await v.rest();
+  equal((await v.state()).step, 3, "step");
+  noFaults(v);
+  await v.close();
+  await context.close();
+});
+
+test("A context that is lost and given back draws the same picture", async () => {
+  const v = await visit();
+  await v.open("#four-bar/11");
+  await v.rest();
+  const before = await v.picture();
+  await v.tab.evaluate(() => { window.lost = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context"); window.lost.loseContext(); });
+  await new Promise((r) => setTimeout(r, 300));
+  await v.tab.evaluate(() => window.lost.restoreContext());
+  await new Promise((r) => setTimeout(r, 500));
+  await v.rest();
+  equal((await difference(browser, before, await v.picture())).share, 0, "share of pixels that differ");
+  await v.close();
+});
+
+test("Without WebGL 2 a message is shown", async () => {
+  const v = await visit();
+  await v.tab.evaluateOnNewDocument(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+  });
+  await v.open();
+  const text = await v.tab.evaluate(() => document.body.innerText);
+  check(text.includes("WebGL 2"), text);
+  await v.close();
+});
+
+test("A lesson is edited in the page: mistakes have their place, and the picture follows", async () => {
+  const context = await browser.createBrowserContext();
+  const v = await visit({ context, width: 1500 });
+  await v.open("#four-bar/12");
+  await v.rest();
+  await v.tab.click("#edit");
+  await v.tab.waitForSelector(".cm-content");
+  const type = async (find, replace) => v.tab.evaluate((a, b) => {
+    const view = document.querySelector(".cm-content").cmTile?.view ?? document.querySelector(".cm-content").cmView.view;
+    const at = view.state.doc.toString().indexOf(a);
+    view.dispatch({ changes: { from: at, to: at + a.length, insert: b } });
+  }, find, replace);
+  await type("A four-bar of four revolutes", "Mine");
+  await v.tab.waitForFunction(() => window.jointwise.program.state().title === "Mine", { timeout: 20000 });
+  equal((await v.state()).step, 11, "step");
+  await type("[[body]]", "[[bodie]]");
+  await v.tab.waitForFunction(() => /^\d+:\d+: /.test(document.getElementById("mistakes").textContent), { timeout: 20000 });
+  equal((await v.state()).title, "Mine", "title");
+  noFaults(v);
+  await v.close();
+  await context.close();
+});
+
+test("Edited text is there after the page is read again, and closing it asks first", async () => {
+  const context = await browser.createBrowserContext();
+  const v = await visit({ context, width: 1500 });
+  await v.open("#four-bar/12");
+  await v.rest();
+  await v.tab.click("#edit");
+  await v.tab.waitForSelector(".cm-content");
+  await v.tab.click(".cm-content");
+  await v.tab.keyboard.down("Control");
+  await v.tab.keyboard.press("Home");
+  await v.tab.keyboard.up("Control");
+  await v.tab.keyboard.type("# a note of mine\n");
+  await v.tab.waitForFunction(() => localStorage.getItem("jointwise-files")?.includes("a note of mine"), { timeout: 20000 });
+  const asked = [];
+  v.tab.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
+  await v.tab.reload();
+  await v.ready();
+  equal(asked, ["beforeunload"], "what was asked");
+  await v.rest();
+  await v.tab.click("#edit");
+  await v.tab.waitForFunction(() => document.querySelector(".cm-content")?.textContent.includes("a note of mine"), { timeout: 20000 });
+  noFaults(v);
+  await v.close();
+  await context.close();
+});
+
+test("A file that is dropped on the page is opened, and a hostile one does no harm", async () => {
+  const context = await browser.createBrowserContext();
+  const v = await visit({ context, width: 1500 });
+  await v.open("#four-bar/12");
+  await v.rest();
+  const drop = (name, text) => v.tab.evaluate((n, t) => {
+    const data = new DataTransfer();
+    data.items.add(new File([t], n));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, name, text);
+  const text = readFileSync(join(catalogue, "joints/spherical.toml"), "utf8").replace(/^title = .*$/m, 'title = "<img src=x onerror=alert(1)>"');
+  await drop("../../etc/one of mine.toml", text);
+  await v.tab.waitForFunction(() => window.jointwise.program.state().title?.startsWith("<img"), { timeout: 20000 });
+  equal(await v.tab.evaluate(() => document.querySelectorAll("img").length), 0, "elements made of a title");
+  for (const [name, bad] of [["nothing.toml", ""], ["zeros.toml", "\0".repeat(1000)], ["deep.toml", "a=" + "[".repeat(100000)], ["odd.txt", "\u{1F980} = 1"]]) {
+    await drop(name, bad);
+    await new Promise((r) => setTimeout(r, 300));
+    await v.rest();
+    check((await v.state()).title?.startsWith("<img"), `after ${name} another lesson is shown`);
+    check((await v.tab.evaluate(() => document.getElementById("mistakes").textContent)) !== "", `${name} has no mistake`);
+  }
+  noFaults(v);
+  await v.close();
+  await context.close();
+});
+
+test("Fingers turn, shift and zoom the picture, and pull what they rest on", async () => {
+  const v = await visit({ touch: true, width: 1280, height: 800 });
+  await v.open("#four-bar/12");
+  await v.rest();
+  const client = await v.tab.createCDPSession();
+  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const camera = () => v.tab.evaluate(() => window.jointwise.program.state().camera);
+  const changed = (a, b) => a.some((x, k) => Math.abs(x - b[k]) > 1e-9);
+  const before = await camera();
+  await touch("touchStart", [[400, 300]]);
+  for (let k = 1; k <= 8; ++k) { await touch("touchMove", [[400 + 8 * k, 300]]); }
+  await touch("touchEnd", []);
+  await v.rest();
+  const turned = await camera();
+  check(changed(before, turned), "one finger does not turn");
+  equal((await v.state()).changed, false, "changed by turning");
+  const distance = (c) => Math.hypot(c[0] - c[3], c[1] - c[4], c[2] - c[5]);
+  check(Math.abs(distance(before) - distance(turned)) < 1e-9, "one finger zooms");
+  await touch("touchStart", [[350, 300], [450, 300]]);
+  for (let k = 1; k <= 8; ++k) { await touch("touchMove", [[350 - 8 * k, 300], [450 + 8 * k, 300]]); }
+  await touch("touchEnd", []);
+  await v.rest();
+  check(distance(await camera()) < 0.8 * distance(turned), "two fingers do not bring nearer");
+  noFaults(v);
+  await v.close();
+});
+
+test("Random input to the page throws nothing", async () => {
+  const v = await visit();
+  await v.open("#four-bar/12");
+  const seed = 20261126;
+  const events = Number(process.env.EVENTS ?? 150);
+  for (const stem of stems) {
+    await v.tab.evaluate((s) => { location.hash = `${s}/1`; }, stem);
+    await v.tab.waitForFunction((s) => window.jointwise.program.address().startsWith(s), { timeout: 60000 }, stem);
+    await v.tab.evaluate((first, count) => {
+      let state = first;
+      const random = (n) => { state = (Math.imul(state, 1664525) + 1013904223) >>> 0; return state % n; };
+      const canvas = document.getElementById("canvas");
+      const { program } = window.jointwise;
+      const keys = ["ArrowLeft", "ArrowRight", "ArrowUp", "PageDown", "Home", "End", " ", "Enter", "Escape", "Backspace", "Control", "Shift", "z", "y"];
+      const letters = "nbMa.,123456w][}{tTuU0mHSNLfyYxXzZvhlkjiod+-Ge?gpcCsER";
+      for (let k = 0; k < count; ++k) {
+        switch (random(6)) {
+          case 0: program.key(keys[random(keys.length)], random(2)); break;
+          case 1: program.text(letters.codePointAt(random(letters.length))); break;
+          case 2: program.button(random(4), random(2)); break;
+          case 3: program.wheel(random(7) - 3); break;
+          default: program.pointer(random(canvas.width), random(canvas.height));
+        }
+        program.frame(0.02);
+      }
+      for (const key of keys) { program.key(key, 0); }
+      for (const button of [0, 1, 2, 3]) { program.button(button, 0); }
+      program.frame(0.02);
+      program.key("Escape", 1);
+      program.frame(0.02);
+      program.key("Escape", 0);
+    }, seed + stems.indexOf(stem), events);
+    equal(v.faults, [], `faults in ${stem}, seed ${seed + stems.indexOf(stem)}`);
+  }
+  await v.close();
+});
+
+let failed = 0;
+const chosen = tests.filter((t) => t.name.toLowerCase().includes(wanted.toLowerCase()));
+for (const { name, run } of chosen) {
+  const began = Date.now();
+  try {
+    await run();
+    console.log(`passed  ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n        ${String(error.message).replaceAll("\n", "\n        ")}`);
+  }
+}
+await stop();
+console.log(`${chosen.length - failed} passed, ${failed} failed`);
+process.exit(failed > 0 || chosen.length === 0 ? 1 : 0);
