@@ -2,13 +2,11 @@
 
 #include "core/jets/euler_parameters.hpp"
 #include "lessons/reading.hpp"
+#include "lessons/typed.hpp"
 
 namespace jw::reading {
 
 namespace {
-
-// p as typed with four digits is off unit length by 1e-4; more is a mistake
-constexpr double kUnitP = 1e-3;
 
 void read_p(Fields& fields, Body& body) {
     const auto list = fields.numbers("p", 4);

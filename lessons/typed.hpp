@@ -17,6 +17,10 @@ namespace jw {
 /// Largest number that is taken for a length, an angle or a time.
 inline constexpr double kLargestNumber = 1e9;
 
+/// Deviation of Euler parameters from unit length: as typed with four digits they are off by 1e-4; more is a
+/// mistake.
+inline constexpr double kUnitP = 1e-3;
+
 inline double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 inline double omega_of_frequency(double hertz) { return (2.0 * std::numbers::pi) * hertz; }
 /// Advance for a radian [m/rad] of the advance in one turn [m].

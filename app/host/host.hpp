@@ -151,7 +151,6 @@ private:
     bool act_in_exercises(const InputEvent& event);
     void carry_out_exercises(const Requests& requests);
     void carry_out_exercise(Command command);
-    void note_experiment(const Experiment& experiment, const std::string& words);
     void draw_figure(const Ui& ui);
 
     ImGuiContext* context_;

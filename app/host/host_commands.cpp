@@ -13,7 +13,6 @@
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
-#include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/messages.hpp"
 
 namespace jw::host {
@@ -85,10 +84,7 @@ void Host::apply(const Experiment& experiment) {
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
     try {
-        // the words are about the lesson as it is before
-        const std::string words = desk_.has_aside() ? text_of(experiment, *session_) : std::string();
         say(session_->apply(experiment));
-        if (session_->told() != told) { note_experiment(experiment, words); }
     } catch (const std::exception& error) {
         // the lesson is as it was before
         const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;

@@ -90,14 +90,6 @@ void Host::carry_out_exercise(Command command) {
     }
 }
 
-void Host::note_experiment(const Experiment& experiment, const std::string& words) {
-    if (!desk_.has_aside()) { return; }
-    if (std::holds_alternative<Undo>(experiment)) { return desk_.note_undo(); }
-    if (std::holds_alternative<Redo>(experiment)) { return desk_.note_redo(); }
-    if (std::holds_alternative<StartOver>(experiment)) { return desk_.note_start_over(); }
-    desk_.note_experiment(words);
-}
-
 /// The words around the figure of an exercise, in place of those of a step: it is no step of a story.
 void Host::draw_figure(const Ui& ui) {
     View view;

@@ -35,11 +35,12 @@ bool try_sentence(Session& session, const std::string& sentence) {
     const auto experiment = read_experiment(sentence, session, error);
     promise(experiment.has_value() == error.empty(), "an experiment or what is wrong: " + error);
     if (experiment) {
-        const std::string text = text_of(*experiment, session);
+        const std::string text = text_of(*experiment, session.lesson());
         const auto again = read_experiment(text, session, error);
         promise(again.has_value(), "'" + text + "' of '" + sentence + "' is understood: " + error);
         promise(
-            text_of(*again, session) == text, "'" + text + "' of '" + sentence + "' is understood as itself");
+            text_of(*again, session.lesson()) == text,
+            "'" + text + "' of '" + sentence + "' is understood as itself");
     }
     const ExperimentResult result = carry_out(session, sentence);
     promise(result.done || !result.said.empty(), "'" + sentence + "' that is not done says why");

@@ -23,15 +23,6 @@ bool works_on_lesson(ExerciseKind kind) {
     return kind == ExerciseKind::repair || kind == ExerciseKind::build || kind == ExerciseKind::experiment;
 }
 
-/// The experiment without its numbers: a slider that is dragged is one experiment.
-std::string without_numbers(const std::string& words) {
-    std::string text;
-    for (const char c : words) {
-        if ((c < '0' || c > '9') && c != '.' && c != '-') { text += c; }
-    }
-    return text;
-}
-
 }  // namespace
 
 ExerciseDesk::ExerciseDesk(PracticeSetup setup) : progress_(setup.progress), practice_(std::move(setup)) {}
@@ -67,7 +58,6 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
         }
         news.other_picture = std::exchange(figure_, nullptr) != nullptr;
         work_ = {};
-        undone_.clear();
     }
     if (practice_.task() != nullptr && practice_.tasks_made() != begun_) { begin(tab); }
     if (drawing_ && drawing_->is_done()) {
@@ -139,31 +129,6 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
         });
 }
 
-void ExerciseDesk::note_experiment(const std::string& words) {
-    if (!aside_) { return; }
-    std::vector<std::string>& list = work_.experiments;
-    undone_.clear();
-    if (!list.empty() && without_numbers(list.back()) == without_numbers(words)) { list.pop_back(); }
-    list.push_back(words);
-}
-
-void ExerciseDesk::note_undo() {
-    if (work_.experiments.empty()) { return; }
-    undone_.push_back(std::move(work_.experiments.back()));
-    work_.experiments.pop_back();
-}
-
-void ExerciseDesk::note_redo() {
-    if (undone_.empty()) { return; }
-    work_.experiments.push_back(std::move(undone_.back()));
-    undone_.pop_back();
-}
-
-void ExerciseDesk::note_start_over() {
-    work_.experiments.clear();
-    undone_.clear();
-}
-
 std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answer) {
     const Task* const task = practice_.task();
     if (task == nullptr || practice_.is_busy()) { return {}; }
@@ -171,7 +136,7 @@ std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answe
         case ExerciseKind::code: practice_.check_program(answer); return {};
         case ExerciseKind::experiment:
             if (!aside_) { return {}; }
-            practice_.check({text_to_save(*open.session), work_.experiments});
+            practice_.check({text_to_save(*open.session), open.session->tried()});
             return {};
         case ExerciseKind::repair:
         case ExerciseKind::build: break;
@@ -192,8 +157,11 @@ void ExerciseDesk::follow_lesson(const Session& session, ExerciseTab& tab) {
     const Task* const task = practice_.task();
     if (!aside_ || task == nullptr || followed_ == session.told()) { return; }
     followed_ = session.told();
-    if (task->exercise().kind == ExerciseKind::experiment) { return; }
-    tab.set_answer(text_to_save(session));
+    if (task->exercise().kind == ExerciseKind::experiment) {
+        work_.experiments = session.tried();
+    } else {
+        tab.set_answer(text_to_save(session));
+    }
 }
 
 void ExerciseDesk::follow_file(const LessonFile& file, ExerciseTab& tab) {

@@ -47,19 +47,13 @@ public:
     /// Waits for everything under way.
     void wait();
 
-    /// The lesson was changed by an experiment, in these words; or an experiment was undone (redone, all).
-    void note_experiment(const std::string& words);
-    void note_undo();
-    void note_redo();
-    void note_start_over();
-
     /// Judges what stands in the field, or what was made of the lesson.
     /// @return what there is to say beside the verdict, mostly nothing
     std::string check(const OpenLesson& open, const std::string& answer);
     /// Writes a program to begin with, and its input. @return what was done
     std::string write_starter(const std::string& file) const;
     /// The file of the working copy was saved anew by another program, or the lesson was changed in the
-    /// window: the field follows.
+    /// window: the field, or the list of experiments, follows.
     void follow_lesson(const Session& session, ExerciseTab& tab);
     void follow_file(const LessonFile& file, ExerciseTab& tab);
 
@@ -76,7 +70,6 @@ private:
     std::filesystem::path progress_;
     Practice practice_;
     ExerciseWork work_;
-    std::vector<std::string> undone_;
     int begun_ = 0;               ///< tasks made when the last one was begun
     std::uint64_t followed_ = 0;  ///< telling of the lesson that the field shows
     std::optional<SetAside> aside_;

@@ -99,6 +99,24 @@ Experiment read_coordinates(Words& words) {
     return SetCoordinates{kChoices[words.last_word(words_of(kChoices), "choice")].value};
 }
 
+Experiment read_pose(Words& words, const Lesson& lesson) {
+    const std::size_t index = words.name(names_of_bodies(lesson), "body");
+    const Body& body = lesson.mechanism.bodies[index];
+    SetPose pose{static_cast<int>(index), body.r, body.p};
+    const bool at = words.take("at");
+    if (at) { pose.r = words.vector("a coordinate [m]"); }
+    const bool turned = words.take("turned");
+    if (turned) {
+        for (double& e : pose.p) { e = words.number("one of four Euler parameters"); }
+    }
+    if (!at && !turned) {
+        throw Unreadable(
+            "expected 'at' and three numbers [m] or 'turned' and four Euler parameters, for example: "
+            "at 0 0 1 turned 1 0 0 0");
+    }
+    return pose;
+}
+
 Experiment read_drag(Words& words, const Session& session) {
     const auto body = words.name(names_of_bodies(session.lesson()), "body");
     Drag drag{static_cast<int>(body), Vec3::Zero(), Vec3::Zero()};
@@ -156,15 +174,15 @@ Experiment read_freedom(Words& words) {
 }
 
 const std::vector<std::string>& beginnings() {
-    static const std::vector<std::string> all{"form",     "screw",   "coordinates", "take out", "put back",
-                                              "axis",     "point",   "length",      "driver",   "drag",
-                                              "follow",   "go to",   "undo",        "redo",     "start over",
-                                              "geometry", "release", "let go"};
+    static const std::vector<std::string> all{"form",       "screw",    "coordinates", "take out", "put back",
+                                              "axis",       "point",    "length",      "driver",   "place",
+                                              "drag",       "follow",   "go to",       "undo",     "redo",
+                                              "start over", "geometry", "release",     "let go"};
     return all;
 }
 
-Experiment read_any(Words& words, const Session& session) {
-    const Lesson& lesson = session.lesson();
+/// What changes the lesson, if the words begin so.
+std::optional<Experiment> edit_in(Words& words, const Lesson& lesson) {
     if (words.take("form")) { return read_form(words, lesson); }
     if (words.take("screw")) { return read_screw(words, lesson); }
     if (words.take("coordinates")) { return read_coordinates(words); }
@@ -175,6 +193,12 @@ Experiment read_any(Words& words, const Session& session) {
     if (words.take("length")) { return read_length(words, lesson); }
     if (words.take("geometry")) { return read_geometry(words, lesson); }
     if (words.take("driver")) { return read_driver(words, lesson); }
+    if (words.take("place")) { return read_pose(words, lesson); }
+    return std::nullopt;
+}
+
+Experiment read_any(Words& words, const Session& session) {
+    if (const std::optional<Experiment> edit = edit_in(words, session.lesson())) { return *edit; }
     if (words.take("drag")) { return read_drag(words, session); }
     if (words.take("follow")) { return read_freedom(words); }
     if (words.take("go to")) { return read_place(words, session); }
@@ -188,8 +212,7 @@ Experiment read_any(Words& words, const Session& session) {
 }
 
 struct Teller {
-    const Session& session;
-    const Lesson& lesson = session.lesson();
+    const Lesson& lesson;
 
     std::string joint(int index) const {
         const std::vector<std::string> names = names_of_joints(lesson);
@@ -218,11 +241,20 @@ struct Teller {
     }
     std::string operator()(const SetGeometry& a) const { return experiment_text::text_of(a, lesson); }
     std::string operator()(const SetDriver& a) const { return experiment_text::text_of(a, lesson); }
-    std::string operator()(const Drag& a) const {
+    std::string body(int index) const {
         const std::vector<std::string> names = names_of_bodies(lesson);
-        const std::string& name = names.at(static_cast<std::size_t>(a.body));
+        return quoted_name(names.at(static_cast<std::size_t>(index)), names);
+    }
+    std::string operator()(const SetPose& a) const {
+        const Body& before = lesson.mechanism.bodies.at(static_cast<std::size_t>(a.body));
+        const bool at = a.r != before.r || a.p == before.p;
+        std::string turned = a.p == before.p ? "" : " turned";
+        for (int k = 0; k < 4 && !turned.empty(); ++k) { turned += " " + writing::number_text(a.p[k]); }
+        return "place " + body(a.body) + (at ? " at " + numbers_text(a.r) : "") + turned;
+    }
+    std::string operator()(const Drag& a) const {
         const std::string at = a.point_local.isZero(0.0) ? "" : " at " + numbers_text(a.point_local);
-        return "drag " + quoted_name(name, names) + at + " to " + numbers_text(a.target);
+        return "drag " + body(a.body) + at + " to " + numbers_text(a.target);
     }
     std::string operator()(const Release&) const { return "release"; }
     std::string operator()(const ShowFreedom& a) const {
@@ -251,8 +283,17 @@ std::optional<Experiment> read_experiment(
     }
 }
 
-std::string text_of(const Experiment& experiment, const Session& session) {
-    return std::visit(Teller{session}, experiment);
+std::optional<Experiment> read_edit(const std::string& text, const Lesson& lesson) {
+    try {
+        Words words(text);
+        const std::optional<Experiment> edit = edit_in(words, lesson);
+        if (edit) { words.finish(); }
+        return edit;
+    } catch (const Unreadable&) { return std::nullopt; }
+}
+
+std::string text_of(const Experiment& experiment, const Lesson& lesson) {
+    return std::visit(Teller{lesson}, experiment);
 }
 
 }  // namespace jw

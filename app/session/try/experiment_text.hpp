@@ -15,9 +15,13 @@ namespace jw {
 std::optional<Experiment> read_experiment(
     const std::string& text, const Session& session, std::string& error);
 
+/// The same for what changes a lesson, which refers to nothing else.
+/// @return nothing if `text` says no such thing, or cannot be understood
+std::optional<Experiment> read_edit(const std::string& text, const Lesson& lesson);
+
 /// The sentence that read_experiment understands as this very experiment, every number exactly, as long as
-/// the lesson is the one that `session` shows.
+/// the lesson is this one.
 /// @param experiment  about joints, drivers and bodies that the lesson has
-std::string text_of(const Experiment& experiment, const Session& session);
+std::string text_of(const Experiment& experiment, const Lesson& lesson);
 
 }  // namespace jw

@@ -7,6 +7,7 @@
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/enum_words.hpp"
+#include "lessons/typed.hpp"
 
 namespace jw {
 
@@ -54,9 +55,40 @@ bool usable(const JointGeometry& g) {
            direction(g.u_j_local) && std::isfinite(g.length);
 }
 
+/// A lesson file has no minus zero, and neither has a sentence.
+JointGeometry without_minus_zeros(JointGeometry g) {
+    for (Vec3* v :
+         {&g.P_i_local, &g.P_j_local, &g.s_i_local, &g.s_j_local, &g.h_i_local, &g.h_j_local, &g.u_i_local,
+          &g.u_j_local}) {
+        *v += Vec3::Zero();
+    }
+    for (double* x : {&g.length, &g.alpha, &g.d_0, &g.theta_0}) { *x += 0.0; }
+    for (std::optional<double>* x : {&g.theta_start, &g.theta_dot_start}) {
+        if (*x) { **x += 0.0; }
+    }
+    return g;
+}
+
+TimeFunction without_minus_zeros(TimeFunction f) {
+    for (double& c : f.polynomial) { c += 0.0; }
+    for (TimeFunction::Harmonic& h : f.harmonics) {
+        for (double* x : {&h.amplitude, &h.omega, &h.phase}) { *x += 0.0; }
+    }
+    for (TimeFunction::SmoothStep& s : f.steps) {
+        for (double* x : {&s.from, &s.to, &s.start, &s.end}) { *x += 0.0; }
+    }
+    return f;
+}
+
+/// Whether it says numbers of its own; others choose from what a lesson can say.
+bool says_numbers(const Experiment& experiment) {
+    return std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment) ||
+           std::holds_alternative<SetPose>(experiment);
+}
+
 class Editor {
 public:
-    Editor(const Lesson& lesson, const Lesson& written) : lesson_(lesson), written_(written) {}
+    Editor(Lesson lesson, const Lesson& written) : lesson_(std::move(lesson)), written_(written) {}
 
     Edit operator()(const SetParallelForm& a) {
         Joint* const joint = joint_of(a.joint);
@@ -126,7 +158,7 @@ public:
         if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
             return refused(tr("a length must be above 0"));
         }
-        joint->geometry = a.geometry;
+        joint->geometry = without_minus_zeros(a.geometry);
         measure_anew(a.joint);
         return done(tr("{0} moved", joint->name));
     }
@@ -139,8 +171,22 @@ public:
             return refused(tr("numbers of a driver must be finite, a step must have an end"));
         }
         Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
-        driver.function = a.function;
+        driver.function = without_minus_zeros(a.function);
         return done(tr("{0} changed", driver.name));
+    }
+
+    Edit operator()(const SetPose& a) {
+        if (!is_index(a.body, lesson_.mechanism.bodies.size())) {
+            return refused(tr("there is no such body"));
+        }
+        Body& body = lesson_.mechanism.bodies[static_cast<std::size_t>(a.body)];
+        if (body.fixed) { return refused(tr("{0} is fixed: it has no unknowns.", body.name)); }
+        if (!a.r.allFinite() || !(std::abs(a.p.norm() - 1.0) <= kUnitP)) {
+            return refused(tr("a place must be finite, and Euler parameters of length 1"));
+        }
+        body.r = a.r + Vec3::Zero();
+        body.p = a.p + Vec4::Zero();
+        return done(tr("{0} placed", body.name));
     }
 
     template <class E>
@@ -209,14 +255,48 @@ JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec
     return moved;
 }
 
+Edit edit_of(Lesson lesson, const Lesson& written, const Experiment& experiment) {
+    return std::visit(Editor(std::move(lesson), written), experiment);
+}
+
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment) {
-    Edit edit = std::visit(Editor(lesson, written), experiment);
-    // the others choose from what a lesson can say
-    const bool says_anything =
-        std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);
-    if (!edit.lesson || !says_anything) { return edit; }
+    return edited(lesson, written, std::span(&experiment, 1));
+}
+
+Edit edited(const Lesson& lesson, const Lesson& written, std::span<const Experiment> experiments) {
+    Edit edit{lesson, {}};
+    for (const Experiment& experiment : experiments) {
+        edit = edit_of(std::move(*edit.lesson), written, experiment);
+        if (!edit.lesson) { return edit; }
+    }
+    if (std::ranges::none_of(experiments, says_numbers)) { return edit; }
     std::string why = why_not_savable(*edit.lesson, lesson);
     return why.empty() ? edit : refused(std::move(why));
+}
+
+std::vector<Experiment> moves_to(const State& state, const Lesson& lesson) {
+    std::vector<Experiment> moves;
+    Mechanism moved = lesson.mechanism;
+    for (std::size_t b = 0; b < moved.bodies.size(); ++b) {
+        Body& body = moved.bodies[b];
+        // a pose in hand has every p made unit, which is no motion
+        const double turned = (body.p - state.p[b]).cwiseAbs().maxCoeff();
+        if (body.fixed || (body.r == state.r[b] && turned <= kUnitUpToRounding)) { continue; }
+        body.r = state.r[b];
+        body.p = state.p[b];
+        moves.emplace_back(SetPose{static_cast<int>(b), body.r, body.p});
+    }
+    // θ that is not given is measured, and need not be told where that comes to the same
+    const std::vector<double> measured = start_state(moved).theta;
+    const std::vector<int> thetas = moved.theta_indices();
+    for (std::size_t j = 0; j < moved.joints.size(); ++j) {
+        const auto k = static_cast<std::size_t>(std::max(0, thetas[j]));
+        if (thetas[j] < 0 || measured[k] == state.theta[k]) { continue; }
+        JointGeometry geometry = moved.joints[j].geometry;
+        geometry.theta_start = state.theta[k];
+        moves.emplace_back(SetGeometry{static_cast<int>(j), geometry});
+    }
+    return moves;
 }
 
 }  // namespace jw

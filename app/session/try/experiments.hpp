@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/numerics/variants.hpp"
 #include "lessons/lesson.hpp"
@@ -57,6 +59,13 @@ struct SetDriver {
     TimeFunction function;
 };
 
+/// Start estimate of a body: where a hand has led it, for example.
+struct SetPose {
+    int body = 0;
+    Vec3 r = Vec3::Zero();   ///< [m]
+    Vec4 p = Vec4::Unit(0);  ///< of length 1, up to what somebody typed
+};
+
 /// A point of a body is pulled towards a place; what is assembled so far holds.
 struct Drag {
     int body = 0;
@@ -84,12 +93,12 @@ struct StartOver {};
 
 using Experiment = std::variant<
     GoTo, SetParallelForm, SetScrewAngleForm, SetCoordinates, SetPresent, SetEquationPresent, SetGeometry,
-    SetDriver, Drag, Release, ShowFreedom, LetGo, Undo, Redo, StartOver>;
+    SetDriver, SetPose, Drag, Release, ShowFreedom, LetGo, Undo, Redo, StartOver>;
 
 /// Experiments that change the lesson itself; the others look at it, move it or go through its history.
 using LessonEdit = std::variant<
     SetParallelForm, SetScrewAngleForm, SetCoordinates, SetPresent, SetEquationPresent, SetGeometry,
-    SetDriver>;
+    SetDriver, SetPose>;
 
 template <class E>
 concept EditsLesson = kIsAlternative<E, LessonEdit>;
@@ -107,5 +116,12 @@ struct Edit {
 /// Applies an experiment to a copy of a lesson.
 /// @param written  the lesson as its author wrote it: where things that are put back come from
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment);
+/// Several of them one after the other, all or none.
+Edit edited(const Lesson& lesson, const Lesson& written, std::span<const Experiment> experiments);
+/// Without asking whether a lesson file can say what comes out.
+Edit edit_of(Lesson lesson, const Lesson& written, const Experiment& experiment);
+
+/// What leads from a lesson to one whose start estimates, those of θ included, are `state`.
+std::vector<Experiment> moves_to(const State& state, const Lesson& lesson);
 
 }  // namespace jw

@@ -76,7 +76,7 @@ Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
 
 PossibleExperiment Laboratory::judged(const Experiment& experiment, bool now) const {
     PossibleExperiment e;
-    e.text = text_of(experiment, session_);
+    e.text = text_of(experiment, session_.lesson());
     e.now = now;
     if (!with_effects_) { return e; }
     if (now) {
@@ -172,7 +172,7 @@ ExperimentGroup Laboratory::of_driver(int index) const {
     add_presence({Addition::Kind::driver, index}, group);
     TimeFunction function = driver.function;
     function.polynomial.resize(std::max<std::size_t>(2, function.polynomial.size()), 0.0);
-    group.experiments.push_back({text_of(SetDriver{index, function}, session_), true, false, {}});
+    group.experiments.push_back({text_of(SetDriver{index, function}, session_.lesson()), true, false, {}});
     return group;
 }
 
@@ -183,7 +183,10 @@ ExperimentGroup Laboratory::coordinates() const {
     const int step = closed_step(session_.story(), session_.index());
     for (const auto& [choice, word, label] : kChoices) {
         PossibleExperiment e{
-            text_of(SetCoordinates{choice}, session_), session_.lesson().coordinates == choice, false, {}};
+            text_of(SetCoordinates{choice}, session_.lesson()),
+            session_.lesson().coordinates == choice,
+            false,
+            {}};
         if (!with_effects_) {
             group.experiments.push_back(std::move(e));
             continue;
@@ -208,7 +211,7 @@ std::vector<FreeMotionVerdict> Laboratory::free_motions() const {
         if (!hand.follow(k, 1.0)) { continue; }
         const FollowedMotion& followed = *hand.followed();
         FreeMotionVerdict verdict;
-        verdict.text = text_of(ShowFreedom{k, 1.0}, session_);
+        verdict.text = text_of(ShowFreedom{k, 1.0}, session_.lesson());
         verdict.motion = free_motion_text(*step_.system, report_.free_motions[static_cast<std::size_t>(k)]);
         verdict.finite = followed.finite;
         verdicts.push_back(std::move(verdict));

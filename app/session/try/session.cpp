@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/session/try/savable.hpp"
+#include "app/session/try/tried.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 
@@ -71,22 +71,6 @@ int find_place(const Story& story, const Place& place) {
     return last >= 0 ? last : std::min(size - 1, story.last_assembled());
 }
 
-/// The start estimates of the bodies (and θ of screws) become those of `state`.
-Lesson started_at(Lesson lesson, const State& state) {
-    Mechanism& mechanism = lesson.mechanism;
-    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-        if (mechanism.bodies[b].fixed) { continue; }
-        mechanism.bodies[b].r = state.r[b];
-        mechanism.bodies[b].p = state.p[b];
-    }
-    const std::vector<int> thetas = mechanism.theta_indices();
-    for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
-        if (thetas[k] < 0) { continue; }
-        mechanism.joints[k].geometry.theta_start = state.theta[static_cast<std::size_t>(thetas[k])];
-    }
-    return lesson;
-}
-
 /// Edits of one kind on one thing, as while a slider is dragged, are one change.
 std::size_t gesture_of(const Experiment& experiment) {
     const std::size_t kind = experiment.index() + 1;
@@ -107,6 +91,7 @@ struct Session::Cache {
     std::optional<Picture> picture;
     std::optional<RankReport> rank;
     std::optional<PictureStyle> style;  ///< of the whole story
+    std::optional<std::vector<std::string>> tried;
 };
 
 Session::Session(Lesson lesson, bool with_motion)
@@ -173,8 +158,8 @@ std::string Session::perform(const StartOver& /*experiment*/) {
     if (!is_changed()) { return tr("Nothing was changed."); }
     Past past = present(tr("start over"));
     take_over(written_);
-    undo_.push_back(std::move(past));
-    redo_.clear();
+    edits_.clear();
+    push_past(std::move(past));
     gesture_ = 0;
     return tr("The lesson is as it was written.");
 }
@@ -190,11 +175,10 @@ std::string Session::edit(const Experiment& experiment) {
     if (!result.lesson) { return result.what; }
     const std::size_t gesture = gesture_of(experiment);
     Past past = present(result.what);
+    std::vector<Experiment> edits = tried_with(edits_, std::span(&experiment, 1), *written_, *result.lesson);
     take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
-    if (gesture == 0 || gesture != gesture_) {
-        undo_.push_back(std::move(past));
-        if (undo_.size() > kMostHistory) { undo_.erase(undo_.begin()); }
-    }
+    edits_ = std::move(edits);
+    if (gesture == 0 || gesture != gesture_) { push_past(std::move(past)); }
     gesture_ = gesture;
     redo_.clear();
     return result.what;
@@ -210,6 +194,7 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
     Past now = present(past.what);
     take_over(past.lesson);
     written_ = past.written;
+    edits_ = past.edits;
     from.pop_back();
     to.push_back(std::move(now));
     index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
@@ -222,9 +207,22 @@ void Session::replace(Lesson lesson) {
     const auto written = std::make_shared<const Lesson>(std::move(lesson));
     take_over(written);
     written_ = written;
-    undo_.push_back(std::move(past));
-    redo_.clear();
+    edits_.clear();
+    push_past(std::move(past));
     gesture_ = 0;
+}
+
+void Session::become(Session&& other, std::string what) {
+    push_past(present(std::move(what)));
+    hand_ = std::move(other.hand_);
+    how_ = other.how_;
+    written_ = std::move(other.written_);
+    story_ = std::move(other.story_);
+    lesson_ = std::move(other.lesson_);  // the story before looked into the one before
+    edits_ = std::move(other.edits_);
+    index_ = other.index_;
+    gesture_ = 0;
+    told_anew();
 }
 
 void Session::tell_again() {
@@ -234,7 +232,18 @@ void Session::tell_again() {
 }
 
 Session::Past Session::present(std::string what) const {
-    return {lesson_, written_, index_, std::move(what)};
+    return {lesson_, written_, edits_, index_, std::move(what)};
+}
+
+void Session::push_past(Past past) {
+    undo_.push_back(std::move(past));
+    if (undo_.size() > kMostHistory) { undo_.erase(undo_.begin()); }
+    redo_.clear();
+}
+
+const std::vector<std::string>& Session::tried() const {
+    if (!cache_->tried) { cache_->tried = sentences_of(edits_, *written_); }
+    return *cache_->tried;
 }
 
 /// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
@@ -261,6 +270,7 @@ void Session::show_joint(int joint) {
 void Session::told_anew() {
     ++told_;
     cache_->style.reset();
+    cache_->tried.reset();
     changed();
 }
 
@@ -320,15 +330,17 @@ bool Session::asks_for_pose() const {
 
 std::string Session::release() {
     if (!hand_ || asks_for_pose()) { return {}; }
-    auto moved = std::make_shared<Lesson>(started_at(*lesson_, hand_->step().state));
-    if (std::string why = why_not_savable(*moved, *lesson_); !why.empty()) {
+    const std::vector<Experiment> moves = moves_to(hand_->step().state, *lesson_);
+    Edit moved = edited(*lesson_, *written_, moves);
+    if (!moved.lesson) {
         leave_hand();
-        return why;
+        return moved.what;
     }
     Past past = present(tr("start estimate moved by hand"));
-    take_over(std::move(moved));
-    undo_.push_back(std::move(past));
-    redo_.clear();
+    std::vector<Experiment> edits = tried_with(edits_, moves, *written_, *moved.lesson);
+    take_over(std::make_shared<Lesson>(std::move(*moved.lesson)));
+    edits_ = std::move(edits);
+    push_past(std::move(past));
     return tr("The pose is the new start estimate.");
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/session/picture/picture.hpp"
 #include "app/session/try/experiments.hpp"
@@ -39,12 +41,20 @@ public:
     /// @return what was done or why it was not, for people; empty where there is nothing to say
     std::string apply(const Experiment& experiment);
 
+    /// Sentences (experiment_text.hpp) that lead from as_written() to lesson(): carried out one after the
+    /// other (carry_out.hpp), they give every number of it exactly. Few of them: a later one about the same
+    /// thing stands for those before.
+    const std::vector<std::string>& tried() const;
+
     /// Shows vectors and equations of this joint while everything moves; the same one again, or -1, leaves
     /// the choice to the story. No experiment: the lesson stays as it is.
     void show_joint(int joint);
 
     /// The file was saved anew. What was tried before stays in the history.
     void replace(Lesson lesson);
+    /// Shows what `other` shows, with the joint chosen there: one change, which undo takes back.
+    /// @param what  was changed, in words
+    void become(Session&& other, std::string what);
     /// Tells the same story again, at the same step, in the language of now
     /// (app/session/wording/messages.hpp).
     void tell_again();
@@ -79,6 +89,7 @@ private:
     struct Past {
         std::shared_ptr<const Lesson> lesson;
         std::shared_ptr<const Lesson> written;  ///< another one where the file was saved anew since
+        std::vector<Experiment> edits;
         int index = 0;
         std::string what;
     };
@@ -103,6 +114,7 @@ private:
     std::string show_freedom(const ShowFreedom& experiment);
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
+    void push_past(Past past);
     void take_over(std::shared_ptr<const Lesson> lesson);
     void told_anew();
     void changed();
@@ -110,6 +122,7 @@ private:
     StoryOptions how_;
     std::shared_ptr<const Lesson> written_;
     std::shared_ptr<const Lesson> lesson_;
+    std::vector<Experiment> edits_;  ///< from written_ to lesson_
     std::unique_ptr<Story> story_;
     int index_ = 0;
     std::unique_ptr<Hand> hand_;

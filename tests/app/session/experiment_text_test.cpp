@@ -4,66 +4,12 @@
 
 #include <set>
 
-#include "lessons/equation_labels.hpp"
 #include "lessons/writer.hpp"
+#include "tests/app/session/all_experiments.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
-#include "tests/support/random_mechanisms.hpp"
 
 namespace jw::test {
 namespace {
-
-/// Every kind of edit of every joint, driver and body of a lesson.
-std::vector<Experiment> edits_of(const Lesson& lesson, Random& random) {
-    std::vector<Experiment> all;
-    const Mechanism& m = lesson.mechanism;
-    for (int j = 0; j < static_cast<int>(m.joints.size()); ++j) {
-        const Joint& joint = m.joints[static_cast<std::size_t>(j)];
-        for (int f = 0; f < 6; ++f) { all.push_back(SetParallelForm{j, static_cast<ParallelForm>(f)}); }
-        for (int f = 0; f < 3; ++f) { all.push_back(SetScrewAngleForm{j, static_cast<ScrewAngleForm>(f)}); }
-        for (const bool present : {false, true}) {
-            all.push_back(SetPresent{{Addition::Kind::joint, j}, present});
-            for (const LabelledEquation& e : equations_of(*joint.type, joint.parallel_form)) {
-                all.push_back(SetEquationPresent{j, e.equation, present});
-            }
-        }
-        JointGeometry point = joint.geometry;
-        point.P_j_local = random.vector(1.0);
-        JointGeometry anything = joint.geometry;
-        anything.h_i_local = random.vector(1.0);
-        anything.u_j_local = random.vector(1.0);
-        anything.s_i_local = random.vector(1.0);
-        anything.alpha = random.number(-1.0, 1.0);
-        anything.theta_start = random.number(-9.0, 9.0);
-        anything.screw_angle_form = ScrewAngleForm::sine;
-        for (const JointGeometry& g :
-             {point, anything, with_axis(joint.geometry, false, random.vector(1.0)),
-              with_axis(joint.geometry, true, Vec3(0.0, 0.0, 2.0))}) {
-            all.push_back(SetGeometry{j, g});
-        }
-    }
-    for (int d = 0; d < static_cast<int>(m.drivers.size()); ++d) {
-        for (const bool present : {false, true}) {
-            all.push_back(SetPresent{{Addition::Kind::driver, d}, present});
-        }
-        TimeFunction moved = m.drivers[static_cast<std::size_t>(d)].function;
-        moved.polynomial.resize(std::max<std::size_t>(2, moved.polynomial.size()));
-        moved.polynomial[0] = random.number(-1.0, 1.0);
-        moved.polynomial[1] = 0.5;
-        for (const TimeFunction& f : {moved, random_function(random), TimeFunction{}}) {
-            all.push_back(SetDriver{d, f});
-        }
-    }
-    for (int c = 0; c < 4; ++c) { all.push_back(SetCoordinates{static_cast<CoordinateChoice>(c)}); }
-    for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
-        all.push_back(Drag{b, Vec3::Zero(), random.vector(1.0)});
-        all.push_back(Drag{b, random.vector(1.0), random.vector(1.0)});
-    }
-    for (const Experiment& looking : std::vector<Experiment>{
-             GoTo{0}, Release{}, ShowFreedom{2, -0.25}, LetGo{}, Undo{}, Redo{}, StartOver{}}) {
-        all.push_back(looking);
-    }
-    return all;
-}
 
 /// Compares two experiments, every number bit by bit.
 struct Same {
@@ -87,6 +33,9 @@ struct Same {
     bool operator()(const SetDriver& a, const SetDriver& b) const {
         return a.driver == b.driver && a.function == b.function;
     }
+    bool operator()(const SetPose& a, const SetPose& b) const {
+        return a.body == b.body && a.r == b.r && a.p == b.p;
+    }
     bool operator()(const Drag& a, const Drag& b) const {
         return a.body == b.body && a.point_local == b.point_local && a.target == b.target;
     }
@@ -100,7 +49,7 @@ struct Same {
 };
 
 void check_there_and_back(const Experiment& experiment, const Session& session) {
-    const std::string text = text_of(experiment, session);
+    const std::string text = text_of(experiment, session.lesson());
     std::string error;
     const std::optional<Experiment> read = read_experiment(text, session, error);
     INFO(text << ": " << error);
@@ -130,7 +79,7 @@ TEST_CASE("every experiment is told in words that are read as the same experimen
     for (const auto& file : all_lesson_files()) {
         const Session session(without_motion(shipped(file)));
         INFO(file);
-        for (const Experiment& experiment : edits_of(session.lesson(), random)) {
+        for (const Experiment& experiment : all_experiments(session.lesson(), random)) {
             check_there_and_back(experiment, session);
             kinds.insert(experiment.index());
         }
@@ -146,7 +95,7 @@ TEST_CASE("names with blanks, and names that begin others, are read as they are 
     lesson.mechanism.bodies[1].name = "crank by";
     const Session session(lesson);
     Random random(3);
-    for (const Experiment& experiment : edits_of(session.lesson(), random)) {
+    for (const Experiment& experiment : all_experiments(session.lesson(), random)) {
         check_there_and_back(experiment, session);
     }
     CHECK(std::get<SetParallelForm>(read("form the long pin drop z", session)).joint == 1);
@@ -218,6 +167,10 @@ TEST_CASE("what cannot be read says what was expected and what may be meant", "[
         {"drag crank 0 0 1", "expected 'by' or 'to' and three numbers [m], for example: by 0 0 0.1"},
         {"drag cronk by 0 0 1",
          "no body 'cronk'; expected one of ground, crank, coupler, rocker\nhint: did you mean 'crank'?"},
+        {"place crank", "expected 'at' and three numbers [m] or 'turned' and four Euler parameters"},
+        {"place crank at 0 0", "the end where a coordinate [m] should be; expected a number"},
+        {"place crank turned 1 0 0", "the end where one of four Euler parameters should be"},
+        {"place crank turned 1 0 0 0 0", "'0' is left over"},
         {"go to step 999", "no step 999; the lesson has steps 0 to "},
         {"go to step 1.5", "'1.5' is not a whole number"},
         {"follow one", "'one' where the number of a free motion, counted from 1 should be"},
