@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace jw {
+
+/// Bytes of the character at the start of `text`, 0 if it is not UTF-8.
+std::size_t character_length(std::string_view text);
+
+}  // namespace jw
