@@ -1,9 +1,13 @@
 #include "app/session/try/carry_out.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/diagnostics.hpp"
 
 namespace jw {
 
@@ -11,6 +15,8 @@ namespace {
 
 // a pull goes a few steps of a fifth of the machine's size; farther than this nobody drags
 constexpr int kMostPulls = 200;
+// of experiments that are no edits: each tells the story anew, and a link may ask for any number
+constexpr std::size_t kMostMoves = 100;
 // relative to the way that is left: nobody sees a smaller gap [m per m]
 constexpr double kArrived = 1e-12;
 
@@ -70,6 +76,10 @@ ExperimentResult applied(Session& session, const Experiment& experiment) {
     return {session.told() != before || said.empty(), said};
 }
 
+[[noreturn]] void give_up(const std::string& text, const std::string& why) {
+    throw std::runtime_error(in_quotes(text) + ": " + why);
+}
+
 }  // namespace
 
 ExperimentResult carry_out(Session& session, const std::string& text) {
@@ -92,6 +102,31 @@ ExperimentResult carry_out(Session& session, const std::string& text) {
             [&](const StartOver& start_over) { return applied(session, start_over); },
         },
         *experiment);
+}
+
+std::unique_ptr<Session> session_after(const Lesson& lesson, const std::vector<std::string>& texts) {
+    std::vector<CarriedOut> done;
+    auto text = texts.begin();
+    for (auto now = std::make_shared<const Lesson>(lesson); text != texts.end(); ++text) {
+        const std::optional<Experiment> read = read_edit(*text, *now);
+        if (!read) { break; }
+        Edit edit = edited(*now, lesson, *read);
+        if (!edit.lesson) { give_up(*text, edit.what); }
+        now = std::make_shared<const Lesson>(std::move(*edit.lesson));
+        done.push_back({*read, now, edit.what});
+    }
+    auto session = std::make_unique<Session>(lesson, done);
+    const auto moves = static_cast<std::size_t>(texts.end() - text);
+    if (moves > kMostMoves) {
+        give_up(
+            *text, "too much follows; expected at most " + std::to_string(kMostMoves) +
+                       " experiments from the first on that is no change of the lesson");
+    }
+    for (; text != texts.end(); ++text) {
+        const ExperimentResult result = carry_out(*session, *text);
+        if (!result.done) { give_up(*text, result.said); }
+    }
+    return session;
 }
 
 }  // namespace jw

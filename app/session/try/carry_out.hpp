@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "app/session/try/session.hpp"
 
@@ -15,5 +17,10 @@ struct ExperimentResult {
 /// Carries out what `text` asks for. A body that is dragged is let go at the end, a free motion that is
 /// followed likewise: the pose becomes the start estimate.
 ExperimentResult carry_out(Session& session, const std::string& text);
+
+/// The lesson in which all of `texts` were carried out, one after the other; each can be undone. Edits at the
+/// beginning, as Session::tried tells them, cost no telling of their own.
+/// @throws std::runtime_error naming the first one that cannot be done, with the reason
+std::unique_ptr<Session> session_after(const Lesson& lesson, const std::vector<std::string>& texts);
 
 }  // namespace jw

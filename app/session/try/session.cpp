@@ -95,10 +95,18 @@ struct Session::Cache {
 };
 
 Session::Session(Lesson lesson, bool with_motion)
+    : Session(std::move(lesson), std::vector<CarriedOut>(), with_motion) {}
+
+Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, bool with_motion)
     : written_(std::make_shared<Lesson>(std::move(lesson))),
       lesson_(written_),
       cache_(std::make_unique<Cache>()) {
     how_.with_motion = with_motion;
+    for (const CarriedOut& one : done) {
+        push_past(present(one.what));
+        edits_ = tried_with(std::move(edits_), std::span(&one.edit, 1), {*written_, *lesson_, *one.lesson});
+        lesson_ = one.lesson;
+    }
     story_ = std::make_unique<Story>(*lesson_, how_);
     told_anew();
 }
@@ -175,7 +183,8 @@ std::string Session::edit(const Experiment& experiment) {
     if (!result.lesson) { return result.what; }
     const std::size_t gesture = gesture_of(experiment);
     Past past = present(result.what);
-    std::vector<Experiment> edits = tried_with(edits_, std::span(&experiment, 1), *written_, *result.lesson);
+    std::vector<Experiment> edits =
+        tried_with(edits_, std::span(&experiment, 1), {*written_, *lesson_, *result.lesson});
     take_over(std::make_shared<Lesson>(std::move(*result.lesson)));
     edits_ = std::move(edits);
     if (gesture == 0 || gesture != gesture_) { push_past(std::move(past)); }
@@ -337,7 +346,7 @@ std::string Session::release() {
         return moved.what;
     }
     Past past = present(tr("start estimate moved by hand"));
-    std::vector<Experiment> edits = tried_with(edits_, moves, *written_, *moved.lesson);
+    std::vector<Experiment> edits = tried_with(edits_, moves, {*written_, *lesson_, *moved.lesson});
     take_over(std::make_shared<Lesson>(std::move(*moved.lesson)));
     edits_ = std::move(edits);
     push_past(std::move(past));

@@ -16,10 +16,19 @@
 /// lesson file, and goes through the same numerics as a lesson of an author.
 namespace jw {
 
+/// An edit that was carried out, and the lesson that it led to.
+struct CarriedOut {
+    Experiment edit;
+    std::shared_ptr<const Lesson> lesson;
+    std::string what;  ///< was done, in words
+};
+
 class Session {
 public:
     /// @param with_motion  false: the story ends where everything is put together
     explicit Session(Lesson lesson, bool with_motion = true);
+    /// The same after `done`, of which each can be undone.
+    Session(Lesson lesson, const std::vector<CarriedOut>& done, bool with_motion = true);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;

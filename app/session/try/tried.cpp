@@ -71,18 +71,18 @@ bool lead_to(const Lesson& now, std::span<const Experiment> edits, const Lesson&
 }  // namespace
 
 std::vector<Experiment> tried_with(
-    std::vector<Experiment> edits, std::span<const Experiment> more, const Lesson& written,
-    const Lesson& now) {
-    if (same_lesson(now, written)) { return {}; }
+    std::vector<Experiment> edits, std::span<const Experiment> more, const Change& change) {
+    if (same_lesson(change.now, change.written)) { return {}; }
+    if (same_lesson(change.now, change.before)) { return edits; }
     std::vector<Experiment> fewer = edits;
     std::erase_if(fewer, [&](const Experiment& before) {
         return std::ranges::any_of(
             more, [&](const Experiment& later) { return topic_of(later) == topic_of(before); });
     });
-    if (fewer.size() < edits.size() && lead_to(now, fewer, written)) { return fewer; }
+    if (fewer.size() < edits.size() && lead_to(change.now, fewer, change.written)) { return fewer; }
     std::ranges::copy(more, std::back_inserter(fewer));
     const bool shorter = fewer.size() < edits.size() + more.size();
-    if (shorter && lead_to(now, fewer, written)) { return fewer; }
+    if (shorter && lead_to(change.now, fewer, change.written)) { return fewer; }
     std::ranges::copy(more, std::back_inserter(edits));
     return edits;
 }

@@ -132,6 +132,7 @@ TEST_CASE("A later edit stands for one of the same thing before, where that is e
          {"take out D p1 x", "form D all three"}},
         // the motor went with the joint and is not back: neither sentence alone leads there
         {{"take out A", "put back A"}, {"take out A", "put back A"}},
+        {{"form D pair", "form A rule", "place crank at -0.48 -0.03 0.38"}, {"form D pair"}},
         {{"form D pair", "undo", "redo"}, {"form D pair"}},
         {{"point A i 1 2 3", "form A pair", "point A i 3 2 1"}, {"form A pair", "point A i 3 2 1"}},
         {{"place crank at 0 0 2", "place coupler turned 0 0 0 1", "place crank at 0 0 1"},
