@@ -246,6 +246,14 @@ void run(GLFWwindow* window, Host& host, host::GuardedScreen& screen) {
 
 }  // namespace
 
+void show_first(Host& host, const WindowSetup& setup) {
+    if (setup.address) {
+        host.go_to(*setup.address);
+    } else if (setup.file) {
+        host.open(*setup.file, setup.at, setup.experiments);
+    }
+}
+
 void run_window(const WindowSetup& setup) {
     const GlfwWindow window(setup.host.width, setup.host.height, true);
     const render::GlFunctions gl = functions();
@@ -253,7 +261,7 @@ void run_window(const WindowSetup& setup) {
     host::HostSetup wanted = setup.host;
     glfwGetFramebufferSize(window.get(), &wanted.width, &wanted.height);
     Host host(wanted);
-    if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
+    show_first(host, setup);
     if (!setup.exercise.empty() && !host.begin_exercise(setup.exercise)) {
         host.say("The lesson has no exercise '" + setup.exercise + "'.");
     }

@@ -16,11 +16,15 @@ namespace jw {
 struct WindowSetup {
     host::HostSetup host;
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
+    std::optional<host::Address> address;       ///< in place of the file, where to begin and what with
     std::string at;
     std::vector<std::string> experiments;  ///< experiments to begin with
     std::string exercise;                  ///< to begin with; empty: none
     std::ostream* log = nullptr;           ///< where faults of drawing are told; must be set
 };
+
+/// Shows in `host` what is asked for, but for the exercise.
+void show_first(host::Host& host, const WindowSetup& setup);
 
 /// Runs until the window is closed. What was tried and not saved then is in a file that the log names.
 /// @throws std::runtime_error with what to do where there is no display or no OpenGL 3.3, or where drawing

@@ -1,16 +1,21 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
 #include "app/exercises/grading/grade.hpp"
+#include "app/host/lesson/destination.hpp"
 #include "app/host/screen.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
+#include "lessons/diagnostics.hpp"
 #include "render/atomic_file.hpp"
 #include "render/offscreen.hpp"
 #include "render/png.hpp"
@@ -51,7 +56,7 @@ void begin(host::Host& host, const std::string& exercise) {
 void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
-    if (setup.file) { host.open(*setup.file, setup.at, setup.experiments); }
+    show_first(host, setup);
     if (!setup.exercise.empty()) { begin(host, setup.exercise); }
     host.wait_for_exercises();
     host::Screen screen(surface.gl(), host);
@@ -62,6 +67,33 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
         screen.draw();
     }
     render::write_file_atomically(path, render::encode_png(screen.read()));
+}
+
+/// An address, or a page with one; no file is called so.
+bool is_address(const std::string& text) {
+    std::error_code error;
+    return (text.starts_with('#') || text.find("://") != std::string::npos) &&
+           !std::filesystem::exists(text, error);
+}
+
+/// The address in the place of FILE, with what other options add to it; all of it can be shown.
+/// @param others  lessons outside the catalogue
+host::Address address_in(
+    const OpenOptions& options, const std::vector<std::filesystem::path>& others, const Streams& streams) {
+    try {
+        host::Address address = host::read_address(options.file);
+        if (!options.at.empty()) { address.at = options.at; }
+        std::ranges::copy(options.experiments, std::back_inserter(address.experiments));
+        if (options.tab != word_of(host::kTabs, host::Tab::step)) { address.tab = options.tab; }
+        if (address.lesson.empty()) { return {}; }
+        host::tab_of(address);
+        const auto file = host::lesson_at_address(address.lesson, catalogue_folder(), others);
+        host::destination_of(lesson_of(file, streams), address);
+        return address;
+    } catch (const CommandError&) { throw; } catch (const std::runtime_error& error) {
+        throw CommandError(
+            Exit::bad_input, "jointwise: error: address " + in_quotes(options.file) + ": " + error.what());
+    }
 }
 
 Exit open(const OpenOptions& options, const Streams& streams) {
@@ -84,7 +116,11 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.width = size.width;
     setup.host.height = size.height;
     setup.host.tab = *value_of(host::kTabs, options.tab);
-    if (!options.file.empty()) {
+    if (is_address(options.file)) {
+        // pictures are the same whatever was opened before
+        const host::RecentLessons recent(options.picture.empty() ? setup.host.recent_file : "");
+        setup.address = address_in(options, recent.paths(), streams);
+    } else if (!options.file.empty()) {
         // mistakes are told before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
         if (!options.at.empty() && !step_at(Story(lesson), options.at)) {
@@ -114,7 +150,9 @@ Exit open(const OpenOptions& options, const Streams& streams) {
 void add_open(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("open", "open the window, with a lesson or the list of lessons");
     auto options = std::make_shared<OpenOptions>();
-    command->add_option("FILE", options->file, "lesson file; without it the lessons are shown")
+    command
+        ->add_option(
+            "FILE", options->file, "lesson file, or an address of a page; without it the lessons are shown")
         ->type_name("");
     command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
         ->type_name("STEP");
@@ -135,7 +173,9 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("NAME");
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")
         ->type_name("FILE");
-    command->footer("Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B");
+    command->footer(
+        "Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B\n"
+        "         jointwise open '#four-bar/D?try=form+D+drop+x'");
     command->callback(
         [options, &streams, &run] { run = [options, &streams] { return open(*options, streams); }; });
 }

@@ -69,11 +69,21 @@ bool Host::open(
     const ReadResult read = file.read();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return false; }
-    auto session = std::make_unique<Session>(shown_lesson(*read.lesson));
+    take(std::move(file), std::make_unique<Session>(shown_lesson(*read.lesson)));
+    for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
+    if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
+    fit_camera(true);
+    return true;
+}
+
+/// Another lesson takes the place of the open one.
+void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     keep_unsaved();
     unsaved_.begin_anew();
     session_ = std::move(session);
     file_ = std::move(file);
+    const std::filesystem::path path = file_.path();
+    name_ = shelf_.name_of(path);
     shelf_.add_recent(path);
     need_characters_of_lesson();
     state_.browser = false;
@@ -84,11 +94,7 @@ bool Host::open(
     shown_.forget_session();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     desk_.open(path);
-    for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
-    if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
-    fit_camera(true);
     rouse();
-    return true;
 }
 
 bool Host::look_at_file() {

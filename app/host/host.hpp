@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/host/lesson/address.hpp"
 #include "app/host/lesson/lesson_file.hpp"
 #include "app/host/lesson/lesson_shelf.hpp"
 #include "app/host/lesson/saving.hpp"
@@ -39,6 +40,9 @@ struct HostSetup {
     int height = 720;
 };
 
+/// The tab that an address names. @throws std::runtime_error where there is none of that name
+Tab tab_of(const Address& address);
+
 class Host {
 public:
     explicit Host(const HostSetup& setup);
@@ -52,6 +56,13 @@ public:
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
+
+    /// What is shown, so that `go_to` shows it again; of an exercise the lesson that it belongs to.
+    Address address() const;
+    /// Shows what an address says, at once: opens its lesson if another one is open, which begins a history
+    /// of its own, else makes it of the lesson as it was written, which is one change.
+    /// @return false if something of it cannot be done: that is shown, and everything stays as it was
+    bool go_to(const Address& address);
 
     /// Begins an exercise of the open lesson, and waits until it is asked.
     /// @return false if the lesson has none of that name
@@ -114,6 +125,9 @@ public:
     const Predictions& predictions() const { return predictions_; }
 
 private:
+    void take(LessonFile file, std::unique_ptr<Session> session);
+    void arrive_at(const Address& address);
+    void arrive_in_lesson(const Address& address);
     void act_on(const InputEvent& event);
     void draw_interface();
     void draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots);
@@ -161,6 +175,7 @@ private:
     LessonShelf shelf_;
     LessonFile file_;
     std::unique_ptr<Session> session_;
+    std::string name_;  ///< of the lesson opened, as addresses have it
     UnsavedCopy unsaved_;
     std::filesystem::path pictures_;  ///< folder for what is saved
 

@@ -1,11 +1,15 @@
 #include "app/host/lesson/catalogue.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
+#include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
+#include "lessons/diagnostics.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
 
@@ -37,6 +41,10 @@ CatalogueEntry entry_of(const fs::path& path) {
     return entry;
 }
 
+std::string name_below(const fs::path& file, const fs::path& folder) {
+    return file.lexically_relative(folder).replace_extension().generic_string();
+}
+
 }  // namespace
 
 std::vector<CatalogueEntry> catalogue_of(
@@ -66,6 +74,42 @@ std::vector<CatalogueEntry> catalogue_of(
         entry.exercises = exercises_of_lesson(exercises, lesson_name(entry.path));
     }
     return entries;
+}
+
+std::string name_in_addresses(const fs::path& lesson, const fs::path& folder) {
+    const std::vector<fs::path> files = lessons_below(folder);
+    std::error_code error;
+    const auto found = std::ranges::find_if(
+        files, [&](const fs::path& file) { return fs::equivalent(file, lesson, error); });
+    if (found == files.end()) { return lesson.filename().string(); }
+    const auto same = [&](const fs::path& file) { return file.stem() == found->stem(); };
+    return std::ranges::count_if(files, same) == 1 ? found->stem().string() : name_below(*found, folder);
+}
+
+fs::path lesson_at_address(
+    const std::string& name, const fs::path& folder, const std::vector<fs::path>& others) {
+    const std::vector<fs::path> files = lessons_below(folder);
+    std::vector<fs::path> found;
+    std::vector<std::string> names;
+    for (const fs::path& file : files) {
+        if (name_below(file, folder) == name) { return file; }
+        names.push_back(file.stem().string());
+        if (names.back() == name) { found.push_back(file); }
+    }
+    if (found.size() == 1) { return found.front(); }
+    if (found.size() > 1) {
+        throw std::runtime_error(
+            "several lessons are called " + in_quotes(name) + "; expected one of " +
+            name_below(found[0], folder) + ", " + name_below(found[1], folder));
+    }
+    const auto other = std::ranges::find(others, fs::path(name), &fs::path::filename);
+    if (other != others.end()) { return *other; }
+    const std::string stem = fs::path(name).stem().string();
+    if (name == stem + ".toml" && std::ranges::find(names, stem) != names.end()) {
+        return lesson_at_address(stem, folder, {});
+    }
+    const std::string hint = did_you_mean(name, names);
+    throw std::runtime_error("no lesson " + in_quotes(name) + (hint.empty() ? "" : "\nhint: " + hint));
 }
 
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search) {

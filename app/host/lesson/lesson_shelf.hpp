@@ -20,6 +20,15 @@ public:
     void refresh(const std::vector<std::filesystem::path>& unsaved);
     void add_recent(const std::filesystem::path& path) { recent_.add(path); }
 
+    /// How addresses name a lesson, and the lesson that they name: one of those offered, or opened last.
+    std::string name_of(const std::filesystem::path& lesson) const {
+        return name_in_addresses(lesson, folder_);
+    }
+    /// @throws std::runtime_error where there is none
+    std::filesystem::path lesson_called(const std::string& name) const {
+        return lesson_at_address(name, folder_, recent_.paths());
+    }
+
     /// Grows with every `refresh`.
     int version() const { return version_; }
     /// Whoever draws adds the thumbnails, which `refresh` keeps.

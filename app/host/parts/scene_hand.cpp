@@ -40,8 +40,13 @@ void SceneHand::show(const render::Camera& camera, bool at_once) {
     }
 }
 
+void SceneHand::look_through(const render::Camera& camera) {
+    show(camera, true);
+    own_ = false;
+}
+
 void SceneHand::show(render::StandardView view) {
-    turn_to(render::standard_view(turned_ < 1.0 ? to_ : camera_, view));
+    turn_to(render::standard_view(goal(), view));
     own_ = false;
 }
 

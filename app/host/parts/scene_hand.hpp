@@ -18,6 +18,10 @@ public:
     const render::Camera& camera() const { return camera_; }
     /// True until the person turns the camera: it is the story's own.
     bool is_own() const { return own_; }
+    /// The camera, or where it is turning to.
+    const render::Camera& goal() const { return turned_ < 1.0 ? to_ : camera_; }
+    /// At once, as if the person had turned it there.
+    void look_through(const render::Camera& camera);
 
     /// The story's own view; at once, or turning there.
     void show(const render::Camera& camera, bool at_once);

@@ -43,7 +43,7 @@ int step_of(const Story& story, Step::Kind kind, int question) {
     return -1;
 }
 
-GivenAnswer judged(const Story& story, int question, const std::string& given) {
+GivenAnswer judged_by_pointing(const Story& story, int question, const std::string& given) {
     const View view = view_of(story, step_of(story, Step::Kind::question, question));
     return judge_answer(*view.question, right_answer(story, question), story.lesson().mechanism, given);
 }
@@ -219,13 +219,13 @@ TEST_CASE("rows that are left out are those of the system that has been chosen",
     const Lesson lesson = asking("at = \"C\"\nask = \"Which?\"\nclick = \"row\"\nrows = \"dropped\"\n");
     const Story story(lesson);
     const int q = last_question(lesson);
-    CHECK(judged(story, q, "C p1 y").right);
-    CHECK(judged(story, q, "  C  p1  y ").right);
-    CHECK_FALSE(judged(story, q, "A p1 y").right);
-    CHECK(judged(story, q, "A p1 y").understood);
-    CHECK_FALSE(judged(story, q, "C p1").understood);
-    CHECK_FALSE(judged(story, q, "").understood);
-    CHECK_FALSE(judged(story, q, "3").understood);
+    CHECK(judged_by_pointing(story, q, "C p1 y").right);
+    CHECK(judged_by_pointing(story, q, "  C  p1  y ").right);
+    CHECK_FALSE(judged_by_pointing(story, q, "A p1 y").right);
+    CHECK(judged_by_pointing(story, q, "A p1 y").understood);
+    CHECK_FALSE(judged_by_pointing(story, q, "C p1").understood);
+    CHECK_FALSE(judged_by_pointing(story, q, "").understood);
+    CHECK_FALSE(judged_by_pointing(story, q, "3").understood);
     // its equations can be clicked before it is there, and do not tell which of them stay
     const int asked = step_of(story, Step::Kind::question, q);
     const View view = view_of(story, asked);
@@ -331,10 +331,10 @@ TEST_CASE("a pose is judged by its point and its turn, whichever sign p has", "[
     REQUIRE(right.pose);
     // about -y, as the four-bar's own claim says
     CHECK(2.0 * std::acos(std::abs(right.pose->p(0))) * 180.0 / std::numbers::pi == Approx(124.821288264128));
-    CHECK(judged(story, q, pose_text(*right.pose)).right);
+    CHECK(judged_by_pointing(story, q, pose_text(*right.pose)).right);
     BodyPose other = *right.pose;
     other.p = -other.p;
-    CHECK(judged(story, q, pose_text(other)).right);
+    CHECK(judged_by_pointing(story, q, pose_text(other)).right);
     const auto turned = [&](double degrees) {
         const double half = 0.5 * degrees * std::numbers::pi / 180.0;
         const Eigen::Quaterniond p(right.pose->p(0), right.pose->p(1), right.pose->p(2), right.pose->p(3));
@@ -342,15 +342,15 @@ TEST_CASE("a pose is judged by its point and its turn, whichever sign p has", "[
         const Eigen::Quaterniond sum = p * q_turn;
         return BodyPose{right.pose->r, {sum.w(), sum.x(), sum.y(), sum.z()}};
     };
-    CHECK(judged(story, q, pose_text(turned(1.99))).right);
-    CHECK_FALSE(judged(story, q, pose_text(turned(2.01))).right);
-    CHECK_THAT(judged(story, q, pose_text(turned(30.0))).note, Catch::Contains("30°"));
+    CHECK(judged_by_pointing(story, q, pose_text(turned(1.99))).right);
+    CHECK_FALSE(judged_by_pointing(story, q, pose_text(turned(2.01))).right);
+    CHECK_THAT(judged_by_pointing(story, q, pose_text(turned(30.0))).note, Catch::Contains("30°"));
     BodyPose shifted = *right.pose;
     shifted.r += Vec3(0.0, 0.0, 0.011);
-    CHECK_FALSE(judged(story, q, pose_text(shifted)).right);
+    CHECK_FALSE(judged_by_pointing(story, q, pose_text(shifted)).right);
     for (const char* const given : {"", "1 2 3", "0.5 0 0.4 0 0 0 0", "a b c d e f g", "nan 0 0 1 0 0 0"}) {
         CAPTURE(given);
-        CHECK_FALSE(judged(story, q, given).understood);
+        CHECK_FALSE(judged_by_pointing(story, q, given).understood);
     }
 }
 
@@ -378,7 +378,7 @@ TEST_CASE("a body that is led somewhere at a question is an answer and no edit",
     CHECK(session.view().kind == Step::Kind::question);
     const State& state = session.step().state;
     const int question = session.story().steps()[static_cast<std::size_t>(asked)].question;
-    CHECK(judged(session.story(), question, pose_text({state.r[1], state.p[1]})).right);
+    CHECK(judged_by_pointing(session.story(), question, pose_text({state.r[1], state.p[1]})).right);
     session.apply(GoTo{asked + 1});
     CHECK_FALSE(session.in_hand());
     CHECK_FALSE(session.is_changed());
