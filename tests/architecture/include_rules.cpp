@@ -107,22 +107,18 @@ constexpr std::array kFolders{
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 32> kRooms{"core/numerics/",      "core/jets/",
-                                                  "core/model/",         "core/equations/",
-                                                  "core/poses/",         "core/motion/",
-                                                  "core/motion/block/",  "core/motion/tree/",
-                                                  "core/motion/dense/",  "core/kinematics/",
-                                                  "core/integrate/",     "core/quantity/",
-                                                  "app/session/beside/", "app/session/wording/",
-                                                  "app/session/story/",  "app/session/answers/",
-                                                  "app/session/view/",   "app/session/picture/",
-                                                  "app/session/claims/", "app/session/output/",
-                                                  "app/session/try/",    "app/session/benchmark/",
-                                                  "app/panels/parts/",   "app/panels/plot/",
-                                                  "app/panels/column/",  "app/panels/frame/",
-                                                  "app/host/lesson/",    "app/host/frames/",
-                                                  "app/host/ui/",        "app/host/tabs/",
-                                                  "app/host/parts/",     "app/host/"};
+constexpr std::array<std::string_view, 33> kRooms{
+    "core/elementary/",     "core/numerics/",         "core/jets/",
+    "core/model/",          "core/equations/",        "core/poses/",
+    "core/motion/",         "core/motion/block/",     "core/motion/tree/",
+    "core/motion/dense/",   "core/kinematics/",       "core/integrate/",
+    "core/quantity/",       "app/session/beside/",    "app/session/wording/",
+    "app/session/story/",   "app/session/answers/",   "app/session/view/",
+    "app/session/picture/", "app/session/claims/",    "app/session/output/",
+    "app/session/try/",     "app/session/benchmark/", "app/panels/parts/",
+    "app/panels/plot/",     "app/panels/column/",     "app/panels/frame/",
+    "app/host/lesson/",     "app/host/frames/",       "app/host/ui/",
+    "app/host/tabs/",       "app/host/parts/",        "app/host/"};
 
 /// Folders that consist of rooms alone.
 constexpr std::array<std::string_view, 4> kFoldersOfRooms{

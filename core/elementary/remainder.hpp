@@ -1,0 +1,46 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "core/elementary/pair.hpp"
+
+/// Angles without their quarter turns: what sine, cosine and tangent begin with.
+namespace jw::elementary {
+
+// 2/π, and π/2 in three parts, the first two of 33 bits (Cody and Waite): products with up to 20 bits of
+// quarter turns are exact
+constexpr double kQuartersPerRadian = 6.36619772367581382433e-01;
+constexpr double kQuarter = 1.57079632673412561417e+00;
+constexpr double kQuarterNext = 6.07710050630396597660e-11;
+constexpr double kQuarterLast = 2.02226624879595063154e-21;
+/// 2^20 quarter turns [rad]
+constexpr double kFar = 1.6e6;
+/// Three parts of π/2 leave 2^-122 of it out, a million times: too much of a remainder smaller than this.
+constexpr double kNear = 0x1p-28;
+
+/// An angle as quarter turns and what is left of it, at most π/4 and a little.
+struct Remainder {
+    Pair angle;        ///< [rad], with a relative error below 2^-70
+    int quarters = 0;  ///< modulo 4
+};
+
+/// Remainder of any finite angle of at least π/4 [rad].
+Remainder exact_remainder(double angle);
+
+/// @param angle finite [rad]
+inline Remainder remainder_of(double angle) {
+    const double size = std::abs(angle);
+    if (size <= 0.25 * kPi.high) { return {{angle, 0.0}, 0}; }
+    if (!(size < kFar)) { return exact_remainder(angle); }
+    const double rounded = angle * kQuartersPerRadian + kRounds;
+    const double quarters = rounded - kRounds;
+    const double without_first = angle - quarters * kQuarter;
+    const Pair without_next = sum(without_first, -(quarters * kQuarterNext));
+    const Pair left = sum_of_ordered(without_next.high, without_next.low - quarters * kQuarterLast);
+    if (std::abs(left.high) < kNear) { return exact_remainder(angle); }
+    return {left, static_cast<int>(std::bit_cast<std::uint64_t>(rounded) & 3U)};
+}
+
+}  // namespace jw::elementary
