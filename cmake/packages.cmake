@@ -3,10 +3,7 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-# One thread, no instructions beyond the base set: numbers and frames are equal on every machine. (Wider registers
-# are used where the numbers stay the same: core/numerics/triples.hpp.) Vectors of three are not taken in pairs: a
-# pair that was written as single numbers is waited for.
-set(JW_EIGEN_DEFINITIONS EIGEN_DONT_PARALLELIZE EIGEN_UNALIGNED_VECTORIZE=0)
+include(eigen)
 target_compile_definitions(Eigen3::Eigen INTERFACE ${JW_EIGEN_DEFINITIONS})
 
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
