@@ -1,7 +1,12 @@
 #include "lessons/formula/symbol_values.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <random>
+#include <utility>
 
+#include "core/elementary/elementary.hpp"
 #include "core/quantity/names.hpp"
 #include "lessons/formula/body_values.hpp"
 #include "lessons/formula/joint_values.hpp"
@@ -29,6 +34,46 @@ std::optional<Value> value_of_quantity(const Instant& instant, const std::string
     return number_value;
 }
 
+/// Normally distributed numbers by Marsaglia's polar method. std::normal_distribution is another one in each
+/// standard library; this is how GCC's computes it.
+class NormalNumbers {
+public:
+    explicit NormalNumbers(unsigned seed) : random_(seed) {}
+
+    double number() {
+        if (const auto second = std::exchange(second_, std::nullopt)) { return *second; }
+        double x = 0.0;
+        double y = 0.0;
+        double square = 0.0;
+        do {
+            x = within_one();
+            y = within_one();
+            square = x * x + y * y;
+        } while (square > 1.0 || square == 0.0);
+        const double factor = std::sqrt(-2.0 * elementary::log(square) / square);
+        second_ = x * factor;
+        return y * factor;
+    }
+    /// The last component is drawn first.
+    template <int Dim>
+    Eigen::Matrix<double, Dim, 1> vector() {
+        Eigen::Matrix<double, Dim, 1> v;
+        for (int k = Dim; k-- > 0;) { v(k) = number(); }
+        return v;
+    }
+
+private:
+    /// Of 64 bits, from -1 to 1.
+    double within_one() {
+        const auto low = static_cast<double>(random_());
+        const double unit = (low + static_cast<double>(random_()) * 0x1p32) * 0x1p-64;
+        return 2.0 * std::min(unit, 1.0 - 0x1p-53) - 1.0;
+    }
+
+    std::mt19937 random_;
+    std::optional<double> second_;
+};
+
 }  // namespace
 
 Meanings meanings_of(const Subject& subject, const Instant& instant) {
@@ -45,25 +90,24 @@ Outcome evaluate_at(const Formula& formula, const Instant& instant) {
 }
 
 Instant arbitrary_instant(std::shared_ptr<const System> system, unsigned seed) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> any;
-    const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
+    NormalNumbers any(seed);
+    const auto vector = [&] { return any.vector<3>(); };
     Instant instant;
     instant.state = start_state(system->mechanism());
     instant.velocity = zero_motion(system->mechanism());
     instant.acceleration = instant.velocity;
     for (std::size_t b = 0; b < instant.state.r.size(); ++b) {
         instant.state.r[b] = vector();
-        instant.state.p[b] = Vec4(any(random), any(random), any(random), any(random)).normalized();
+        instant.state.p[b] = any.vector<4>().normalized();
         instant.velocity.r_dot[b] = vector();
         instant.velocity.omega_local[b] = vector();
         instant.acceleration->r_dot[b] = vector();
         instant.acceleration->omega_local[b] = vector();
     }
     for (std::size_t k = 0; k < instant.state.theta.size(); ++k) {
-        instant.state.theta[k] = any(random);
-        instant.velocity.theta_dot[k] = any(random);
-        instant.acceleration->theta_dot[k] = any(random);
+        instant.state.theta[k] = any.number();
+        instant.velocity.theta_dot[k] = any.number();
+        instant.acceleration->theta_dot[k] = any.number();
     }
     instant.system = std::move(system);
     return instant;
