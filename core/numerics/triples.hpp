@@ -1,5 +1,9 @@
 #pragma once
 
+#if __has_include(<sys/platform/x86.h>)
+#include <sys/platform/x86.h>
+#endif
+
 #include <type_traits>
 
 #include "core/numerics/linear.hpp"
@@ -221,10 +225,15 @@ inline Mat3 mat3(const Triples& m) {
 /// Registers that a pass computes in; both give the same numbers to the last bit.
 enum class Registers { narrow, wide };
 
-/// The widest registers that this processor has.
+/// The widest registers that this processor has. Where glibc is asked to do without wide ones
+/// (GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2), so are we: tests compare the two.
 inline Registers widest_registers() {
 #if defined(__x86_64__)
+#if __has_include(<sys/platform/x86.h>)
+    static const bool has_wide = CPU_FEATURE_ACTIVE(AVX2);
+#else
     static const bool has_wide = __builtin_cpu_supports("avx2") > 0;
+#endif
     return has_wide ? Registers::wide : Registers::narrow;
 #else
     return Registers::narrow;
