@@ -9,7 +9,7 @@
 #include "app/commands/format_option.hpp"
 #include "app/commands/quantity_option.hpp"
 #include "app/session/output/csv.hpp"
-#include "app/session/output/json.hpp"
+#include "app/session/output/json_tables.hpp"
 #include "app/session/story/dynamics_run.hpp"
 #include "core/motion/tolerances.hpp"
 #include "lessons/diagnostics.hpp"
@@ -64,34 +64,6 @@ DynamicsRequest request_for(const SimulateOptions& options, const Lesson& lesson
             "simulate", "--samples is " + std::to_string(request.samples) + "; expected 1 to 1000000");
     }
     return request;
-}
-
-Json json_of(const DynamicsTable& table, const Lesson& lesson) {
-    const IntegrationCounts& c = table.outcome.counts;
-    return {
-        {"format", "jointwise simulate"},
-        {"version", kJsonVersion},
-        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
-        {"columns", table.columns},
-        {"rows", table.rows},
-        {"counts",
-         {{"steps", c.steps},
-          {"rejected", c.rejected},
-          {"evaluations", c.evaluations},
-          {"projections", c.projections},
-          {"jacobians", c.jacobians},
-          {"row_choices", c.row_choices},
-          {"singular_passages", c.singular_passages}}},
-        {"residuals",
-         {{"forces", table.outcome.residual.forces},
-          {"constraint_accelerations", table.outcome.residual.constraints}}},
-        {"not_unique", table.not_unique},
-        {"pace_note", table.pace_note.empty() ? Json() : Json(table.pace_note)},
-        {"reaction_residual", table.reaction_residual ? number(*table.reaction_residual) : Json()},
-        {"reaction_bound", table.reaction_residual ? number(table.reaction_bound) : Json()},
-        {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
-        {"fit_note", table.fit_note.empty() ? Json() : Json(table.fit_note)},
-        {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
 }
 
 Exit simulate_command(const SimulateOptions& options, const Streams& streams) {

@@ -8,7 +8,7 @@
 #include "app/commands/format_option.hpp"
 #include "app/commands/quantity_option.hpp"
 #include "app/session/output/csv.hpp"
-#include "app/session/output/json.hpp"
+#include "app/session/output/json_tables.hpp"
 #include "app/session/view/solution.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/enum_words.hpp"
@@ -28,10 +28,6 @@ struct SolveOptions {
     std::vector<std::string> quantities;
     bool old_names = false;
 };
-
-constexpr std::array kAnalyses{
-    EnumWord<Analysis>{Analysis::position, "position"}, EnumWord<Analysis>{Analysis::velocity, "velocity"},
-    EnumWord<Analysis>{Analysis::acceleration, "acceleration"}};
 
 // a table of more rows than this is a slip of a decimal point
 constexpr double kMostRows = 1e6;
@@ -63,35 +59,6 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
         for (const double value : row.values) { out << csv_number(value) << ','; }
         out << row.unique << ',' << row.consistent << ',' << row.change_point << '\n';
     }
-}
-
-void write_json(
-    const Sweep& sweep, const ChangedLesson& changed, const SolveOptions& options, std::ostream& out) {
-    const Lesson& lesson = changed.lesson;
-    Json rows = Json::array();
-    for (const SweepRow& row : sweep.rows) {
-        Json entry{
-            {"values", row.values},
-            {"unique", row.unique},
-            {"consistent", row.consistent},
-            {"change_point", row.change_point},
-            {"position_residual", json_of(row.residuals.position)}};
-        if (options.analysis != "position") { entry["velocity_residual"] = json_of(row.residuals.velocity); }
-        if (options.analysis == "acceleration") {
-            entry["acceleration_residual"] = json_of(row.residuals.acceleration);
-        }
-        rows.push_back(std::move(entry));
-    }
-    Json json{
-        {"format", "jointwise solve"},
-        {"version", kJsonVersion},
-        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
-        {"analysis", options.analysis},
-        {"columns", sweep.columns},
-        {"rows", rows},
-        {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
-    add_done(json, changed.done);
-    out << json_document(json);
 }
 
 /// The first row whose answer misses its equations by more than rounding, where nothing else has said so.
@@ -143,7 +110,9 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
     }
     if (options.old_names) { rename_columns(sweep.columns, sweep.columns.size() - plan.quantities.size()); }
     if (options.format == "json") {
-        write_json(sweep, changed, options, streams.out);
+        Json json = json_of(sweep, plan.analysis, lesson);
+        add_done(json, changed.done);
+        streams.out << json_document(json);
     } else {
         write_csv(sweep, streams.out);
     }
