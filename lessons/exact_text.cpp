@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/elementary/elementary.hpp"
 #include "core/jets/euler_parameters.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/typed.hpp"
@@ -173,7 +174,7 @@ Vec3 typed_direction(const Vec3& unit) {
 std::optional<TypedRotation> typed_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
     if (e.norm() == 0.0) { return std::nullopt; }
-    const double angle = 2.0 * std::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
+    const double angle = 2.0 * elementary::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
     for (const Vec3& axis : short_multiples(e)) {
         const auto degrees = typed_number(angle, kTypedDigits, [&](double typed) {
             return euler_parameters_of(axis, radians(typed)) == p;
@@ -185,7 +186,7 @@ std::optional<TypedRotation> typed_rotation(const Vec4& p) {
 
 std::string about_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
-    const double angle = 2.0 * std::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
+    const double angle = 2.0 * elementary::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
     // + 0: no minus zero
     const Vec3 axis = e.norm() > 0.0 ? Vec3(e.normalized() + Vec3::Zero()) : Vec3::UnitZ();
     std::string text = "turned by " + short_number(angle, 4) + " deg about (";

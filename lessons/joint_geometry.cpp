@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/elementary/elementary.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -16,7 +17,7 @@ constexpr double kPerpendicular = 1e-3;
 constexpr double kSmallestLength = 1e-9;
 
 double degrees_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
+    return elementary::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
 }
 
 bool is_perpendicular(const Vec3& a, const Vec3& b) {

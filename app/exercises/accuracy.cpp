@@ -6,6 +6,7 @@
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/elementary/elementary.hpp"
 #include "lessons/translatable.hpp"
 
 namespace jw {
@@ -15,7 +16,8 @@ namespace {
 /// Significant digits of which the rounding is within the tolerance whatever the first digit is: of 1.0 it is
 /// half a unit of the last one.
 int digits_for(double relative_tolerance) {
-    return static_cast<int>(std::max(1.0, std::ceil(1.0 - std::log10(2.0 * relative_tolerance) - 1e-9)));
+    return static_cast<int>(
+        std::max(1.0, std::ceil(1.0 - elementary::log10(2.0 * relative_tolerance) - 1e-9)));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/exercises/units.hpp"
 #include "app/session/wording/messages.hpp"
 #include "core/numerics/decimal.hpp"
+#include "core/elementary/elementary.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {
@@ -235,7 +236,7 @@ private:
             value = factor();
         } else {
             value = atom();
-            if (take('^')) { value = std::pow(value, factor()); }
+            if (take('^')) { value = elementary::pow(value, factor()); }
         }
         --depth_;
         return value;
@@ -281,14 +282,14 @@ private:
         if (!take(')')) { fail("')'"); }
         --inside_;
         if (name == "sqrt") { return std::sqrt(x); }
-        if (name == "sin") { return std::sin(x); }
-        if (name == "cos") { return std::cos(x); }
-        if (name == "tan") { return std::tan(x); }
-        if (name == "asin") { return std::asin(x); }
-        if (name == "acos") { return std::acos(x); }
-        if (name == "atan") { return std::atan(x); }
-        if (name == "atan2") { return std::atan2(x, second); }
-        if (name == "exp") { return std::exp(x); }
+        if (name == "sin") { return elementary::sin(x); }
+        if (name == "cos") { return elementary::cos(x); }
+        if (name == "tan") { return elementary::tan(x); }
+        if (name == "asin") { return elementary::asin(x); }
+        if (name == "acos") { return elementary::acos(x); }
+        if (name == "atan") { return elementary::atan(x); }
+        if (name == "atan2") { return elementary::atan2(x, second); }
+        if (name == "exp") { return elementary::exp(x); }
         fail(tr("a function: sqrt, sin, cos, tan, asin, acos, atan, atan2 or exp"));
     }
 

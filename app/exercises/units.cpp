@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -84,7 +86,7 @@ std::optional<WrittenUnit> read_unit(std::string_view text) {
             if (name == nullptr) { return std::nullopt; }
             const int power = side * take_power(text);
             if (power == 0) { return std::nullopt; }
-            unit.factor *= std::pow(name->unit.factor, power);
+            unit.factor *= elementary::pow(name->unit.factor, power);
             for (std::size_t k = 0; k < unit.powers.size(); ++k) {
                 unit.powers[k] += power * name->unit.powers[k];
             }

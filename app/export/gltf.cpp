@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/session/output/json.hpp"
+#include "core/elementary/elementary.hpp"
 
 namespace jw::gltf {
 
@@ -76,7 +77,8 @@ void add_bounds(const std::vector<T>& values, Json& accessor) {
 
 /// Colours of materials are linear. @source IEC 61966-2-1
 float linear(float srgb) {
-    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+    return srgb <= 0.04045F ? srgb / 12.92F
+                            : static_cast<float>(elementary::pow((srgb + 0.055F) / 1.055F, 2.4));
 }
 
 Json material_of(const std::array<float, 4>& colour) {

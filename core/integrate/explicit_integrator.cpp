@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary/elementary.hpp"
 #include "core/integrate/singular_steps.hpp"
 
 namespace jw {
@@ -228,7 +229,8 @@ double ExplicitIntegrator::growth_after(double error) {
     const double most = rejected_before_ ? 1.0 : kMostGrowth;
     const double exponent = 1.0 / table_->order - 0.2 * kMemory;
     const double growth =
-        error > 0.0 ? kSafety * std::pow(error, -exponent) * std::pow(last_error_, kMemory) : most;
+        error > 0.0 ? kSafety * elementary::pow(error, -exponent) * elementary::pow(last_error_, kMemory)
+                    : most;
     last_error_ = std::max(error, 1e-4);
     return std::clamp(growth, 1.0 / 3.0, most);
 }
@@ -261,7 +263,7 @@ bool ExplicitIntegrator::reach(double t_from, const std::vector<double>& from, d
 /// True if the error is rounding: the previous attempt was longer, and its error hardly larger, whereas the
 /// error of the method falls with its order.
 bool ExplicitIntegrator::is_rounding(double error, double h) const {
-    return h < rejected_.h && error > std::pow(h / rejected_.h, 2) * rejected_.error;
+    return h < rejected_.h && error > h / rejected_.h * (h / rejected_.h) * rejected_.error;
 }
 
 bool ExplicitIntegrator::step(double t_end) {
@@ -319,7 +321,8 @@ bool ExplicitIntegrator::step(double t_end) {
         ++counts_.rejected;
         rejected_before_ = true;
         rejected_ = {h, error};
-        const double factor = std::isfinite(error) ? kSafety * std::pow(error, -1.0 / table_->order) : 0.1;
+        const double factor =
+            std::isfinite(error) ? kSafety * elementary::pow(error, -1.0 / table_->order) : 0.1;
         h_ = h * std::clamp(factor, 0.1, 0.9);
     }
     return false;

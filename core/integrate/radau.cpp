@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary/elementary.hpp"
 #include "core/integrate/singular_steps.hpp"
 
 namespace jw {
@@ -216,7 +217,7 @@ RadauIntegrator::NewtonEnd RadauIntegrator::solve_stages(double h) {
             const double least = end.is_near_singular() ? std::max(enough, rounding) : enough;
             end.converged = left <= enough;
             const int more = kMostIterations - end.iterations;
-            if (end.converged || left * std::pow(end.contraction, more - 1) > least) { return end; }
+            if (end.converged || left * elementary::pow(end.contraction, more - 1) > least) { return end; }
         } else if (size <= 1e-2 * enough) {
             end.converged = true;
             end.contraction = 0.0;
@@ -295,7 +296,7 @@ double RadauIntegrator::growth_after(double error, int iterations) const {
     constexpr double most = 6.0;
     const double safety = 0.9 * (2 * kMostIterations + 1) / (2 * kMostIterations + iterations);
     const double order = static_cast<double>(x_stages_.cols()) + 1.0;
-    return error > 0.0 ? std::clamp(safety * std::pow(error, -1.0 / order), 0.2, most) : most;
+    return error > 0.0 ? std::clamp(safety * elementary::pow(error, -1.0 / order), 0.2, most) : most;
 }
 
 bool RadauIntegrator::step(double t_end) {

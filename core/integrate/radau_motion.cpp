@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
 #include "core/integrate/radau.hpp"
 
 /// Checks that the stages of a step, and the states between them, belong to the motion that led there.
@@ -30,7 +31,7 @@ RadauIntegrator::Turning RadauIntegrator::turning_of_stages() const {
             const Vec4 p = vec4(body + 3).normalized();
             const double cosine = std::abs(p.dot(vec4(body_numbers(start.data(), m) + 3).normalized()));
             turning.rate = std::max(turning.rate, vec3(body + 10).norm());
-            turning.angle = std::max(turning.angle, 2.0 * std::acos(std::min(1.0, cosine)));
+            turning.angle = std::max(turning.angle, 2.0 * elementary::acos(std::min(1.0, cosine)));
         }
     }
     return turning;

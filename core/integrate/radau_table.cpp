@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/elementary/elementary.hpp"
 #include "core/integrate/radau.hpp"
 
 namespace jw {
@@ -25,8 +26,8 @@ VectorX radau_nodes(int stages) {
     const auto value = [&](double x) { return legendre(stages, x) - legendre(stages - 1, x); };
     for (int i = 0; i < stages - 1; ++i) {
         // each of these intervals contains exactly one zero
-        double left = -std::cos(std::numbers::pi * i / (stages - 0.5));
-        double right = -std::cos(std::numbers::pi * (i + 1) / (stages - 0.5));
+        double left = -elementary::cos(std::numbers::pi * i / (stages - 0.5));
+        double right = -elementary::cos(std::numbers::pi * (i + 1) / (stages - 0.5));
         const bool rising = value(left) < 0.0;
         for (int k = 0; k < 200; ++k) {
             const double middle = 0.5 * (left + right);
@@ -49,8 +50,8 @@ RadauTable radau_table(int stages) {
     MatrixX integrals(stages, stages);
     for (int i = 0; i < stages; ++i) {
         for (int k = 0; k < stages; ++k) {
-            powers(i, k) = std::pow(table.c(i), k);
-            integrals(i, k) = std::pow(table.c(i), k + 1) / (k + 1);
+            powers(i, k) = elementary::pow(table.c(i), k);
+            integrals(i, k) = elementary::pow(table.c(i), k + 1) / (k + 1);
         }
     }
     table.a = powers.transpose().fullPivLu().solve(integrals.transpose()).transpose();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 using Kind = NumberScale::Kind;
@@ -79,7 +81,7 @@ double StateScales::first_step(const std::vector<double>& y_dot, double toleranc
     const double acceleration =
         std::max(largest(y_dot, Kind::velocity) / length_, largest(y_dot, Kind::omega));
     const double rate = std::max({slowest_, velocity_ / length_, omega_, std::sqrt(acceleration)});
-    return 0.5 * std::pow(tolerance, 1.0 / order) / rate;
+    return 0.5 * elementary::pow(tolerance, 1.0 / order) / rate;
 }
 
 double fastest_turn(const StateLayout& equations, const double* y, std::vector<double>& flat) {

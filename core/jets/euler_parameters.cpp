@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -13,9 +15,10 @@ constexpr double kSmallTurn = 1e-4;
 /// Unit p of a rotation vector [rad].
 Vec4 exponential(const Vec3& turn) {
     const double half = 0.5 * turn.norm();
-    const double sinc = half < kSmallTurn ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+    const auto [sine, cosine] = elementary::sine_and_cosine(half);
+    const double sinc = half < kSmallTurn ? 1.0 - half * half / 6.0 : sine / half;
     Vec4 p;
-    p << std::cos(half), 0.5 * sinc * turn;
+    p << cosine, 0.5 * sinc * turn;
     return p;
 }
 
@@ -52,7 +55,8 @@ Vec4 euler_parameters_of(const Mat3& A) {
 
 Vec4 euler_parameters_of(const Vec3& axis, double angle) {
     Vec4 p;
-    p << std::cos(0.5 * angle), std::sin(0.5 * angle) * axis.stableNormalized();
+    const auto [sine, cosine] = elementary::sine_and_cosine(0.5 * angle);
+    p << cosine, sine * axis.stableNormalized();
     return p;
 }
 
@@ -69,7 +73,7 @@ Vec3 turn_local_between(const Vec4& from, const Vec4& to) {
     if (difference(0) < 0.0) { difference = -difference; }
     const Vec3 e = difference.tail<3>();
     const double sine = e.norm();
-    const double half = std::atan2(sine, difference(0));
+    const double half = elementary::atan2(sine, difference(0));
     return sine > 0.0 ? Vec3(2.0 * half / sine * e) : Vec3::Zero();
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -21,10 +23,10 @@ void add_polynomial(TimeFunction::Value& value, const std::vector<double>& coeff
 }
 
 void add_harmonic(TimeFunction::Value& value, const TimeFunction::Harmonic& h, double t) {
-    const double sine = h.amplitude * std::sin(h.omega * t + h.phase);
-    value.f += sine;
-    value.f_dot += h.amplitude * h.omega * std::cos(h.omega * t + h.phase);
-    value.f_ddot -= h.omega * h.omega * sine;
+    const auto [sine, cosine] = elementary::sine_and_cosine(h.omega * t + h.phase);
+    value.f += h.amplitude * sine;
+    value.f_dot += h.amplitude * h.omega * cosine;
+    value.f_ddot -= h.omega * h.omega * (h.amplitude * sine);
 }
 
 void add_step(TimeFunction::Value& value, const TimeFunction::SmoothStep& step, double t) {

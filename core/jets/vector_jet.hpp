@@ -3,6 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "core/elementary/elementary.hpp"
 #include "core/jets/coordinates.hpp"
 
 /// Jets: vectors that carry their derivatives. Every primitive of the book is a difference, a dot product or
@@ -149,12 +150,14 @@ Jet<C, K, 1, S> chain(const Jet<C, K, 1, S>& x, double f, double f_prime, double
 
 template <class C, Content K, unsigned S>
 Jet<C, K, 1, S> cos(const Jet<C, K, 1, S>& x) {
-    return chain(x, std::cos(x.value(0)), -std::sin(x.value(0)), -std::cos(x.value(0)));
+    const auto [sine, cosine] = elementary::sine_and_cosine(x.value(0));
+    return chain(x, cosine, -sine, -cosine);
 }
 
 template <class C, Content K, unsigned S>
 Jet<C, K, 1, S> sin(const Jet<C, K, 1, S>& x) {
-    return chain(x, std::sin(x.value(0)), std::cos(x.value(0)), -std::sin(x.value(0)));
+    const auto [sine, cosine] = elementary::sine_and_cosine(x.value(0));
+    return chain(x, sine, cosine, -sine);
 }
 
 template <class C, Content K, unsigned S>
@@ -169,7 +172,7 @@ Jet<C, K, 1, SX | SY> atan2(const Jet<C, K, 1, SY>& y, const Jet<C, K, 1, SX>& x
     const double x0 = x.value(0);
     const double y0 = y.value(0);
     const double square = x0 * x0 + y0 * y0;
-    out.value(0) = std::atan2(y0, x0);
+    out.value(0) = elementary::atan2(y0, x0);
     if constexpr (K == Content::motion) {
         // d/dt of (x ẏ - y ẋ) / ρ²
         out.rate(0) = (x0 * y.rate(0) - y0 * x.rate(0)) / square;

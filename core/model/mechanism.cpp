@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 int Mechanism::moving_bodies_count() const {
@@ -96,7 +98,7 @@ double relative_angle(const Joint& joint, const State& state) {
     const PlacedAxis axis(joint, state);
     const Vec3 u_i = axis.A_i * joint.geometry.u_i_local;
     const Vec3 u_j = axis.A_j * joint.geometry.u_j_local;
-    return std::atan2(u_i.cross(u_j).dot(axis.s_i), u_i.dot(u_j));
+    return elementary::atan2(u_i.cross(u_j).dot(axis.s_i), u_i.dot(u_j));
 }
 
 double screw_angle(const Joint& joint, const State& state) {
@@ -176,7 +178,7 @@ double extent(const Mechanism& mechanism) {
 }
 
 double unit_of_length(const Mechanism& mechanism) {
-    return std::pow(1000.0, std::round(std::log10(extent(mechanism)) / 3.0));
+    return elementary::pow(1000.0, std::round(elementary::log10(extent(mechanism)) / 3.0));
 }
 
 }  // namespace jw

@@ -80,7 +80,7 @@ private:
         if (std::abs(product) <= tolerance_ * size) { return; }
         rotated_ = true;
         const double zeta = (squared_(q) - squared_(p)) / (2.0 * product);
-        const double t = (zeta < 0.0 ? -1.0 : 1.0) / (std::abs(zeta) + std::hypot(1.0, zeta));
+        const double t = (zeta < 0.0 ? -1.0 : 1.0) / (std::abs(zeta) + std::sqrt(1.0 + zeta * zeta));
         const double c = 1.0 / std::sqrt(1.0 + t * t);
         const double s = c * t;
         const double tau = s / (1.0 + c);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/triples.hpp"
 
 namespace jw {
@@ -78,8 +79,8 @@ void find_sines_and_cosines(std::span<FourTurns> turns, Registers registers) {
     for (FourTurns& four : turns) {
         for (int k = 0; k < 4; ++k) {
             if (!is_far(four.angle[k])) { continue; }
-            four.cosine[k] = std::cos(four.angle[k]);
-            four.sine[k] = std::sin(four.angle[k]);
+            four.cosine[k] = elementary::cos(four.angle[k]);
+            four.sine[k] = elementary::sin(four.angle[k]);
         }
     }
 }

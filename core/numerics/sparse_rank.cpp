@@ -7,6 +7,8 @@
 
 #include <Eigen/QR>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -23,7 +25,7 @@ constexpr double kRounding = 100.0 * std::numeric_limits<double>::epsilon();
 /// Start vector without the symmetries of a mechanism: no two entries are equal.
 VectorX any_vector(Eigen::Index size, double phase) {
     VectorX v(size);
-    for (Eigen::Index k = 0; k < size; ++k) { v(k) = std::cos(phase + 2.4 * static_cast<double>(k)); }
+    for (Eigen::Index k = 0; k < size; ++k) { v(k) = elementary::cos(phase + 2.4 * static_cast<double>(k)); }
     return v.normalized();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
 
 namespace jw {
@@ -90,8 +91,8 @@ std::optional<WrongBranch> find_wrong_branch(
             if (measure < 0.0) { return WrongBranch{WrongBranch::Kind::half_turn, index, measure}; }
         } else if (
             c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation) {
-            const double cosine =
-                std::cos(relative_angle(joint, state) - state.theta[static_cast<std::size_t>(c.theta)]);
+            const double cosine = elementary::cos(
+                relative_angle(joint, state) - state.theta[static_cast<std::size_t>(c.theta)]);
             if (cosine < 0.0) { return WrongBranch{WrongBranch::Kind::screw_angle, index, cosine}; }
         }
     }

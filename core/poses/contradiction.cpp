@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/closest_fit.hpp"
 #include "core/poses/newton.hpp"
@@ -77,7 +78,7 @@ double gap_of(const System& system, const Constraint& c, const State& state) {
     const VectorX values = values_of(c, state);
     const JointGeometry& g = system.mechanism().joints[static_cast<std::size_t>(c.joint)].geometry;
     switch (traits_of(c.role).dimension) {
-        case Dimension::none: return std::asin(std::min(1.0, values.norm() / c.unit));
+        case Dimension::none: return elementary::asin(std::min(1.0, values.norm() / c.unit));
         case Dimension::length: return values.norm() * system.length_unit() / c.unit;
         case Dimension::square: break;
     }

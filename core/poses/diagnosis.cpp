@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/svd.hpp"
 #include "core/poses/closest_fit.hpp"
 #include "core/poses/newton.hpp"
@@ -68,7 +69,7 @@ bool gives_way(const System& system, const Fit& fit, double t) {
     VectorX push(Layout<OmegaLocal>(system).columns());
     // no two entries are equal, so that no symmetry of the scene survives
     for (Eigen::Index k = 0; k < push.size(); ++k) {
-        push(k) = kPush * std::cos(1.0 + 2.4 * static_cast<double>(k));
+        push(k) = kPush * elementary::cos(1.0 + 2.4 * static_cast<double>(k));
     }
     equations.look(closest_fit(system, equations.moved(fit.state, push), t));
     return equations.phi().norm() < kClearlyLower * fit.phi.norm();

@@ -6,6 +6,8 @@
 
 #include <Eigen/QR>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -35,7 +37,9 @@ std::optional<double> measured_order(const std::vector<NewtonIterate>& iterates,
         const double e1 = iterates[last - 2].residual;
         const double e2 = iterates[last - 1].residual;
         const double e3 = iterates[last].residual;
-        if (e3 > rounding && e3 < e2 && e2 < e1) { return std::log(e3 / e2) / std::log(e2 / e1); }
+        if (e3 > rounding && e3 < e2 && e2 < e1) {
+            return elementary::log(e3 / e2) / elementary::log(e2 / e1);
+        }
     }
     return std::nullopt;
 }

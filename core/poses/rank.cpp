@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
 #include "core/poses/least_squares.hpp"
@@ -143,7 +144,7 @@ std::vector<RedundantRow> redundant_rows_of(
             }
             // misfit of the reported terms, not of the solution
             entry.misfit = (basis * coefficients - scaled.row(row).transpose()).norm();
-            entry.bound = kRoundings * (vanishing + kNotFelt) * std::hypot(1.0, coefficients.norm());
+            entry.bound = kRoundings * (vanishing + kNotFelt) * elementary::hypot(1.0, coefficients.norm());
         }
         redundant.push_back(std::move(entry));
     }

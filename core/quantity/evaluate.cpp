@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/jets/body_kinematics.hpp"
 #include "core/quantity/residuals.hpp"
@@ -217,8 +218,8 @@ QuantityValue Evaluation::operator()(const DirectionsQuantity& q) const {
     const double cosine_ddot =
         a.acceleration.dot(b.value) + 2.0 * a.rate.dot(b.rate) + a.value.dot(b.acceleration);
     const double rate = -cosine_dot / sine;
-    QuantityValue out =
-        with_accelerations({std::atan2(sine, cosine), rate, (-cosine_ddot - cosine * rate * rate) / sine}, 2);
+    QuantityValue out = with_accelerations(
+        {elementary::atan2(sine, cosine), rate, (-cosine_ddot - cosine * rate * rate) / sine}, 2);
     if (sine > 0.0) { return out; }
     // parallel: the angle has a corner there
     out.derivatives = {out.derivatives[0], QuantityValue::kNone, QuantityValue::kNone};

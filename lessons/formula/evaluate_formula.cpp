@@ -8,6 +8,7 @@
 
 #include <Eigen/QR>
 
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw::formula {
@@ -178,19 +179,18 @@ private:
             throw Mismatch(name + " is taken of " + shape_text(x) + "; expected a number");
         }
         const double v = x.d[0](0, 0);
-        if (name == "sin") { return function_of(x, std::sin(v), std::cos(v), -std::sin(v)); }
-        if (name == "cos") { return function_of(x, std::cos(v), -std::sin(v), -std::cos(v)); }
-        if (name == "tan") {
-            const double t = std::tan(v);
-            return function_of(x, t, 1.0 + t * t, 2.0 * t * (1.0 + t * t));
-        }
+        const auto [sine, cosine] = elementary::sine_and_cosine(v);
+        if (name == "sin") { return function_of(x, sine, cosine, -sine); }
+        if (name == "cos") { return function_of(x, cosine, -sine, -cosine); }
+        const double t = elementary::tan(v);
+        if (name == "tan") { return function_of(x, t, 1.0 + t * t, 2.0 * t * (1.0 + t * t)); }
         if (name == "arctan") {
             const double q = 1.0 / (1.0 + v * v);
-            return function_of(x, std::atan(v), q, -2.0 * v * q * q);
+            return function_of(x, elementary::atan(v), q, -2.0 * v * q * q);
         }
         if (name == "arccos") {
             const double s = std::sqrt(1.0 - v * v);
-            return function_of(x, std::acos(v), -1.0 / s, -v / (s * s * s));
+            return function_of(x, elementary::acos(v), -1.0 / s, -v / (s * s * s));
         }
         fail(node, "the function " + name + " cannot be evaluated");
     }
@@ -231,7 +231,7 @@ private:
             fail(node, "expected atan2(y, x)");
         }
         if (!x.is_number() || !y.is_number()) { fail(node, "atan2 takes two numbers"); }
-        Value angle = number(std::atan2(y.d[0](0, 0), x.d[0](0, 0)));
+        Value angle = number(elementary::atan2(y.d[0](0, 0), x.d[0](0, 0)));
         angle.order = 0;
         return angle;
     }

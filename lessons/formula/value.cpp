@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw::formula {
 
 namespace {
@@ -193,8 +195,9 @@ Value power(const Value& a, int exponent) {
     if (a.kind == Kind::identity || a.is_number()) {
         const double x = a.d[0](0, 0);
         const double n = exponent;
-        Value out =
-            function_of(a, std::pow(x, n), n * std::pow(x, n - 1.0), n * (n - 1.0) * std::pow(x, n - 2.0));
+        Value out = function_of(
+            a, elementary::pow(x, n), n * elementary::pow(x, n - 1.0),
+            n * (n - 1.0) * elementary::pow(x, n - 2.0));
         out.kind = a.kind;
         return out;
     }
@@ -252,7 +255,7 @@ Value determinant(const Value& a) {
     if (a.rows() != a.cols()) { throw Mismatch("the determinant of " + shape_text(a) + " is taken"); }
     Value out = number(a.d[0].determinant());
     out.order = 0;
-    out.scale[0] = std::max(1.0, std::pow(a.scale[0], static_cast<double>(a.rows())));
+    out.scale[0] = std::max(1.0, elementary::pow(a.scale[0], static_cast<double>(a.rows())));
     return out;
 }
 

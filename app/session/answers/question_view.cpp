@@ -9,6 +9,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw {
@@ -99,7 +100,7 @@ std::string answer_text(const Lesson& lesson, const Question& question, const Ri
     const double size = std::max(std::abs(right.number), 1e-300);
     const int digits =
         right.tolerance > 0.0
-            ? std::clamp(static_cast<int>(std::ceil(std::log10(size / right.tolerance))) + 2, 2, 9)
+            ? std::clamp(static_cast<int>(std::ceil(elementary::log10(size / right.tolerance))) + 2, 2, 9)
             : 6;
     return number_text(right.number, digits) + (unit.empty() ? "" : " " + unit);
 }

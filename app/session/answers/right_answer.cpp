@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/session/story/dynamics_rows.hpp"
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw {
@@ -169,7 +170,7 @@ RightAnswer right_things(const PointedAnswer& answer, const Question& question, 
 double BodyPose::turn_from(const BodyPose& other) const {
     // |p - p'| = 2 sin(angle / 4); an arc cosine of pᵀp' would lose half of the digits of a small angle
     const double apart = std::min((p - other.p).norm(), (p + other.p).norm());
-    return 4.0 * std::asin(std::min(1.0, 0.5 * apart));
+    return 4.0 * elementary::asin(std::min(1.0, 0.5 * apart));
 }
 
 std::optional<Thing> thing_of_row(const System& system, int row) {

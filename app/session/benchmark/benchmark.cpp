@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/session/wording/numbers.hpp"
+#include "core/elementary/elementary.hpp"
 #include "lessons/catalogue.hpp"
 
 namespace jw {
@@ -45,10 +46,12 @@ bool stands_still(const std::vector<BenchPoint>& points) {
 std::vector<double> settings_of(Method method, double duration) {
     std::vector<double> settings;
     if (entry_of(method).adaptive) {
-        for (int k = 3; k <= 26; ++k) { settings.push_back(std::pow(10.0, -0.5 * k)); }
+        for (int k = 3; k <= 26; ++k) { settings.push_back(elementary::pow(10.0, -0.5 * k)); }
     } else {
         for (int k = 2; k <= 6; ++k) {
-            for (const double part : {1.0, 0.3}) { settings.push_back(duration * part * std::pow(10.0, -k)); }
+            for (const double part : {1.0, 0.3}) {
+                settings.push_back(duration * part * elementary::pow(10.0, -k));
+            }
         }
     }
     return settings;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw {
 
 namespace {
@@ -92,7 +94,7 @@ bool extrapolate(
             Numbers next = y;
             const double error = extrapolation.step(t, tried, next);
             const double finite = std::isfinite(error) ? std::max(error, 1e-20) : 1e20;
-            const double factor = std::clamp(0.8 * std::pow(finite, -1.0 / (kOrder - 1.0)), 0.2, 4.0);
+            const double factor = std::clamp(0.8 * elementary::pow(finite, -1.0 / (kOrder - 1.0)), 0.2, 4.0);
             if (finite > 1.0) {
                 h = tried * factor;
                 continue;

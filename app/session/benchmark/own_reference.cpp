@@ -5,6 +5,7 @@
 #include "app/session/benchmark/benchmark.hpp"
 #include "app/session/benchmark/extrapolation.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/elementary/elementary.hpp"
 #include "core/motion/time_events.hpp"
 
 namespace jw {
@@ -129,7 +130,7 @@ std::string agreement_text(const PointPath& best, const PointPath& check) {
     const double apart = largest_distance(best, check);
     double reach = 0.0;
     for (const auto& [position, velocity] : best) { reach = std::max(reach, position.norm()); }
-    const double digits = std::floor(-std::log10(std::max(apart / std::max(reach, 1e-300), 1e-16)));
+    const double digits = std::floor(-elementary::log10(std::max(apart / std::max(reach, 1e-300), 1e-16)));
     return number_text(apart, 2) + " m apart: " + number_text(std::max(digits, 0.0), 2) +
            " digits agree; smaller errors have no meaning";
 }

@@ -5,6 +5,7 @@
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/elementary/elementary.hpp"
 
 namespace jw {
 
@@ -47,7 +48,8 @@ std::string winner_at(const std::vector<PriceRow>& rows, std::size_t level) {
 }  // namespace
 
 std::string level_text(std::size_t level) {
-    return "1e-" + std::to_string(static_cast<int>(std::lround(-std::log10(kErrorLevels[level])))) + " m";
+    return "1e-" + std::to_string(static_cast<int>(std::lround(-elementary::log10(kErrorLevels[level])))) +
+           " m";
 }
 
 Prices prices_of(const std::vector<BenchRun>& runs) {
@@ -80,7 +82,7 @@ SeriesSet work_precision(const std::vector<BenchRun>& runs) {
         series.name = entry_of(run.method).name;
         series.unit = "ms";
         for (const double digits : set.at) {
-            const auto time = run.time_to(std::pow(10.0, -digits));
+            const auto time = run.time_to(elementary::pow(10.0, -digits));
             series.values.push_back(time ? 1e3 * *time : kNotKnown);
         }
         set.telling.push_back(static_cast<int>(set.series.size()));

@@ -5,6 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include "core/elementary/elementary.hpp"
+#include "core/jets/euler_parameters.hpp"
+
 namespace jw {
 
 namespace {
@@ -85,7 +88,7 @@ Vec3 turned_off_axes(const Vec3& view, const Vec3& up, const std::vector<Vec3>& 
     Vec3 best = view.normalized();
     double best_value = -1.0;
     for (int k = -most; k <= most; ++k) {
-        const Vec3 turned = Eigen::AngleAxisd(step * k, up) * view.normalized();
+        const Vec3 turned = rotation_matrix(euler_parameters_of(up, step * k)) * view.normalized();
         const double value = std::min(shortest(axes, turned), kNotEndOn) - price * std::abs(k);
         if (value > best_value) {
             best_value = value;
@@ -100,7 +103,7 @@ double distance_to_fit(
     const render::Bounds& bounds, const render::Camera& camera, const render::Rect& viewport,
     const render::Rect& safe) {
     const render::CameraAxes axes = render::axes_of(camera);
-    const double per_pixel = 2.0 * std::tan(0.5 * camera.field_of_view) / viewport.height;
+    const double per_pixel = 2.0 * elementary::tan(0.5 * camera.field_of_view) / viewport.height;
     const double centre_x = viewport.x + 0.5 * viewport.width;
     const double centre_y = viewport.y + 0.5 * viewport.height;
     double distance = 0.0;

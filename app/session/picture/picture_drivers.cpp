@@ -3,6 +3,7 @@
 
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/picture/picture_shapes.hpp"
+#include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw::picture {
@@ -23,7 +24,10 @@ struct Circle {
     Vec3 v;  ///< a quarter turn
     double radius = 1.0;
 
-    Vec3 direction(double angle) const { return std::cos(angle) * u + std::sin(angle) * v; }
+    Vec3 direction(double angle) const {
+        const auto [sine, cosine] = elementary::sine_and_cosine(angle);
+        return cosine * u + sine * v;
+    }
     Vec3 at(double angle) const { return centre + radius * direction(angle); }
 };
 

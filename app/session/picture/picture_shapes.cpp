@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary/elementary.hpp"
+
 namespace jw::picture {
 
 namespace {
@@ -166,7 +168,8 @@ double Solid::way_out(const Vec3& at, const Vec3& line, double limit) const {
     std::array<double, directions> ways{};
     for (std::size_t k = 0; k < directions; ++k) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / directions;
-        ways[k] = reach(at, std::cos(angle) * u + std::sin(angle) * v, limit);
+        const auto [sine, cosine] = elementary::sine_and_cosine(angle);
+        ways[k] = reach(at, cosine * u + sine * v, limit);
     }
     // a plate or a fork goes on and on in a few of them
     std::ranges::sort(ways);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/session/picture/picture_parts.hpp"
+#include "core/elementary/elementary.hpp"
 
 namespace jw::picture {
 
@@ -38,7 +39,8 @@ void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, rend
         const double along = kStraightEnd + (1.0 - 2.0 * kStraightEnd) * k / count;
         // the wire leaves the axis and comes back to it within a coil
         const double out = radius * std::min(1.0, std::min(k, count - k) / (0.5 * kPointsOfCoil));
-        points.push_back(from + along * way + out * (std::sin(angle) * first + std::cos(angle) * second));
+        const auto [sine, cosine] = elementary::sine_and_cosine(angle);
+        points.push_back(from + along * way + out * (sine * first + cosine * second));
     }
     points.push_back(to);
     add_wire(std::move(points), scene);
@@ -56,7 +58,7 @@ void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, re
 /// turns.
 void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& scene) {
     const Vec3 v = j.s_i.cross(j.u_i);
-    const double theta = std::atan2(j.u_j.dot(v), j.u_j.dot(j.u_i));
+    const double theta = elementary::atan2(j.u_j.dot(v), j.u_j.dot(j.u_i));
     const Vec3 centre = j.P_i + style.joints[static_cast<std::size_t>(j.index)].lift_i * j.s_i;
     const int count = static_cast<int>(kPointsOfCoil * (kSpiralTurns + 1.0));
     std::vector<Vec3> points;
@@ -64,7 +66,8 @@ void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& 
         const double share = static_cast<double>(k) / count;
         const double angle = (1.0 - share) * theta + share * kWholeTurn * kSpiralTurns;
         const double radius = style.unit * (kInnermost + share * (kOutermost - kInnermost));
-        points.push_back(centre + radius * (std::cos(angle) * j.u_i + std::sin(angle) * v));
+        const auto [sine, cosine] = elementary::sine_and_cosine(angle);
+        points.push_back(centre + radius * (cosine * j.u_i + sine * v));
     }
     add_wire(std::move(points), scene);
 }

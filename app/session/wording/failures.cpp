@@ -5,6 +5,7 @@
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/elementary/elementary.hpp"
 #include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics.hpp"
 
@@ -76,7 +77,7 @@ std::string tilted_axes_text(const System& system, const std::vector<int>& joint
                 const Joint& second = m.joints[static_cast<std::size_t>(joints[b])];
                 const auto other = axis_in(second, static_cast<int>(body));
                 if (!other) { continue; }
-                const double angle = std::atan2(s->cross(*other).norm(), std::abs(s->dot(*other)));
+                const double angle = elementary::atan2(s->cross(*other).norm(), std::abs(s->dot(*other)));
                 if (angle < kSameDirection || angle > kMeantParallel) { continue; }
                 texts.push_back(
                     tr("in body {0} the axes of {1} and {2} are {3} apart", in_quotes(m.bodies[body].name),
@@ -117,7 +118,8 @@ std::string measure_text(const Driver& driver, double value, double gap) {
     constexpr int digits = 9;  // of two that differ little
     const Unit unit = unit_of(driver.measure);
     const double factor = unit == Unit::radian ? kDegreesPerRadian : 1.0;
-    const double step = 0.01 * std::pow(10.0, std::floor(std::log10(std::max(factor * gap, 1e-300))));
+    const double step =
+        0.01 * elementary::pow(10.0, std::floor(elementary::log10(std::max(factor * gap, 1e-300))));
     const std::string number = number_text(step * std::round(factor * value / step), digits);
     return number + (unit == Unit::radian ? "°" : unit == Unit::metre ? " m" : "");
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/session/wording/messages.hpp"
+#include "core/elementary/elementary.hpp"
 
 namespace jw {
 
@@ -25,7 +26,7 @@ std::string number_text(double value, int digits) {
 std::string fixed_text(double value, int decimals) {
     if (!std::isfinite(value)) { return number_text(value); }
     // no "-0.000"
-    const double unit = std::pow(10.0, -decimals);
+    const double unit = elementary::pow(10.0, -decimals);
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 0.5 * unit ? 0.0 : value);
     return text;

@@ -16,7 +16,10 @@ constexpr double kVanishes = 1e-12;
 /// Contraction of an iteration up to which an earlier factorisation is good enough.
 constexpr double kFastConvergence = 1e-2;
 
-double vanishing_size(double extent) { return std::pow(kVanishes * std::min(1.0, 1.0 / extent), 2); }
+double vanishing_size(double extent) {
+    const double size = kVanishes * std::min(1.0, 1.0 / extent);
+    return size * size;
+}
 
 /// Rows of a node, one bit each.
 struct ChoiceOfRows {
