@@ -4,22 +4,19 @@
 #include <cmath>
 
 #include "core/elementary/elementary.hpp"
+#include "core/elementary/remainder.hpp"
 #include "core/numerics/triples.hpp"
 
 namespace jw {
 
 namespace {
 
-// 2/π, and π/2 in three parts, the first two of 33 bits (Cody and Waite): products with up to 20 bits of
-// quarter turns are exact
-constexpr double kQuartersPerRadian = 6.36619772367581382433e-01;
-constexpr double kQuarter = 1.57079632673412561417e+00;
-constexpr double kQuarterNext = 6.07710050630396597660e-11;
-constexpr double kQuarterLast = 2.02226624879595063154e-21;
-/// 2^20 quarter turns [rad]; larger angles are rare and go to the standard library.
-constexpr double kFar = 1.6e6;
-/// 1.5 · 2^52: adding it rounds a number to an integer, which is then in the last bits.
-constexpr double kRounds = 6755399441055744.0;
+using elementary::kFar;
+using elementary::kQuarter;
+using elementary::kQuarterLast;
+using elementary::kQuarterNext;
+using elementary::kQuartersPerRadian;
+using elementary::kRounds;
 
 /// (sin r - r) / r³ and (cos r - 1 + r²/2) / r⁴ in powers of r², minimax on |r| <= π/4.
 /// @source fdlibm, k_sin.c and k_cos.c
@@ -64,7 +61,7 @@ JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     *reinterpret_cast<Bits*>(cosine) = ((c_bits & ~is_odd) | (s_bits & is_odd)) ^ ((count + 1) >> 1 << 63);
 }
 
-/// True if the standard library is needed; true for NaN.
+/// True if quarter turns in three parts are not enough; true for NaN.
 bool is_far(double angle) { return !(std::abs(angle) < kFar); }
 
 }  // namespace
@@ -79,8 +76,9 @@ void find_sines_and_cosines(std::span<FourTurns> turns, Registers registers) {
     for (FourTurns& four : turns) {
         for (int k = 0; k < 4; ++k) {
             if (!is_far(four.angle[k])) { continue; }
-            four.cosine[k] = elementary::cos(four.angle[k]);
-            four.sine[k] = elementary::sin(four.angle[k]);
+            const auto [sine, cosine] = elementary::sine_and_cosine(four.angle[k]);
+            four.cosine[k] = cosine;
+            four.sine[k] = sine;
         }
     }
 }
