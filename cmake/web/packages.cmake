@@ -40,6 +40,8 @@ target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 # that nothing needs without -ffast-math
 target_compile_options(Eigen3::Eigen INTERFACE -msse2 -fgnuc-version=5.13 "-DEIGEN_OPTIMIZATION_BARRIER(X)=")
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/cmake/web/headers)
+include(eigen)
+target_compile_definitions(Eigen3::Eigen INTERFACE ${JW_EIGEN_DEFINITIONS} ${JW_EIGEN_WEB_DEFINITIONS})
 target_link_libraries(jw_gl_types INTERFACE jw_gl_platform)
 set(stb_INCLUDE_DIRS ${PROJECT_BINARY_DIR}/headers/stb)
 add_library(Threads::Threads INTERFACE IMPORTED)
