@@ -10,8 +10,8 @@
 #include "app/exercises/spelt_answer.hpp"
 #include "app/exercises/units.hpp"
 #include "app/session/wording/messages.hpp"
-#include "core/numerics/decimal.hpp"
 #include "core/elementary/elementary.hpp"
+#include "core/numerics/decimal.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw {

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "app/host/lesson/address.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
@@ -87,21 +88,9 @@ void Page::give_downloads() const {
     }
 }
 
-std::string Page::address() const {
-    if (!host_.shows_lesson()) { return {}; }
-    return host_.lesson_path().stem().string() + "/" + std::to_string(host_.session()->index() + 1);
-}
+std::string Page::address() const { return host::fragment_of(host_.address()); }
 
-void Page::go_to(const std::string& address) {
-    const std::size_t slash = address.find('/');
-    const std::string name = address.substr(0, slash);
-    for (const fs::path& file : lessons_below(catalogue_folder())) {
-        if (file.stem() != name) { continue; }
-        host_.open(file, slash == std::string::npos ? std::string() : address.substr(slash + 1));
-        return;
-    }
-    throw std::runtime_error("no lesson '" + name + "'");
-}
+void Page::go_to(const std::string& address) { host_.go_to(host::read_address(address)); }
 
 std::string Page::lesson_source() const {
     if (host_.session() == nullptr) { return {}; }
@@ -129,6 +118,7 @@ std::string Page::state() const {
     json["title"] = session.lesson().title;
     json["file"] = session.lesson().file_name;
     json["changed"] = session.is_changed();
+    json["tried"] = session.tried();
     json["step"] = session.index();
     json["tab"] = word_of(host::kTabs, host_.state().tab);
     const render::Camera& camera = host_.camera();

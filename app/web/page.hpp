@@ -39,9 +39,9 @@ public:
     void lose_context();
     void restore_context();
 
-    /// What is shown, as the part of an address behind '#'; empty without a lesson.
+    /// What is shown, as the part of an address behind '#' (app/host/lesson/address.hpp).
     std::string address() const;
-    /// Shows what an address says. @throws std::runtime_error if it cannot be read, or names no lesson
+    /// Shows what an address says; one that leads nowhere is told as mistakes are. @throws as read_address
     void go_to(const std::string& address);
 
     /// Text of the open lesson as it stands, with what was tried; its file where nothing was; empty without a

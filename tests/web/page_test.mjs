@@ -87,6 +87,46 @@ test("An address opens a step, and the address follows what is shown", async () 
   await v.close();
 });
 
+test("An experiment is an entry of the history: its link opens it, and the back button undoes it", async () => {
+  const v = await visit();
+  await v.open("#four-bar/D?try=form+D+drop+x");
+  await v.rest();
+  equal((await v.state()).tried, ["form D drop x"], "what was tried");
+  const link = await v.fragment();
+  const text = (await v.state()).text;
+  const other = await visit();
+  await other.open(`#${link}`);
+  await other.rest();
+  equal((await other.state()).text, text, "text of the step behind the link");
+  await other.close();
+
+  await v.tab.evaluate(() => { location.hash = "#four-bar/D?try=form+D+drop+x&try=take+out+motor"; });
+  await v.tab.waitForFunction(() => window.jointwise.program.state().tried.length === 2, { timeout: 20000 });
+  await v.type("u");
+  await v.tab.waitForFunction(() => !location.hash.includes("motor"), { timeout: 20000 });
+  await v.tab.goBack();
+  await v.tab.waitForFunction(() => window.jointwise.program.state().tried.length === 2, { timeout: 20000 });
+  await v.tab.goBack();
+  await v.tab.waitForFunction(() => window.jointwise.program.state().tried.length === 1, { timeout: 20000 });
+  noFaults(v);
+  await v.close();
+});
+
+test("An address that leads nowhere says so, and nothing is lost", async () => {
+  const v = await visit();
+  await v.open("#four-bar/12");
+  await v.rest();
+  for (const bad of ["no-such-lesson/3", "four-bar/12?try=nonsense", "four-bar/12?camera=1,2", "four-bar?tab=none", "%ff%00", "?".repeat(50)]) {
+    await v.tab.evaluate((hash) => { location.hash = hash; }, bad);
+    await new Promise((r) => setTimeout(r, 300));
+    await v.rest();
+    const state = await v.state();
+    equal([state.file.split("/").pop(), state.step], ["four-bar.toml", 11], `what is shown after ${bad}`);
+  }
+  noFaults(v);
+  await v.close();
+});
+
 test("The page draws what the program draws", async () => {
   const program = join(root, "build/release/app/jointwise");
   check(existsSync(program), "build the program first: ./dev setup");
@@ -225,10 +265,10 @@ test("A file that is dropped on the page is opened, and a hostile one does no ha
   equal(await v.tab.evaluate(() => document.querySelectorAll("img").length), 0, "elements made of a title");
   for (const [name, bad] of [["nothing.toml", ""], ["zeros.toml", "\0".repeat(1000)], ["deep.toml", "a=" + "[".repeat(100000)], ["odd.txt", "\u{1F980} = 1"]]) {
     await drop(name, bad);
-    await new Promise((r) => setTimeout(r, 300));
+    await v.tab.waitForFunction((n) => document.getElementById("file-name").textContent === n && document.getElementById("mistakes").textContent !== "", { timeout: 20000 }, name)
+      .catch(() => { throw new Error(`${name} has no mistake`); });
     await v.rest();
     check((await v.state()).title?.startsWith("<img"), `after ${name} another lesson is shown`);
-    check((await v.tab.evaluate(() => document.getElementById("mistakes").textContent)) !== "", `${name} has no mistake`);
   }
   noFaults(v);
   await v.close();

@@ -6,26 +6,33 @@ export class Address {
     this.toast = toast;
     this.shown = "";
   }
+  /** What makes another entry of the history: the lesson, and what was tried with it. */
+  entryOf(state) { return JSON.stringify([state.file, state.tried]); }
   /** Opens what the address says, now and whenever it changes. */
   open(rouse) {
     const go = () => {
       const wanted = location.hash.slice(1);
       if (wanted === this.shown) { return; }
       this.shown = wanted;
-      const why = this.program.goToAddress(decodeURI(wanted));
+      const why = this.program.goToAddress(wanted);
+      // where an address leads is no further entry
+      this.entry = this.entryOf(this.program.state());
       if (why) { this.toast(why); }
       rouse();
     };
     window.addEventListener("hashchange", go);
     go();
+    this.entry ??= this.entryOf(this.program.state());
   }
   /** Writes what is shown into the address: an experiment or another lesson is an entry of the history, all else is not. */
   follow(state) {
+    // the person changed the address a moment ago: where it leads comes first
+    if (location.hash.slice(1) !== this.shown) { return; }
+    const entry = this.entryOf(state);
+    const isNew = entry !== this.entry;
+    this.entry = entry;
     const now = this.program.address();
     if (now === this.shown) { return; }
-    const entry = `${state.file ?? ""} ${state.tried ?? ""}`;
-    const isNew = this.entry !== undefined && entry !== this.entry;
-    this.entry = entry;
     this.shown = now;
     history[isNew ? "pushState" : "replaceState"](null, "", now ? `#${now}` : location.pathname + location.search);
   }
