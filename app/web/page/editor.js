@@ -36,11 +36,14 @@ export class Editor {
     this.saved = this.program.lessonSource();
     this.reveal(this.saved);
   }
+  /** Loads the editor when it is first wanted. Of two texts that wait for it the last one is shown. */
   async reveal(text) {
-    if (!this.editor) {
-      const { TextEditor } = await import("./text_editor.js");
+    this.wanted = text;
+    this.loading ??= import("./text_editor.js").then(({ TextEditor }) => {
       this.editor = new TextEditor($("text"), () => this.changed());
-    }
+    });
+    await this.loading;
+    if (this.wanted !== text) { return; }
     $("file-name").textContent = this.path.split("/").pop();
     $("editor").hidden = false;
     $("edit").setAttribute("aria-expanded", "true");
