@@ -5,6 +5,7 @@
 
 #include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
+#include "app/session/try/experiment_parts.hpp"
 #include "lessons/diagnostics.hpp"
 
 namespace jw::host {
@@ -19,8 +20,7 @@ int step_of(const Address& address, const Story& story) {
 
 int joint_of(const Address& address, const Lesson& lesson) {
     if (address.joint.empty()) { return -1; }
-    std::vector<std::string> names;
-    for (const Joint& joint : lesson.mechanism.joints) { names.push_back(joint.name); }
+    const std::vector<std::string> names = experiment_text::names_of_joints(lesson);
     const auto found = std::ranges::find(names, address.joint);
     if (found != names.end()) { return static_cast<int>(found - names.begin()); }
     throw std::runtime_error(
