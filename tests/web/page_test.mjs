@@ -25,6 +25,27 @@ const stems = lessons.map((f) => basename(f, ".toml"));
 const { browser, address, stop } = await startBrowser(root);
 const visit = async (options) => Visit.begin(browser, address, options);
 
+/** A visit whose storage is its own; it must end without faults. */
+async function visitAlone({ hash = "#four-bar/12", ...options }, run) {
+  const context = await browser.createBrowserContext();
+  const v = await visit({ context, ...options });
+  await v.open(hash);
+  await v.rest();
+  await run(v);
+  noFaults(v);
+  await v.close();
+  await context.close();
+}
+
+/** A visit alone, with the text of the lesson beside the picture. */
+async function visitEditing(run) {
+  await visitAlone({ width: 1500 }, async (v) => {
+    await v.tab.click("#edit");
+    await v.tab.waitForSelector(".cm-content");
+    await run(v);
+  });
+}
+
 test("The list of lessons opens, and keys choose one", async () => {
   const v = await visit();
   await v.open();
@@ -158,20 +179,16 @@ test("The page draws what the program draws", async () => {
 });
 
 test("After the first visit the page opens without network", async () => {
-  const context = await browser.createBrowserContext();
-  const v = await visit({ context });
-  await v.open("#four-bar/4");
-  await v.tab.evaluate(async () => { await navigator.serviceWorker.ready; });
-  await v.tab.reload();
-  await v.ready();
-  await v.tab.setOfflineMode(true);
-  await v.tab.reload();
-  await v.ready();
-  await v.rest();
-  equal((await v.state()).step, 3, "step");
-  noFaults(v);
-  await v.close();
-  await context.close();
+  await visitAlone({ hash: "#four-bar/4" }, async (v) => {
+    await v.tab.evaluate(async () => { await navigator.serviceWorker.ready; });
+    await v.tab.reload();
+    await v.ready();
+    await v.tab.setOfflineMode(true);
+    await v.tab.reload();
+    await v.ready();
+    await v.rest();
+    equal((await v.state()).step, 3, "step");
+  });
 });
 
 test("A context that is lost and given back draws the same picture", async () => {
@@ -201,78 +218,59 @@ test("Without WebGL 2 a message is shown", async () => {
 });
 
 test("A lesson is edited in the page: mistakes have their place, and the picture follows", async () => {
-  const context = await browser.createBrowserContext();
-  const v = await visit({ context, width: 1500 });
-  await v.open("#four-bar/12");
-  await v.rest();
-  await v.tab.click("#edit");
-  await v.tab.waitForSelector(".cm-content");
-  const type = async (find, replace) => v.tab.evaluate((a, b) => {
-    const view = document.querySelector(".cm-content").cmTile?.view ?? document.querySelector(".cm-content").cmView.view;
-    const at = view.state.doc.toString().indexOf(a);
-    view.dispatch({ changes: { from: at, to: at + a.length, insert: b } });
-  }, find, replace);
-  await type("A four-bar of four revolutes", "Mine");
-  await v.tab.waitForFunction(() => window.jointwise.program.state().title === "Mine", { timeout: 20000 });
-  equal((await v.state()).step, 11, "step");
-  await type("[[body]]", "[[bodie]]");
-  await v.tab.waitForFunction(() => /^\d+:\d+: /.test(document.getElementById("mistakes").textContent), { timeout: 20000 });
-  equal((await v.state()).title, "Mine", "title");
-  noFaults(v);
-  await v.close();
-  await context.close();
+  await visitEditing(async (v) => {
+    const type = async (find, replace) => v.tab.evaluate((a, b) => {
+      const view = document.querySelector(".cm-content").cmTile?.view ?? document.querySelector(".cm-content").cmView.view;
+      const at = view.state.doc.toString().indexOf(a);
+      view.dispatch({ changes: { from: at, to: at + a.length, insert: b } });
+    }, find, replace);
+    await type("A four-bar of four revolutes", "Mine");
+    await v.tab.waitForFunction(() => window.jointwise.program.state().title === "Mine", { timeout: 20000 });
+    equal((await v.state()).step, 11, "step");
+    await type("[[body]]", "[[bodie]]");
+    await v.tab.waitForFunction(() => /^\d+:\d+: /.test(document.getElementById("mistakes").textContent), { timeout: 20000 });
+    equal((await v.state()).title, "Mine", "title");
+  });
 });
 
 test("Edited text is there after the page is read again, and closing it asks first", async () => {
-  const context = await browser.createBrowserContext();
-  const v = await visit({ context, width: 1500 });
-  await v.open("#four-bar/12");
-  await v.rest();
-  await v.tab.click("#edit");
-  await v.tab.waitForSelector(".cm-content");
-  await v.tab.click(".cm-content");
-  await v.tab.keyboard.down("Control");
-  await v.tab.keyboard.press("Home");
-  await v.tab.keyboard.up("Control");
-  await v.tab.keyboard.type("# a note of mine\n");
-  await v.tab.waitForFunction(() => localStorage.getItem("jointwise-files")?.includes("a note of mine"), { timeout: 20000 });
-  const asked = [];
-  v.tab.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
-  await v.tab.reload();
-  await v.ready();
-  equal(asked, ["beforeunload"], "what was asked");
-  await v.rest();
-  await v.tab.click("#edit");
-  await v.tab.waitForFunction(() => document.querySelector(".cm-content")?.textContent.includes("a note of mine"), { timeout: 20000 });
-  noFaults(v);
-  await v.close();
-  await context.close();
+  await visitEditing(async (v) => {
+    await v.tab.click(".cm-content");
+    await v.tab.keyboard.down("Control");
+    await v.tab.keyboard.press("Home");
+    await v.tab.keyboard.up("Control");
+    await v.tab.keyboard.type("# a note of mine\n");
+    await v.tab.waitForFunction(() => localStorage.getItem("jointwise-files")?.includes("a note of mine"), { timeout: 20000 });
+    const asked = [];
+    v.tab.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
+    await v.tab.reload();
+    await v.ready();
+    equal(asked, ["beforeunload"], "what was asked");
+    await v.rest();
+    await v.tab.click("#edit");
+    await v.tab.waitForFunction(() => document.querySelector(".cm-content")?.textContent.includes("a note of mine"), { timeout: 20000 });
+  });
 });
 
 test("A file that is dropped on the page is opened, and a hostile one does no harm", async () => {
-  const context = await browser.createBrowserContext();
-  const v = await visit({ context, width: 1500 });
-  await v.open("#four-bar/12");
-  await v.rest();
-  const drop = (name, text) => v.tab.evaluate((n, t) => {
-    const data = new DataTransfer();
-    data.items.add(new File([t], n));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, name, text);
-  const text = readFileSync(join(catalogue, "joints/spherical.toml"), "utf8").replace(/^title = .*$/m, 'title = "<img src=x onerror=alert(1)>"');
-  await drop("../../etc/one of mine.toml", text);
-  await v.tab.waitForFunction(() => window.jointwise.program.state().title?.startsWith("<img"), { timeout: 20000 });
-  equal(await v.tab.evaluate(() => document.querySelectorAll("img").length), 0, "elements made of a title");
-  for (const [name, bad] of [["nothing.toml", ""], ["zeros.toml", "\0".repeat(1000)], ["deep.toml", "a=" + "[".repeat(100000)], ["odd.txt", "\u{1F980} = 1"]]) {
-    await drop(name, bad);
-    await v.tab.waitForFunction((n) => document.getElementById("file-name").textContent === n && document.getElementById("mistakes").textContent !== "", { timeout: 20000 }, name)
-      .catch(() => { throw new Error(`${name} has no mistake`); });
-    await v.rest();
-    check((await v.state()).title?.startsWith("<img"), `after ${name} another lesson is shown`);
-  }
-  noFaults(v);
-  await v.close();
-  await context.close();
+  await visitAlone({ width: 1500 }, async (v) => {
+    const drop = (name, text) => v.tab.evaluate((n, t) => {
+      const data = new DataTransfer();
+      data.items.add(new File([t], n));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, name, text);
+    const text = readFileSync(join(catalogue, "joints/spherical.toml"), "utf8").replace(/^title = .*$/m, 'title = "<img src=x onerror=alert(1)>"');
+    await drop("../../etc/one of mine.toml", text);
+    await v.tab.waitForFunction(() => window.jointwise.program.state().title?.startsWith("<img"), { timeout: 20000 });
+    equal(await v.tab.evaluate(() => document.querySelectorAll("img").length), 0, "elements made of a title");
+    for (const [name, bad] of [["nothing.toml", ""], ["zeros.toml", "\0".repeat(1000)], ["deep.toml", "a=" + "[".repeat(100000)], ["odd.txt", "\u{1F980} = 1"]]) {
+      await drop(name, bad);
+      await v.tab.waitForFunction((n) => document.getElementById("file-name").textContent === n && document.getElementById("mistakes").textContent !== "", { timeout: 20000 }, name)
+        .catch(() => { throw new Error(`${name} has no mistake`); });
+      await v.rest();
+      check((await v.state()).title?.startsWith("<img"), `after ${name} another lesson is shown`);
+    }
+  });
 });
 
 test("Fingers turn, shift and zoom the picture, and pull what they rest on", async () => {
