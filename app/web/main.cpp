@@ -1,9 +1,11 @@
 #include <emscripten/emscripten.h>
 
 #include <exception>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
-#include "app/host/ui/commands.hpp"
 #include "app/session/beside/worker.hpp"
 #include "app/web/browser.hpp"
 #include "app/web/keys.hpp"
@@ -15,12 +17,21 @@ namespace {
 using jw::host::InputEvent;
 
 std::unique_ptr<jw::web::Page> page;
-/// Of the function called last: valid until the next one.
+/// Answer of the function called last: valid until the next one.
 std::string answer;
 
 const char* answered(std::string text) {
     answer = std::move(text);
     return answer.c_str();
+}
+
+/// @return why `act` cannot be carried out; empty if it was
+template <class Act>
+const char* problem_of(const Act& act) {
+    try {
+        act();
+        return answered({});
+    } catch (const std::exception& error) { return answered(error.what()); }
 }
 
 std::vector<std::string> lines_of(const char* text) {
@@ -37,11 +48,10 @@ extern "C" {
 /// @return why the page cannot begin; empty if it does
 EMSCRIPTEN_KEEPALIVE const char* jw_begin(
     const char* canvas, int width, int height, double text_scale, int dark, const char* language) {
-    try {
+    return problem_of([&] {
         page = std::make_unique<jw::web::Page>(
             jw::web::PageSetup{canvas, width, height, static_cast<float>(text_scale), dark != 0, language});
-        return answered({});
-    } catch (const std::exception& error) { return answered(error.what()); }
+    });
 }
 
 /// One turn of the page's loop: as Page::frame, and what is computed beside it.
@@ -58,10 +68,7 @@ EMSCRIPTEN_KEEPALIVE double jw_frame(double seconds) {
 EMSCRIPTEN_KEEPALIVE void jw_resize(int width, int height) { page->host().resize(width, height); }
 EMSCRIPTEN_KEEPALIVE void jw_lose_context() { page->lose_context(); }
 EMSCRIPTEN_KEEPALIVE const char* jw_restore_context() {
-    try {
-        page->restore_context();
-        return answered({});
-    } catch (const std::exception& error) { return answered(error.what()); }
+    return problem_of([] { page->restore_context(); });
 }
 
 EMSCRIPTEN_KEEPALIVE void jw_pointer(double x, double y) {
@@ -92,11 +99,13 @@ EMSCRIPTEN_KEEPALIVE int jw_open(const char* path, const char* at, const char* e
     }
 }
 
+/// State of the page as JSON; "{}" if it cannot be told, which the console of the browser is told.
 EMSCRIPTEN_KEEPALIVE const char* jw_state() {
     try {
         return answered(page->state());
     } catch (const std::exception& error) {
-        return answered(std::string("{\"error\": \"") + error.what() + "\"}");
+        jw::web::log(error.what());
+        return answered("{}");
     }
 }
 /// @return 1 if the 3D picture, and no panel, is at a pixel of the canvas
@@ -106,10 +115,7 @@ EMSCRIPTEN_KEEPALIVE int jw_is_scene(double x, double y) {
 EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address()); }
 /// @return what is wrong with the address; empty if it is shown
 EMSCRIPTEN_KEEPALIVE const char* jw_go_to_address(const char* address) {
-    try {
-        page->go_to(address);
-        return answered({});
-    } catch (const std::exception& error) { return answered(error.what()); }
+    return problem_of([address] { page->go_to(address); });
 }
 /// The open lesson as text, with what was tried; as its author wrote it if nothing was.
 EMSCRIPTEN_KEEPALIVE const char* jw_lesson_source() { return answered(page->lesson_source()); }

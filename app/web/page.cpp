@@ -1,6 +1,8 @@
 #include "app/web/page.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include <imgui.h>
 

@@ -35,7 +35,6 @@ jw_header_package(jw_stb_reader stb stb_image.h)
 jw_header_package(jw_gl_types gl GL/glcorearb.h)
 jw_header_package(jw_gl_platform khr KHR/khrplatform.h)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-# core/numerics: vectors of Eigen are pairs, as with the base set of the other machines, whose sums have the same order
 # Eigen has assembler of x86 for GCC before 6.3 (10 * 5 + 13 is no less than 63), for GCC from 6.0 on, and for a barrier
 # that nothing needs without -ffast-math
 target_compile_options(Eigen3::Eigen INTERFACE -msse2 -fgnuc-version=5.13 "-DEIGEN_OPTIMIZATION_BARRIER(X)=")
