@@ -57,7 +57,7 @@ public:
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
 
-    /// What is shown, so that `go_to` shows it again; of an exercise the lesson that it belongs to.
+    /// Address that `go_to` shows this window's state by; in an exercise, that of the lesson it belongs to.
     Address address() const;
     /// Shows what an address says, at once: opens its lesson if another one is open, which begins a history
     /// of its own, else makes it of the lesson as it was written, which is one change.

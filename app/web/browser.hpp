@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-/// What only the browser around the page can do.
+/// Services of the browser around the page.
 namespace jw::web {
 
 /// Gives a file to the person as a download. It stays where it is.

@@ -39,7 +39,7 @@ public:
     void lose_context();
     void restore_context();
 
-    /// What is shown, as the part of an address behind '#' (app/host/lesson/address.hpp).
+    /// Address of what is shown, the part behind '#' (app/host/lesson/address.hpp).
     std::string address() const;
     /// Shows what an address says; one that leads nowhere is told as mistakes are. @throws as read_address
     void go_to(const std::string& address);
@@ -49,8 +49,8 @@ public:
     std::string lesson_source() const;
     /// Shows a file that was written a moment ago, at the step that is shown.
     void follow(const std::filesystem::path& file);
-    /// What is shown, as JSON: title, step, tab, what was tried, its description for those who do not see the
-    /// picture.
+    /// State of the interface as JSON: title, step, tab, what was tried, its description for those who do not
+    /// see the picture.
     std::string state() const;
 
 private:

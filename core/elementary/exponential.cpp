@@ -61,7 +61,7 @@ double exponential(const Pair& x) {
     return scaled({power.high, rest}, n >> 6);
 }
 
-/// What the logarithm of numbers near i / 128 begins with.
+/// Entry of the table of logarithms, for numbers near i / 128.
 struct LogEntry {
     double inverse = 0.0;  ///< of 11 bits
     Pair log;              ///< of 1 / inverse; `high` has 42 bits after the point

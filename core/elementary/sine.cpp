@@ -13,7 +13,7 @@ namespace {
 /// Steps of the table in one radian: sin(a + b) = sin a cos b + cos a sin b with b of at most 2^-8, so that
 /// roundings of what is added to sin a are far below its last place.
 constexpr int kSineSteps = 128;
-/// Of the table's entries from 0 to π/4 and a little.
+/// Number of the table's entries, from 0 to π/4 and a little.
 constexpr int kLastSine = 102;
 
 /// sin, cos and -sin of an angle: each is the derivative of the one before.

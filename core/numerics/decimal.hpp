@@ -10,7 +10,8 @@ namespace jw {
 /// @return end of what was read and an error as of std::from_chars
 std::from_chars_result read_decimal(const char* first, const char* last, double& value);
 
-/// The same by std::strtod, in the locale "C": what read_decimal is where std::from_chars is missing.
+/// Number of a text by std::strtod, in the locale "C": what read_decimal does where std::from_chars is
+/// missing.
 std::from_chars_result read_decimal_by_strtod(const char* first, const char* last, double& value);
 
 }  // namespace jw

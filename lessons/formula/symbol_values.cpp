@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Of 64 bits, from -1 to 1.
+    /// Uniform number of 64 bits, from -1 to 1.
     double within_one() {
         const auto low = static_cast<double>(random_());
         const double unit = (low + static_cast<double>(random_()) * 0x1p32) * 0x1p-64;

@@ -5,7 +5,7 @@
 namespace jw::test {
 namespace {
 
-/// What the window shows, as a PNG file.
+/// Picture of the window as a PNG file.
 std::string shown(const std::vector<std::string>& options) {
     const Folder folder;
     const std::string picture = folder.path("window.png");

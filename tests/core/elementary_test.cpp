@@ -29,7 +29,7 @@ public:
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(bits() >> 11U) * 0x1p-53);
     }
-    /// Of either sign, the exponent of two from `low` to `high` - 1.
+    /// Number of either sign, the exponent of two from `low` to `high` - 1.
     double of_exponent(int low, int high) {
         const double digits = between(1.0, 2.0);
         const double sized = std::ldexp(digits, low + static_cast<int>(between(0, high - low)));
@@ -48,7 +48,7 @@ private:
 
 using Arguments = std::pair<double, double>;
 
-/// What `function` gives for arguments of one kind, and what is right.
+/// Results of `function` for arguments of one kind, beside the right ones.
 struct Kind {
     const char* name;
     double (*function)(Arguments);

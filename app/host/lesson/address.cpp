@@ -186,7 +186,7 @@ private:
         value = read;
     }
 
-    /// What stands between two bytes.
+    /// Text between two bytes, with %XX as the bytes that they stand for.
     /// @param form  a + is a blank
     std::string decoded(std::size_t begin, std::size_t end, bool form) const {
         std::string out;

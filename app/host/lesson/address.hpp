@@ -11,7 +11,7 @@
 /// a page's address and after `jointwise open`; docs/command-line.md describes them.
 namespace jw::host {
 
-/// What is shown: a lesson as it was written, what was tried with it, a place in it, and how it is looked at.
+/// State of the window: a lesson as it was written, what was tried with it, a place in it, tab and camera.
 /// Whatever is empty is as when the lesson is opened.
 struct Address {
     std::string lesson;  ///< "four-bar", "loops/four-bar", "mine.toml"; empty: the list of lessons

@@ -30,8 +30,8 @@ std::vector<CatalogueEntry> catalogue_of(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
     const std::vector<std::filesystem::path>& unsaved = {});
 
-/// How addresses name a lesson: "four-bar"; "loops/four-bar" where several of the lessons below `folder` have
-/// files of this name; "mine.toml" where it is none of them.
+/// Name of a lesson in addresses: "four-bar"; "loops/four-bar" where several of the lessons below `folder`
+/// have files of this name; "mine.toml" where it is none of them.
 std::string name_in_addresses(const std::filesystem::path& lesson, const std::filesystem::path& folder);
 /// The lesson of this name below `folder`, or of `others`.
 /// @throws std::runtime_error where there is none, or no single one

@@ -7,7 +7,7 @@
 
 namespace jw::host {
 
-/// What an address leads to in a lesson.
+/// Session, step and joint that an address leads to in a lesson.
 struct Destination {
     std::unique_ptr<Session> session;  ///< in which the experiments were carried out, and can be undone
     int step = 0;                      ///< of its story

@@ -20,7 +20,7 @@ public:
     void refresh(const std::vector<std::filesystem::path>& unsaved);
     void add_recent(const std::filesystem::path& path) { recent_.add(path); }
 
-    /// How addresses name a lesson, and the lesson that they name: one of those offered, or opened last.
+    /// Name of a lesson in addresses, and the lesson of such a name: one of those offered, or opened last.
     std::string name_of(const std::filesystem::path& lesson) const {
         return name_in_addresses(lesson, folder_);
     }

@@ -181,7 +181,7 @@ const std::vector<std::string>& beginnings() {
     return all;
 }
 
-/// What changes the lesson, if the words begin so.
+/// Experiment that edits the lesson; nothing if the words begin another one.
 std::optional<Experiment> edit_in(Words& words, const Lesson& lesson) {
     if (words.take("form")) { return read_form(words, lesson); }
     if (words.take("screw")) { return read_screw(words, lesson); }

@@ -15,7 +15,7 @@ namespace jw {
 std::optional<Experiment> read_experiment(
     const std::string& text, const Session& session, std::string& error);
 
-/// The same for what changes a lesson, which refers to nothing else.
+/// Experiment of `text` that edits the lesson, which needs no session to be understood.
 /// @return nothing if `text` says no such thing, or cannot be understood
 std::optional<Experiment> read_edit(const std::string& text, const Lesson& lesson);
 

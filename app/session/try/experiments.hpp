@@ -121,7 +121,7 @@ Edit edited(const Lesson& lesson, const Lesson& written, std::span<const Experim
 /// Without asking whether a lesson file can say what comes out.
 Edit edit_of(Lesson lesson, const Lesson& written, const Experiment& experiment);
 
-/// What leads from a lesson to one whose start estimates, those of θ included, are `state`.
+/// Edits that give a lesson the start estimates, those of θ included, of `state`.
 std::vector<Experiment> moves_to(const State& state, const Lesson& lesson);
 
 }  // namespace jw

@@ -27,7 +27,7 @@ class Session {
 public:
     /// @param with_motion  false: the story ends where everything is put together
     explicit Session(Lesson lesson, bool with_motion = true);
-    /// The same after `done`, of which each can be undone.
+    /// Session of a lesson in which `done` was carried out; each of them can be undone.
     Session(Lesson lesson, const std::vector<CarriedOut>& done, bool with_motion = true);
     ~Session();
     Session(const Session&) = delete;

@@ -8,7 +8,7 @@ namespace jw {
 
 namespace {
 
-/// What an edit is about: two edits about the same thing set the same values.
+/// Subject of an edit: two edits about the same thing set the same values.
 struct Topic {
     std::size_t kind = 0;
     int index = 0;  ///< of a joint, driver or body

@@ -24,7 +24,7 @@ std::string text_of_file(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What a person sees of a session, every number exactly.
+/// Text and numbers that a session shows, every number exactly.
 std::string seen_of(const Session& session) {
     return lesson_text(session.lesson()) + text_of(session.view()) + values_of(session.picture());
 }
