@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/commands/check_report.hpp"
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/xml_text.hpp"
 
 namespace jw {
 

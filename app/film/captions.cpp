@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/xml_text.hpp"
 #include "app/session/story/timeline.hpp"
 #include "lessons/math/text_parts.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "app/film/captions.hpp"
 #include "app/film/film_page_parts.hpp"
-#include "app/session/output/base64.hpp"
+#include "app/session/encoding/base64.hpp"
+#include "app/session/encoding/xml_text.hpp"
 #include "app/session/output/json.hpp"
-#include "app/session/output/xml_text.hpp"
 #include "app/session/wording/messages.hpp"
 #include "render/animation/animation.hpp"
 #include "render/png.hpp"

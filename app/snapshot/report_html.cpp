@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "app/session/output/base64.hpp"
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/base64.hpp"
+#include "app/session/encoding/xml_text.hpp"
 #include "app/snapshot/reports.hpp"
 
 namespace jw::snapshot {

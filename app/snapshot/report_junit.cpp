@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/xml_text.hpp"
 #include "app/snapshot/reports.hpp"
 
 namespace jw::snapshot {

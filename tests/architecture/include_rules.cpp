@@ -72,6 +72,10 @@ constexpr std::array<std::string_view, 7> kSnapshot{
 constexpr std::array<std::string_view, 11> kFilm{
     "app/film/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/",
     "Eigen/",    "fcntl.h",          "spawn.h",      "sys/",  "unistd.h"};
+// pages around the lessons: pictures are frames, places are addresses
+constexpr std::array<std::string_view, 8> kSite{
+    "app/site/", "app/host/frames/", "app/host/lesson/", "app/session/",
+    "core/",     "lessons/",         "render/",          "Eigen/"};
 // the page: the interface, and the browser around it
 constexpr std::array<std::string_view, 7> kWeb{"app/web/", "app/host/", "app/session/", "lessons/",
                                                "render/",  "imgui.h",   "emscripten/"};
@@ -101,24 +105,48 @@ constexpr std::array kFolders{
     FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/film/", kFilm},
+    FolderRule{"app/site/", kSite},
     FolderRule{"app/web/", kWeb},
     FolderRule{"app/python/", kPython},
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 33> kRooms{
-    "core/elementary/",     "core/numerics/",         "core/jets/",
-    "core/model/",          "core/equations/",        "core/poses/",
-    "core/motion/",         "core/motion/block/",     "core/motion/tree/",
-    "core/motion/dense/",   "core/kinematics/",       "core/integrate/",
-    "core/quantity/",       "app/session/beside/",    "app/session/wording/",
-    "app/session/story/",   "app/session/answers/",   "app/session/view/",
-    "app/session/picture/", "app/session/claims/",    "app/session/output/",
-    "app/session/try/",     "app/session/benchmark/", "app/panels/parts/",
-    "app/panels/plot/",     "app/panels/column/",     "app/panels/frame/",
-    "app/host/lesson/",     "app/host/frames/",       "app/host/ui/",
-    "app/host/tabs/",       "app/host/parts/",        "app/host/"};
+constexpr std::array<std::string_view, 34> kRooms{
+    "core/elementary/",
+    "core/numerics/",
+    "core/jets/",
+    "core/model/",
+    "core/equations/",
+    "core/poses/",
+    "core/motion/",
+    "core/motion/block/",
+    "core/motion/tree/",
+    "core/motion/dense/",
+    "core/kinematics/",
+    "core/integrate/",
+    "core/quantity/",
+    "app/session/beside/",
+    "app/session/encoding/",
+    "app/session/wording/",
+    "app/session/story/",
+    "app/session/answers/",
+    "app/session/view/",
+    "app/session/picture/",
+    "app/session/claims/",
+    "app/session/output/",
+    "app/session/try/",
+    "app/session/benchmark/",
+    "app/panels/parts/",
+    "app/panels/plot/",
+    "app/panels/column/",
+    "app/panels/frame/",
+    "app/host/lesson/",
+    "app/host/frames/",
+    "app/host/ui/",
+    "app/host/tabs/",
+    "app/host/parts/",
+    "app/host/"};
 
 /// Folders that consist of rooms alone.
 constexpr std::array<std::string_view, 4> kFoldersOfRooms{

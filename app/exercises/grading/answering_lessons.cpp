@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/exercises/grading/markup.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"

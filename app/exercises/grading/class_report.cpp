@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/exercises/grading/grade_reports.hpp"
-#include "app/exercises/grading/markup.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/translatable.hpp"

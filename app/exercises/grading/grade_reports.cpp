@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/exercises/grading/markup.hpp"
 #include "app/exercises/run/safe_text.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

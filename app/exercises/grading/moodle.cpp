@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "app/exercises/accuracy.hpp"
-#include "app/exercises/grading/markup.hpp"
 #include "app/exercises/grading/sheet.hpp"
-#include "app/session/output/base64.hpp"
+#include "app/session/encoding/base64.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"

@@ -2,8 +2,8 @@
 
 #include "app/exercises/accuracy.hpp"
 #include "app/exercises/figure_scene.hpp"
-#include "app/exercises/grading/markup.hpp"
 #include "app/exercises/value_latex.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/exercises/grading/markup.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

@@ -1,6 +1,6 @@
-#include "app/exercises/grading/markup.hpp"
+#include "app/session/encoding/html_words.hpp"
 
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/xml_text.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/math/write_math.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/session/output/base64.hpp"
+#include "app/session/encoding/base64.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "app/session/output/xml_text.hpp"
+#include "app/session/encoding/xml_text.hpp"
 
 namespace jw {
 
