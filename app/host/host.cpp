@@ -84,6 +84,7 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     file_ = std::move(file);
     const std::filesystem::path path = file_.path();
     name_ = shelf_.name_of(path);
+    wanted_exercise_.clear();
     shelf_.add_recent(path);
     need_characters_of_lesson();
     state_.browser = false;

@@ -57,7 +57,7 @@ public:
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
 
-    /// Address that `go_to` shows this window's state by; in an exercise, that of the lesson it belongs to.
+    /// Address that `go_to` shows this window's state by; of an exercise its name alone.
     Address address() const;
     /// Shows what an address says, at once: opens its lesson if another one is open, which begins a history
     /// of its own, else makes it of the lesson as it was written, which is one change.
@@ -162,6 +162,8 @@ private:
     OpenLesson open_lesson() { return {file_, session_}; }
     bool shows_figure() const;
     void look_at_exercises();
+    bool choose_exercise(const std::string& name);
+    void begin_wanted_exercise();
     bool act_in_exercises(const InputEvent& event);
     void carry_out_exercises(const Requests& requests);
     void carry_out_exercise(Command command);
@@ -186,7 +188,8 @@ private:
     Notice notice_;
     Predictions predictions_;
     ExerciseDesk desk_;
-    bool shown_figure_ = false;  ///< in the frame before
+    std::string wanted_exercise_;  ///< that an address has named, until it begins; mostly empty
+    bool shown_figure_ = false;    ///< in the frame before
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;                     ///< fonts are loaded before the next frame begins

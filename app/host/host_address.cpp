@@ -23,7 +23,11 @@ Address Host::address() const {
     address.lesson = name_;
     if (state_.tab != Tab::step) { address.tab = word_of(kTabs, state_.tab); }
     // an exercise has numbers of its own, and a place in no story
-    if (desk_.has_aside()) { return address; }
+    if (state_.tab == Tab::exercises && desk_.practice().exercise() != nullptr) {
+        address.exercise = desk_.practice().exercise()->name;
+        address.tab.clear();
+    }
+    if (!address.exercise.empty() || desk_.has_aside()) { return address; }
     address.experiments = session_->tried();
     if (session_->index() > 0) { address.at = std::to_string(session_->index() + 1); }
     const int joint = session_->story().chosen_joint();
@@ -54,8 +58,14 @@ void Host::arrive_at(const Address& address) {
 
 /// All or nothing: whatever can fail comes before the first change.
 void Host::arrive_in_lesson(const Address& address) {
-    const Tab tab = tab_of(address);
+    const Tab tab = address.exercise.empty() ? tab_of(address) : Tab::exercises;
     const std::filesystem::path path = shelf_.lesson_called(address.lesson);
+    const Exercise* const begun = desk_.practice().exercise();
+    if (begun != nullptr && begun->name == address.exercise && shelf_.name_of(path) == name_) {
+        state_.tab = tab;
+        state_.browser = false;
+        return;
+    }
     std::error_code error;
     const bool same =
         session_ && !desk_.has_aside() && std::filesystem::equivalent(path, file_.path(), error);
@@ -76,6 +86,8 @@ void Host::arrive_in_lesson(const Address& address) {
     session_->apply(GoTo{place.step});
     if (session_->story().chosen_joint() != place.joint) { session_->show_joint(place.joint); }
     state_.tab = tab;
+    if (tab == Tab::exercises) { desk_.practice().leave(); }
+    wanted_exercise_ = address.exercise;
     state_.browser = false;
     state_.playback.stop();
     state_.forget_pointed();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <imgui.h>
 
@@ -19,6 +20,7 @@ void Host::look_at_exercises() {
     const ExerciseDesk::News news = desk_.look(open_lesson(), tabs_.exercises);
     if (news.any || news.other_picture) { rouse(); }
     say(desk_.practice().take_notice());
+    begin_wanted_exercise();
     if (news.other_picture) {
         shown_.forget_session();
         state_.forget_pointed();
@@ -42,16 +44,32 @@ void Host::wait_for_exercises() {
     }
 }
 
-bool Host::begin_exercise(const std::string& name) {
-    state_.tab = Tab::exercises;
-    wait_for_exercises();
+bool Host::choose_exercise(const std::string& name) {
     const std::vector<PracticeExercise>& all = desk_.practice().exercises();
     const auto found =
         std::ranges::find(all, name, [](const PracticeExercise& e) { return e.exercise->name; });
     if (found == all.end()) { return false; }
     desk_.practice().choose(static_cast<int>(found - all.begin()));
+    return true;
+}
+
+bool Host::begin_exercise(const std::string& name) {
+    state_.tab = Tab::exercises;
+    wait_for_exercises();
+    if (!choose_exercise(name)) { return false; }
     wait_for_exercises();
     return true;
+}
+
+/// The exercise that an address has named begins once the exercises of its lesson are read.
+void Host::begin_wanted_exercise() {
+    if (wanted_exercise_.empty() || state_.tab != Tab::exercises || !shows_lesson()) { return; }
+    if (desk_.practice().is_busy()) { return; }
+    const std::string name = std::exchange(wanted_exercise_, {});
+    if (!choose_exercise(name)) {
+        notice_.blame(tr("This address leads nowhere: {0}", tr("the lesson has no exercise '{0}'", name)));
+    }
+    rouse();
 }
 
 bool Host::act_in_exercises(const InputEvent& event) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/session/encoding/percent.hpp"
 #include "app/session/wording/words.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/exact_text.hpp"
@@ -28,30 +29,12 @@ constexpr double kWidestView = 3.1;  // [rad]
 constexpr const char* kTry = "try";
 constexpr const char* kJoint = "joint";
 constexpr const char* kTab = "tab";
+constexpr const char* kExercise = "exercise";
 constexpr const char* kCamera = "camera";
-
-bool is_letter_or_digit(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-/// Everything but letters, digits and `plain` as %XX.
-std::string encoded(std::string_view text, std::string_view plain) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (is_letter_or_digit(c) || plain.find(c) != std::string_view::npos) {
-            out += c;
-        } else {
-            out += {'%', digits[byte >> 4U], digits[byte & 15U]};
-        }
-    }
-    return out;
-}
 
 /// A value of application/x-www-form-urlencoded.
 std::string form_encoded(std::string_view text) {
-    std::string out = encoded(text, "*-._ ");
+    std::string out = percent_encoded(text, "*-._ ");
     std::ranges::replace(out, ' ', '+');
     return out;
 }
@@ -167,6 +150,8 @@ private:
             read_once(address_.joint, begin, key, value);
         } else if (key == kTab) {
             read_once(address_.tab, begin, key, value);
+        } else if (key == kExercise) {
+            read_once(address_.exercise, begin, key, value);
         } else if (key == kCamera) {
             if (address_.camera) { fail(begin, "a second camera; expected one"); }
             try {
@@ -175,7 +160,7 @@ private:
                 fail(begin, "camera " + in_quotes(value) + ": " + problem.what());
             }
         } else {
-            static const std::vector<std::string> keys{kTry, kJoint, kTab, kCamera};
+            static const std::vector<std::string> keys{kTry, kJoint, kTab, kExercise, kCamera};
             fail(begin, "no part " + in_quotes(key) + "; expected one of " + comma_list(keys));
         }
     }
@@ -242,9 +227,9 @@ bool can_be_told(const render::Camera& camera) {
 std::string fragment_of(const Address& address) {
     if (address == Address{}) { return {}; }
     if (address.lesson.empty()) { throw std::invalid_argument("an address of no lesson has no other parts"); }
-    std::string text = encoded(address.lesson, "-._~=/");
+    std::string text = percent_encoded(address.lesson, "-._~=/");
     if (!address.at.empty() || address.lesson.find('/') != std::string::npos) {
-        text += '/' + encoded(address.at, "-._~=");
+        text += '/' + percent_encoded(address.at, "-._~=");
     }
     char before = '?';
     const auto add = [&](const char* key, const std::string& value) {
@@ -255,6 +240,7 @@ std::string fragment_of(const Address& address) {
     for (const std::string& experiment : address.experiments) { add(kTry, experiment); }
     add(kJoint, address.joint);
     add(kTab, address.tab);
+    add(kExercise, address.exercise);
     if (!address.camera) { return text; }
     if (!can_be_told(*address.camera)) { throw std::invalid_argument("a camera that sees nothing"); }
     add(kCamera, camera_text(*address.camera));

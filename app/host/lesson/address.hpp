@@ -19,6 +19,7 @@ struct Address {
     std::vector<std::string> experiments;  ///< sentences (app/session/try/experiment_text.hpp)
     std::string joint;                     ///< whose vectors and equations were asked for
     std::string tab;                       ///< a word of kTabs
+    std::string exercise;  ///< name of one of the lesson; it stands in the tab of exercises, and at no place
     std::optional<render::Camera> camera;
 
     bool operator==(const Address&) const = default;

@@ -35,6 +35,7 @@ std::vector<Address> different_addresses() {
     all.back().experiments = {"form D drop x", "take out \"the motor\"", "place 桿 at 0.1 -3e-7 1e9"};
     all.back().tab = "plots";
     all.back().joint = "A & B = C";
+    all.back().exercise = "local-vector";
     all.back().camera =
         render::Camera{{0.1, 1.0 / 3.0, -2e-5}, {1e-300, 0.0, 7.0}, {0.6, 0.8, 0.0}, 0.1, true};
     for (const char* name : {"loops/four-bar", "a/b/c", "mine.toml", "50% + 1?.toml", "#:é~", "x=y&z"}) {
@@ -64,6 +65,9 @@ TEST_CASE("An address is as short as what it says", "[address]") {
     address.camera->field_of_view = 0.25;
     address.camera->orthographic = true;
     CHECK(fragment_of(address) == "four-bar?camera=3+-4+2.5+to+0+0+0.5+up+0+1+0+angle+0.25+parallel");
+    address = four_bar();
+    address.exercise = "local-vector";
+    CHECK(fragment_of(address) == "four-bar?exercise=local-vector");
     // a folder needs the slash behind it, which says that no place follows
     address = Address{};
     address.lesson = "loops/four-bar";
@@ -103,7 +107,7 @@ TEST_CASE("An address that cannot be read says what is wrong, where, and what wa
         {"#four-bar?try=form+%zz", "at character 20: '%zz' is no character; expected % and two hexadecimal"},
         {"#four-bar?try=%4", "at character 15: '%4' is no character"},
         {"#four-bar?try=%FF", "at character 15: what begins here is not UTF-8"},
-        {"#桿%41?foo=1", "at character 7: no part 'foo'; expected one of try, joint, tab, camera"},
+        {"#桿%41?foo=1", "at character 7: no part 'foo'; expected one of try, joint, tab, exercise, camera"},
         {"#four-bar?tab", "at character 11: 'tab' says nothing; expected a value behind ="},
         {"#four-bar?try=", "'try' says nothing"},
         {"#four-bar?tab=try&tab=step", "at character 19: a second tab; expected one"},

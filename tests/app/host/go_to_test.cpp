@@ -136,4 +136,42 @@ TEST_CASE("Lessons are named by their files, with the folder where two have the 
     CHECK_THROWS_WITH(at("two"), "several lessons are called 'two'; expected one of a/two, b/two");
 }
 
+TEST_CASE("An exercise stands in the address, which begins it in another window", "[address][exercises]") {
+    Person person("loops/four-bar.toml");
+    const auto exercise = [](Person& of) {
+        const Exercise* const begun = of.host().exercises().practice().exercise();
+        return begun == nullptr ? std::string() : begun->name;
+    };
+    person.ask(Command::tab_exercises);
+    person.host().wait_for_exercises();
+    REQUIRE(person.host().exercises().practice().exercises().size() > 1);
+    const std::string name = person.host().exercises().practice().exercises()[1].exercise->name;
+    REQUIRE(person.host().begin_exercise(name));
+    const std::string address = address_of(person);
+    CHECK(address == "four-bar?exercise=" + name);
+    // the numbers stay where the address says what is there already
+    const int made = person.host().exercises().practice().tasks_made();
+    REQUIRE(go_to(person, address));
+    CHECK(person.host().exercises().practice().tasks_made() == made);
+
+    Person other("joints/revolute.toml");
+    REQUIRE(go_to(other, address));
+    other.host().wait_for_exercises();
+    other.settle();
+    CHECK(exercise(other) == name);
+    CHECK(other.host().exercises().practice().task() != nullptr);
+    CHECK(address_of(other) == address);
+    CHECK(fault_of(other.host()) == "");
+    // the list of the tab, and the step
+    REQUIRE(go_to(other, "#four-bar?tab=exercises"));
+    CHECK(exercise(other).empty());
+    CHECK(address_of(other) == "four-bar?tab=exercises");
+
+    REQUIRE(go_to(other, "#four-bar?exercise=nonsense"));
+    other.host().wait_for_exercises();
+    other.settle();
+    CHECK(exercise(other).empty());
+    CHECK(other.host().notice().mistakes().find("has no exercise 'nonsense'") != std::string::npos);
+}
+
 }  // namespace jw::test
