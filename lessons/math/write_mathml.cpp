@@ -57,7 +57,14 @@ std::string bold(const std::string& utf8) {
     return escaped(utf8);
 }
 
-std::string sign_mathml(const Sign& sign) {
+/// True if an operation behind this sign has nothing on its left: a sign of a number, not a difference.
+bool leaves_nothing(const Sign& sign) {
+    return sign.kind == SignKind::operation || sign.kind == SignKind::relation ||
+           sign.kind == SignKind::opening || sign.kind == SignKind::punctuation;
+}
+
+/// @param first  nothing on its left belongs to it
+std::string sign_mathml(const Sign& sign, bool first) {
     switch (sign.kind) {
         case SignKind::number:
             return element("mn", sign.alphabet == Alphabet::bold ? bold(sign.utf8) : sign.utf8);
@@ -76,7 +83,9 @@ std::string sign_mathml(const Sign& sign) {
         case SignKind::large:
         case SignKind::ordinary: break;
     }
-    return element("mo", escaped(sign.utf8));
+    // by itself MathML takes it for a difference wherever something stands before it
+    const bool prefix = first && sign.kind == SignKind::operation;
+    return element("mo", escaped(sign.utf8), prefix ? " form=\"prefix\"" : "");
 }
 
 std::string row_mathml(const Row& row);
@@ -95,10 +104,10 @@ std::string matrix_mathml(const Matrix& matrix) {
     return element("mrow", fence(e.open) + element("mtable", rows) + fence(e.close));
 }
 
-std::string nucleus_mathml(const Node& node) {
+std::string nucleus_mathml(const Node& node, bool first) {
     return std::visit(
         Overloaded{
-            [](const Sign& sign) { return sign_mathml(sign); },
+            [first](const Sign& sign) { return sign_mathml(sign, first); },
             [](const Words& words) { return element("mtext", escaped(words.utf8)); },
             [](const Space& space) { return "<mspace width=\"" + short_number(space.em) + "em\"/>"; },
             [](const Fraction& f) { return element("mfrac", row_mathml(f.above) + row_mathml(f.below)); },
@@ -119,8 +128,8 @@ std::string nucleus_mathml(const Node& node) {
         node.nucleus);
 }
 
-std::string node_mathml(const Node& node) {
-    const std::string nucleus = nucleus_mathml(node);
+std::string node_mathml(const Node& node, bool first) {
+    const std::string nucleus = nucleus_mathml(node, first);
     if (node.below.empty() && node.above.empty()) { return nucleus; }
     if (node.above.empty()) { return element("msub", nucleus + row_mathml(node.below)); }
     if (node.below.empty()) { return element("msup", nucleus + row_mathml(node.above)); }
@@ -129,9 +138,14 @@ std::string node_mathml(const Node& node) {
 
 /// One element, whatever the number of nodes.
 std::string row_mathml(const Row& row) {
-    if (row.size() == 1) { return node_mathml(row[0]); }
+    if (row.size() == 1) { return node_mathml(row[0], true); }
     std::string inner;
-    for (const Node& node : row) { inner += node_mathml(node); }
+    bool first = true;
+    for (const Node& node : row) {
+        inner += node_mathml(node, first);
+        const Sign* const sign = std::get_if<Sign>(&node.nucleus);
+        first = sign != nullptr && leaves_nothing(*sign);
+    }
     return element("mrow", inner);
 }
 

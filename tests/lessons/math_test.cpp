@@ -182,6 +182,15 @@ TEST_CASE("MathML is well-formed and has every sign of the formula", "[lessons][
         "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow><msub><mover "
         "accent=\"true\"><mi>&#119956;</mi>"
         "<mo>˙</mo></mover><mi>i</mi></msub><mo>&lt;</mo><mn>2</mn></mrow></math>");
+    // a sign of a number is none of a difference
+    const std::string prefix = "<mo form=\"prefix\">−</mo>";
+    const std::string infix = "<mo>−</mo>";
+    for (const char* number : {"-2", "a = -2", "(-2)", "a \\cdot -2"}) {
+        INFO(number);
+        CHECK(write_mathml(read_math(number).row, false).find(prefix) != std::string::npos);
+    }
+    CHECK(write_mathml(read_math("a - 2").row, false).find(infix) != std::string::npos);
+    CHECK(write_mathml(read_math("(a) - 2").row, false).find(infix) != std::string::npos);
 }
 
 TEST_CASE("docs/mathematics.md lists every command, and nothing else", "[lessons][math][docs]") {
