@@ -1,5 +1,6 @@
 #include <emscripten/emscripten.h>
 
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <sstream>
@@ -45,10 +46,14 @@ std::vector<std::string> lines_of(const char* text) {
 
 extern "C" {
 
+/// @param lessons  folder of the course
 /// @return why the page cannot begin; empty if it does
 EMSCRIPTEN_KEEPALIVE const char* jw_begin(
-    const char* canvas, int width, int height, double text_scale, int dark, const char* language) {
+    const char* canvas, int width, int height, double text_scale, int dark, const char* language,
+    const char* lessons) {
     return problem_of([&] {
+        // the catalogue of the program (lessons/catalogue.hpp)
+        ::setenv("JOINTWISE_LESSONS", lessons, 1);
         page = std::make_unique<jw::web::Page>(
             jw::web::PageSetup{canvas, width, height, static_cast<float>(text_scale), dark != 0, language});
     });

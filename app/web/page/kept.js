@@ -8,9 +8,14 @@ export function restoreFolder(FS, folder) {
   try {
     files = JSON.parse(localStorage.getItem(KEY) ?? "{}");
   } catch { return; }
-  for (const [path, text] of Object.entries(files)) {
+  writeFiles(FS, files);
+}
+
+/** Writes files of the program: texts or bytes by their paths. */
+export function writeFiles(FS, files) {
+  for (const [path, content] of Object.entries(files)) {
     FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
-    FS.writeFile(path, text);
+    FS.writeFile(path, content);
   }
 }
 

@@ -2,7 +2,7 @@
 import createJointwise from "./jointwise.js";
 import { listen } from "./input.js";
 import { Address } from "./address.js";
-import { keepFolder, restoreFolder } from "./kept.js";
+import { keepFolder, restoreFolder, writeFiles } from "./kept.js";
 
 const $ = (id) => document.getElementById(id);
 const canvas = $("canvas");
@@ -44,7 +44,7 @@ function programOf(module) {
   const wrap = (name, result, ...types) => module.cwrap(name, result, types);
   return {
     module,
-    begin: wrap("jw_begin", "string", "string", "number", "number", "number", "number", "string"),
+    begin: wrap("jw_begin", "string", "string", "number", "number", "number", "number", "string", "string"),
     frame: wrap("jw_frame", "number", "number"),
     resize: wrap("jw_resize", null, "number", "number"),
     loseContext: wrap("jw_lose_context", null),
@@ -136,10 +136,28 @@ class Story {
   }
 }
 
+/** The lessons of the page: {lessons: folder of the course, language: of a site, files: texts by their paths}. */
+async function fetchLessons() {
+  const answer = await fetch("lessons.json");
+  if (!answer.ok) { throw new Error(`The lessons could not be fetched: ${answer.status} ${answer.statusText}`); }
+  return answer.json();
+}
+
+/** Letters of a language that the fonts in the page do not have; without them marks stand in their place. */
+async function fetchLetters(FS, language) {
+  const font = language.startsWith("zh") && "chinese.ttf";
+  if (!font) { return; }
+  const answer = await fetch(font).catch(() => null);
+  if (answer?.ok) { writeFiles(FS, { "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf": new Uint8Array(await answer.arrayBuffer()) }); }
+}
+
 async function begin() {
   if (!document.createElement("canvas").getContext("webgl2")) {
     return giveUp("This browser shows no WebGL 2.");
   }
+  const fetched = fetchLessons();
+  // told where it is waited for
+  fetched.catch(() => {});
   const module = await createJointwise({
     page: { copy, download: (path) => download(path, module.FS.readFile(path)) },
     setStatus(text) {
@@ -147,6 +165,8 @@ async function begin() {
       if (part) { $("progress").value = part[1] / part[2]; }
     },
   });
+  const course = await fetched;
+  writeFiles(module.FS, course.files);
   restoreFolder(module.FS, "/kept");
   const program = programOf(module);
   const ratio = window.devicePixelRatio || 1;
@@ -155,8 +175,10 @@ async function begin() {
   const dark = settings.dark ?? systemIsDark;
   canvas.width = Math.round(canvas.clientWidth * ratio);
   canvas.height = Math.round(canvas.clientHeight * ratio);
-  const language = settings.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
-  const why = program.begin("#canvas", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language);
+  const usualLanguage = course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
+  const language = settings.language ?? usualLanguage;
+  await fetchLetters(module.FS, language);
+  const why = program.begin("#canvas", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
   if (why) { return giveUp(why); }
 
   const story = new Story();
@@ -170,7 +192,7 @@ async function begin() {
       story.tell(state);
       address.follow(state);
       localStorage.setItem("jointwise-settings", JSON.stringify(
-        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale, language: state.language }));
+        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale, language: state.language === usualLanguage ? undefined : state.language }));
       document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
       document.documentElement.classList.toggle("dark", state.dark);
       program.keepUnsaved();
@@ -203,9 +225,9 @@ async function begin() {
     const unseen = $("story").classList.toggle("unseen");
     $("describe").setAttribute("aria-expanded", String(!unseen));
   });
+  $("loading").hidden = true;
   const { Editor } = await import("./editor.js");
   new Editor({ program, loop, download, toast, address });
-  $("loading").hidden = true;
   if ("serviceWorker" in navigator) { navigator.serviceWorker.register("service_worker.js", { updateViaCache: "none" }).catch(() => {}); }
   loop.rouse();
   // for tests, which ask what a person sees

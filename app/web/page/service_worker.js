@@ -15,6 +15,13 @@ self.addEventListener("activate", (event) => {
 
 self.addEventListener("fetch", (event) => {
   if (event.request.method !== "GET" || new URL(event.request.url).origin !== location.origin) { return; }
-  event.respondWith(caches.open(CACHE).then(async (cache) =>
-    (await cache.match(event.request, { ignoreSearch: true })) ?? fetch(event.request)));
+  event.respondWith((async () => {
+    const cache = await caches.open(CACHE);
+    const kept = await cache.match(event.request, { ignoreSearch: true });
+    if (kept) { return kept; }
+    const answer = await fetch(event.request);
+    // letters that only some languages need
+    if (answer.ok) { await cache.put(event.request, answer.clone()); }
+    return answer;
+  })());
 });
