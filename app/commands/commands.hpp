@@ -33,6 +33,7 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run);
 void add_plot(CLI::App& app, const Streams& streams, Run& run);
 void add_render(CLI::App& app, const Streams& streams, Run& run);
 void add_export(CLI::App& app, const Streams& streams, Run& run);
+void add_site(CLI::App& app, const Streams& streams, Run& run);
 void add_snapshot(CLI::App& app, const Streams& streams, Run& run);
 void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
 void add_completion(CLI::App& app, const Streams& streams, Run& run);

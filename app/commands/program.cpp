@@ -93,9 +93,9 @@ int run_program(
     add_surface_option(app, surface_name);
     Run run;
     for (const auto add :
-         {add_open, add_list, add_new, add_check, add_explain, add_schema, add_step, add_inspect, add_try,
-          add_newton, add_solve, add_simulate, add_bench, add_plot, add_render, add_export, add_snapshot,
-          add_sheet, add_grade}) {
+         {add_open,    add_list,   add_new,      add_check, add_explain,  add_schema, add_step,
+          add_inspect, add_try,    add_newton,   add_solve, add_simulate, add_bench,  add_plot,
+          add_render,  add_export, add_snapshot, add_site,  add_sheet,    add_grade}) {
         add(app, streams, run);
     }
     add_doctor(app, streams, run, doctor_window);

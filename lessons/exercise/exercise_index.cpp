@@ -58,6 +58,18 @@ std::vector<IndexedExercise> exercises_named_in(const fs::path& file) {
     return found;
 }
 
+std::vector<fs::path> exercise_files_in(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() == ".toml" && entry.is_regular_file(error)) {
+            files.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
 std::vector<fs::path> exercise_files_of(const fs::path& lessons_folder) {
     std::error_code error;
     const fs::path whole = fs::absolute(lessons_folder, error).lexically_normal();
@@ -68,14 +80,7 @@ std::vector<fs::path> exercise_files_of(const fs::path& lessons_folder) {
     if (!fs::is_directory(exercises, error)) {
         exercises = folder.parent_path().parent_path() / kExercisesFolder;
     }
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(exercises, error)) {
-        if (entry.path().extension() == ".toml" && entry.is_regular_file(error)) {
-            files.push_back(entry.path());
-        }
-    }
-    std::ranges::sort(files);
-    return files;
+    return exercise_files_in(exercises);
 }
 
 std::vector<IndexedExercise> exercises_of_course(const fs::path& lessons_folder) {

@@ -25,6 +25,9 @@ std::vector<std::string> names_of_lessons();
 /// that cannot be read has none, and nothing else is checked.
 std::vector<IndexedExercise> exercises_named_in(const std::filesystem::path& file);
 
+/// Files of exercises in a folder, those in its folders not included, sorted; none if it cannot be read.
+std::vector<std::filesystem::path> exercise_files_in(const std::filesystem::path& folder);
+
 /// Files of exercises of a folder with lessons: those of the folder `exercises` beside it, or beside the
 /// folder around it, sorted.
 std::vector<std::filesystem::path> exercise_files_of(const std::filesystem::path& lessons_folder);

@@ -11,10 +11,10 @@
 namespace jw::test {
 namespace {
 
-const std::vector<std::string> kCommands{"open",       "list",     "new",    "check",   "explain", "schema",
-                                         "sheet",      "grade",    "step",   "inspect", "try",     "newton",
-                                         "solve",      "simulate", "bench",  "plot",    "render",  "doctor",
-                                         "completion", "manual",   "export", "snapshot"};
+const std::vector<std::string> kCommands{"open",       "list",     "new",    "check",    "explain", "schema",
+                                         "sheet",      "grade",    "step",   "inspect",  "try",     "newton",
+                                         "solve",      "simulate", "bench",  "plot",     "render",  "doctor",
+                                         "completion", "manual",   "export", "snapshot", "site"};
 
 /// A command that can write JSON, with what it needs besides its format.
 std::vector<std::vector<std::string>> commands_with_json(const std::string& driven) {
@@ -107,7 +107,7 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: no command 'chekc'; expected one of open, list, new, check, explain, schema, "
          "step, "
          "inspect, try, "
-         "newton, solve, simulate, bench, plot, render, export, snapshot, "
+         "newton, solve, simulate, bench, plot, render, export, snapshot, site, "
          "sheet, grade, doctor, completion, manual\n"
          "hint: did you mean 'check'?\n"},
         {{"step"}, "jointwise: error: FILE is required\nhint: jointwise step --help\n"},
@@ -169,7 +169,7 @@ TEST_CASE("a wrong lesson is status 2 with file, line and column, for every comm
     for (const std::string& command : kCommands) {
         // these read no lesson
         const std::vector<std::string> others{"list",  "new",   "doctor",     "explain", "schema",
-                                              "grade", "sheet", "completion", "manual"};
+                                              "grade", "sheet", "completion", "manual",  "site"};
         if (std::ranges::find(others, command) != others.end()) { continue; }
         std::vector<std::string> arguments{command, wrong};
         if (command == "render") { arguments.insert(arguments.end(), {"--out", folder.path("frames")}); }

@@ -1,20 +1,16 @@
 // Chromium with the page in it, for tests: everything is done as a person does it, by mouse, keys and addresses.
 import puppeteer from "../../build/web-npm/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js";
-import { join } from "node:path";
-import { serve } from "../../app/web/serve.mjs";
 
 // [ms] a software renderer on a busy machine takes its time
 const PATIENCE = 120000;
 
-export async function startBrowser(root, flags = []) {
-  const { server, address } = await serve(join(root, "build/web/page"));
-  const browser = await puppeteer.launch({
+export function startBrowser(flags = []) {
+  return puppeteer.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     protocolTimeout: PATIENCE,
     // WebGL without a graphics card
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", ...flags],
   });
-  return { browser, address, stop: async () => { await browser.close(); server.close(); } };
 }
 
 /** A visit of the page. What the console tells, and what is asked of other hosts, is kept in `faults`. */

@@ -1,28 +1,16 @@
-// Tests of the page: node page_test.mjs ROOT [NAME]; ./dev web test. They end with "N passed, N failed".
+// Tests of the page.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
-import { Visit, difference, startBrowser } from "./browser.mjs";
-
-const root = process.argv[2];
-const wanted = process.argv[3] ?? "";
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
-
-function check(holds, what) {
-  if (!holds) { throw new Error(what); }
-}
-function equal(found, expected, what) {
-  check(JSON.stringify(found) === JSON.stringify(expected), `${what}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
-}
-function noFaults(visit) { equal(visit.faults, [], "faults"); }
+import { Visit, difference } from "./browser.mjs";
+import { browser, check, equal, noFaults, root, served, test } from "./suite.mjs";
 
 const catalogue = join(root, "lessons/catalogue");
 const lessons = readdirSync(catalogue, { recursive: true }).filter((f) => f.endsWith(".toml") && basename(f) !== "course.toml").sort();
 const stems = lessons.map((f) => basename(f, ".toml"));
 
-const { browser, address, stop } = await startBrowser(root);
+const address = await served("build/web/page");
 const visit = async (options) => Visit.begin(browser, address, options);
 
 /** A visit whose storage is its own; it must end without faults. */
@@ -337,19 +325,3 @@ test("Random input to the page throws nothing", async () => {
   }
   await v.close();
 });
-
-let failed = 0;
-const chosen = tests.filter((t) => t.name.toLowerCase().includes(wanted.toLowerCase()));
-for (const { name, run } of chosen) {
-  const began = Date.now();
-  try {
-    await run();
-    console.log(`passed  ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED  ${name}\n        ${String(error.message).replaceAll("\n", "\n        ")}`);
-  }
-}
-await stop();
-console.log(`${chosen.length - failed} passed, ${failed} failed`);
-process.exit(failed > 0 || chosen.length === 0 ? 1 : 0);

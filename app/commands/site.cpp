@@ -1,0 +1,140 @@
+#include "app/site/site.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/site/live_page.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/data_folder.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSlides = "slides.pdf";
+// reading and proving is a small part of the work
+constexpr double kReadingPart = 0.1;
+
+struct SiteSetup {
+    std::string folder;
+    std::string out;
+    std::string exercises;
+    std::string title;
+    std::string slides;
+    std::string page;
+};
+
+CommandError bad_site(const std::string& message) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + message);
+}
+
+bool is_url(const std::string& text) { return text.starts_with("https://") || text.starts_with("http://"); }
+
+void check_folder(const std::string& what, const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) { return; }
+    throw bad_site(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
+}
+
+/// Looks at everything that is read before anything is computed.
+void check_setup(const SiteSetup& setup) {
+    check_folder("", setup.folder);
+    if (!setup.exercises.empty()) { check_folder("--exercises ", setup.exercises); }
+    if (lessons_below(setup.folder).empty()) {
+        throw bad_site(
+            "no lessons are below " + in_quotes(setup.folder) + "; expected files of lessons, *.toml");
+    }
+    const std::string problem = site::problem_of_page(setup.page);
+    if (!problem.empty()) { throw bad_site("--page: " + problem); }
+    std::error_code error;
+    if (!setup.slides.empty() && !is_url(setup.slides) && !fs::is_regular_file(setup.slides, error)) {
+        throw bad_site(
+            "--slides: there is no file " + in_quotes(setup.slides) + "; expected a PDF file or a URL");
+    }
+    const fs::path out = fs::weakly_canonical(setup.out, error);
+    for (const std::string& read : {setup.folder, setup.exercises, setup.page}) {
+        if (read.empty()) { continue; }
+        const fs::path way = out.lexically_relative(fs::weakly_canonical(read, error));
+        if (!way.empty() && *way.begin() != "..") {
+            throw bad_site(
+                "--out: " + in_quotes(setup.out) + " lies in " + in_quotes(read) +
+                ", which is read; expected a folder elsewhere");
+        }
+    }
+}
+
+Exit make_site(SiteSetup setup, const Streams& streams) {
+    if (setup.page.empty()) { setup.page = (data_folder() / "page").string(); }
+    check_setup(setup);
+    // exercises name lessons of this course, not of the one that comes with the program
+    ::setenv("JOINTWISE_LESSONS", setup.folder.c_str(), 1);
+    ProgressBar progress(streams, "site");
+    site::SiteCourseRead read = site::read_site_course(
+        setup.folder, setup.exercises, [&](double share) { progress.show(kReadingPart * share); });
+    if (!read.report.empty()) { throw CommandError(Exit::bad_input, read.report); }
+    if (!read.failed_claims.empty()) {
+        throw CommandError(
+            Exit::check_failed, read.failed_claims +
+                                    "jointwise: error: what these lessons claim does not hold; "
+                                    "'jointwise check' tells more, and no site is written");
+    }
+    for (const std::string& note : read.notes) { streams.err << "jointwise: note: " << note << '\n'; }
+    read.course.title = setup.title.empty() ? tr("Lessons") : setup.title;
+    read.course.program = "Jointwise " JW_VERSION;
+    site::SiteOutput output{setup.out, setup.page, {}};
+    if (is_url(setup.slides)) {
+        read.course.slides = setup.slides;
+    } else if (!setup.slides.empty()) {
+        read.course.slides = kSlides;
+        output.slides = setup.slides;
+    }
+    site::write_site(read.course, output, [&](double share) {
+        progress.show(kReadingPart + (1.0 - kReadingPart) * share);
+    });
+    streams.out << "the site is in '" << setup.out << "': " << read.course.lessons.size()
+                << (read.course.lessons.size() == 1 ? " lesson" : " lessons") << "; put it on a web server\n";
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_site(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command =
+        app.add_subcommand("site", "write the lessons of a folder as a web site, with the program in it");
+    auto setup = std::make_shared<SiteSetup>();
+    command->add_option("FOLDER", setup->folder, "folder of lessons, with course.toml for their order")
+        ->required()
+        ->type_name("");
+    command->add_option("--out", setup->out, "folder of the site; one of before is replaced")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option(
+            "--exercises", setup->exercises,
+            "folder of files of exercises (default: 'exercises' beside the lessons, if it is there)")
+        ->type_name("FOLDER");
+    command->add_option("--title", setup->title, "of the course")->type_name("TEXT");
+    command
+        ->add_option("--slides", setup->slides, "the slides that lessons name: a PDF file to copy, or a URL")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--page", setup->page,
+            "files of the program as a page (default: those that were built or installed)")
+        ->type_name("FOLDER");
+    command->footer(
+        "Example: jointwise site lessons/catalogue --out public --title 'Spatial kinematics' --slides "
+        "slides.pdf");
+    command->callback(
+        [setup, &streams, &run] { run = [setup, &streams] { return make_site(*setup, streams); }; });
+}
+
+}  // namespace jw

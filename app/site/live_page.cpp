@@ -1,0 +1,151 @@
+#include "app/site/live_page.hpp"
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include "app/host/frames/frame_draft.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/site/lesson_parts.hpp"
+#include "lessons/catalogue.hpp"
+#include "lessons/course.hpp"
+#include "lessons/diagnostics.hpp"
+
+namespace jw::site {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kBundleFile = "lessons.json";
+constexpr const char* kWorkerFile = "service_worker.js";
+constexpr const char* kIndexFile = "index.html";
+// where the page keeps a course
+const fs::path kCourse = "/course";
+constexpr const char* kExercises = "exercises";
+constexpr std::string_view kVersionBefore = "const VERSION = \"";
+constexpr std::size_t kVersionDigits = 16;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in) { host::refuse(file, "cannot be read"); }
+    return text;
+}
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) { host::refuse(file, "cannot be written; is there room?"); }
+}
+
+/// A file of the course, and where the page finds it.
+struct CourseFile {
+    fs::path file;
+    fs::path place;  ///< below the folder of the course in the page
+};
+
+void add_folder(const fs::path& folder, const fs::path& place, std::vector<CourseFile>& files) {
+    for (const fs::path& file : lessons_below(folder)) {
+        files.push_back({file, place / file.lexically_relative(folder)});
+    }
+}
+
+/// The files that say the order of lessons; where the folder is part of a course, that of the whole.
+void add_orders(const fs::path& folder, const fs::path& place, std::vector<CourseFile>& files) {
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+        if (entry.path().filename() == kCourseFile) {
+            files.push_back({entry.path(), place / entry.path().lexically_relative(folder)});
+        }
+    }
+    if (!fs::exists(folder / kCourseFile, error) && fs::is_regular_file(folder / ".." / kCourseFile, error)) {
+        files.push_back({folder / ".." / kCourseFile, place / kCourseFile});
+    }
+}
+
+std::vector<CourseFile> files_of(const SiteCourse& course) {
+    const fs::path lessons = lessons_folder_of(course);
+    std::vector<CourseFile> files;
+    add_folder(course.folder, lessons, files);
+    add_orders(course.folder, lessons, files);
+    if (!course.exercise_files.empty()) {
+        // with the scenes that they name
+        add_folder(course.exercise_files.front().parent_path(), kExercises, files);
+    }
+    return files;
+}
+
+std::string replaced(std::string text, const std::string& before, const std::string& after) {
+    for (std::size_t at = text.find(before); at != std::string::npos;
+         at = text.find(before, at + after.size())) {
+        text.replace(at, before.size(), after);
+    }
+    return text;
+}
+
+/// Version of a page; empty if it has none.
+std::string version_in(const std::string& worker) {
+    const std::size_t at = worker.find(kVersionBefore);
+    return at == std::string::npos ? std::string()
+                                   : worker.substr(at + kVersionBefore.size(), kVersionDigits);
+}
+
+}  // namespace
+
+std::string problem_of_page(const fs::path& folder) {
+    std::error_code error;
+    for (const char* file :
+         {kIndexFile, kWorkerFile, kBundleFile, "jointwise.js", "jointwise.wasm", "jointwise.data"}) {
+        if (!fs::is_regular_file(folder / file, error)) {
+            return in_quotes((folder / file).string()) +
+                   " is not there; expected the files of the page, as './dev web' builds them into "
+                   "build/web/page";
+        }
+    }
+    if (version_in(text_of(folder / kWorkerFile)).empty()) {
+        return in_quotes((folder / kWorkerFile).string()) +
+               " names no version; build the page anew with './dev web'";
+    }
+    return {};
+}
+
+std::string lessons_bundle(const SiteCourse& course) {
+    Json files = Json::object();
+    for (const CourseFile& file : files_of(course)) {
+        files[(kCourse / file.place).generic_string()] = text_of(file.file);
+    }
+    return json_document(
+        Json{
+            {"lessons", (kCourse / lessons_folder_of(course)).generic_string()},
+            {"language", std::string(language())},
+            {"files", std::move(files)}},
+        -1);
+}
+
+void write_live_page(const fs::path& page, const std::string& bundle, const fs::path& into) {
+    fs::create_directories(into);
+    for (const fs::directory_entry& entry : fs::directory_iterator(page)) {
+        fs::copy_file(entry.path(), into / entry.path().filename(), fs::copy_options::overwrite_existing);
+    }
+    write(into / kBundleFile, bundle);
+    const std::string before = version_in(text_of(page / kWorkerFile));
+    const std::string after = before.substr(0, kVersionDigits / 2) +
+                              host::sha256_of(into / kBundleFile).substr(0, kVersionDigits / 2);
+    for (const char* file : {kWorkerFile, kIndexFile}) {
+        write(into / file, replaced(text_of(page / file), before, after));
+    }
+}
+
+void write_course_files(const SiteCourse& course, const fs::path& into) {
+    for (const CourseFile& file : files_of(course)) {
+        fs::create_directories((into / file.place).parent_path());
+        fs::copy_file(file.file, into / file.place, fs::copy_options::overwrite_existing);
+    }
+}
+
+}  // namespace jw::site

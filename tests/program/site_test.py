@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+"""The site of a course, as files: site_test.py JOINTWISE ROOT.
+
+A small course with hostile titles and names, without the program of the page, of which a few files stand for all.
+"""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urljoin, urlsplit
+
+program, root = sys.argv[1], Path(sys.argv[2])
+catalogue = root / "lessons" / "catalogue"
+HTML = "{http://www.w3.org/1999/xhtml}"
+MATH = "{http://www.w3.org/1998/Math/MathML}"
+HOSTILE = """<script>alert(1)</script> & "quotes" 'too' </title> $\\\\mathbf{s}_i < 1$ ]]>"""
+
+
+def run(*arguments, status=0):
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == status, (arguments, done.returncode, done.stderr)
+    return done
+
+
+def write_page(folder):
+    folder.mkdir()
+    for name in ["jointwise.js", "jointwise.wasm", "jointwise.data", "lessons.json"]:
+        (folder / name).write_text(f"{name}\n")
+    (folder / "index.html").write_text("<meta name=\"generator\" content=\"Jointwise 0123456789abcdef\">\n")
+    (folder / "service_worker.js").write_text("const VERSION = \"0123456789abcdef\";\n")
+    return folder
+
+
+def write_course(folder):
+    lessons = folder / "my lessons"
+    for name in ["loops/four-bar", "parallel/which-two-of-three", "hard/cannot-close", "jacobians/n1-row", "dynamics/spinning-top"]:
+        (lessons / name).parent.mkdir(parents=True, exist_ok=True)
+        (lessons / f"{name}.toml").write_text((catalogue / f"{name}.toml").read_text())
+    strange = (catalogue / "joints/revolute.toml").read_text()
+    strange = re.sub(r"^title = .*$", lambda _: f"title = '''{HOSTILE}'''".replace("\\\\", "\\"), strange, count=1, flags=re.M)
+    (lessons / "loops" / "100% <b>#1?.toml").write_text(strange)
+    (lessons / "course.toml").write_text(
+        'format = 1\n[[chapter]]\nname = "parallel"\ntitle = "Parallel <i>vectors</i>"\nabout = "First."\nneeds = []\nlessons = []\n'
+        '[[chapter]]\nname = "loops"\ntitle = "Loops"\nabout = "Then."\nneeds = ["parallel"]\nlessons = ["four-bar.toml"]\n'
+    )
+    exercises = folder / "exercises"
+    (exercises / "scenes").mkdir(parents=True)
+    source = root / "lessons" / "exercises"
+    # of a file the exercises about lessons that are here, and one about none
+    head, *tables = (source / "clinic.toml").read_text().split("[[exercise]]\n")
+    kept = [t for t in tables if re.search(r'^lesson = "(loops/four-bar|parallel/which.*)"$', t, re.M) and "../catalogue" not in t]
+    assert len(kept) > 1, len(kept)
+    alone = re.sub(r'^(name = ".*)"$', r'\1-alone"', re.sub(r'^lesson = .*\n', "", kept[0], flags=re.M), count=1, flags=re.M)
+    (exercises / "clinic.toml").write_text("[[exercise]]\n".join([head, *kept, alone]))
+    for scene in (source / "scenes").glob("*.toml"):
+        (exercises / "scenes" / scene.name).write_text(scene.read_text())
+    return lessons
+
+
+class Page(HTMLParser):
+    """Links and names of a page, as a reader of HTML sees them, who knows nothing of XML."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.ids, self.inline, self.scripts = [], [], [], 0
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("href", "src"):
+                self.links.append(value)
+            if name == "id":
+                self.ids.append(value)
+            if name == "style" or name.startswith("on"):
+                self.inline.append((tag, name))
+        if tag == "script" and "src" not in dict(attributes) or tag == "style":
+            self.inline.append((tag, ""))
+        self.scripts += tag == "script"
+
+
+def pages_of(site):
+    return {p.relative_to(site).as_posix(): p for p in sorted(site.rglob("*.html")) if "live" not in p.relative_to(site).parts}
+
+
+def check_pages(site):
+    """Every page is well-formed, has nothing inline, and every link leads to a file and a name that are there."""
+    pages = {name: Page(path.read_text()) for name, path in pages_of(site).items()}
+    formulas = live = 0
+    for name, path in pages_of(site).items():
+        text = path.read_text()
+        tree = ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", text))
+        formulas += len(list(tree.iter(f"{MATH}math")))
+        page = pages[name]
+        assert page.inline == [], (name, page.inline)
+        assert page.scripts == 1, (name, page.scripts)
+        assert len(page.ids) == len(set(page.ids)), (name, [i for i in page.ids if page.ids.count(i) > 1])
+        assert tree.find("head/title").text.strip(), name
+        assert len(list(tree.iter("h1"))) == 1, name
+        assert all("alt" in image.attrib for image in tree.iter("img")), name
+        for link in page.links:
+            target = urlsplit(urljoin(f"https://site/{path_in_url(name)}", link))
+            assert target.netloc == "site", (name, link)
+            file = site / unquote(target.path).lstrip("/")
+            assert file.is_file(), (name, link, file)
+            assert site in file.resolve().parents, (name, link)
+            if target.path.startswith("/live/"):
+                live += 1
+            elif target.fragment and file.suffix == ".html":
+                assert unquote(target.fragment) in pages[file.relative_to(site).as_posix()].ids, (name, link)
+    return formulas, live
+
+
+def path_in_url(name):
+    from urllib.parse import quote
+
+    return quote(name)
+
+
+def files_in(folder):
+    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def text_of(path):
+    return "".join(ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", path.read_text())).itertext())
+
+
+with tempfile.TemporaryDirectory() as place:
+    place = Path(place).resolve()
+    page = write_page(place / "page")
+    lessons = write_course(place)
+    out = place / "out"
+    common = [lessons, "--page", page]
+    done = run("site", *common, "--out", out, "--title", f"Course {HOSTILE}".replace("\\\\", "\\"))
+    assert "belongs to no lesson; it is left out" in done.stderr, done.stderr
+    formulas, live = check_pages(out)
+    assert formulas > 40 and live > 30, (formulas, live)
+    names = sorted(p.relative_to(lessons).with_suffix("").as_posix() for p in lessons.rglob("*.toml") if p.name != "course.toml")
+    assert sorted(n.removeprefix("lessons/").removesuffix(".html") for n in pages_of(out) if n.startswith("lessons/")) == names
+    # the check of links sees one that leads nowhere
+    broken = out / "slides.html"
+    kept = broken.read_text()
+    broken.write_text(kept.replace("lessons/loops/four-bar.html", "lessons/loops/four-bor.html", 1))
+    try:
+        check_pages(out)
+        raise SystemExit("a dead link was not noticed")
+    except AssertionError:
+        broken.write_text(kept)
+    print(f"{len(pages_of(out))} pages, {formulas} formulas, {live} links into the figure")
+
+    # the order of the course, by the links from lesson to lesson
+    at, seen = "lessons/parallel/which-two-of-three.html", []
+    while at:
+        seen.append(at)
+        tree = ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", (out / at).read_text()))
+        following = [a.attrib["href"] for a in tree.iter("a") if a.attrib.get("rel") == "next"]
+        at = unquote(urlsplit(urljoin(f"https://site/{path_in_url(at)}", following[0])).path).lstrip("/") if following else ""
+    assert len(seen) == len(names) and seen[1] == "lessons/loops/four-bar.html", seen
+
+    # claims are those that `check` proves
+    checked = json.loads(run("check", lessons / "loops/four-bar.toml", "--format", "json").stdout)
+    claims = [c for c in checked["lessons"][0]["claims"] if not c["moment"].startswith("try")]
+    rows = list(ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", (out / "lessons/loops/four-bar.html").read_text())).iter("tr"))[1:]
+    assert [["".join(cell.itertext()) for cell in row] for row in rows] == [[c["moment"], c["subject"], c["expected"]] for c in claims]
+    # exercises, and the numbers of a rank
+    text = text_of(out / "lessons/loops/four-bar.html")
+    exercises = re.findall(r'\[\[exercise\]\]\nname = "([^"]+)"(?:(?!\[\[exercise)[\s\S])*?lesson = "loops/four-bar"', (place / "exercises/clinic.toml").read_text())
+    ids = Page((out / "lessons/loops/four-bar.html").read_text()).ids
+    assert len(exercises) > 1 and all(f"exercise-{name}" in ids for name in exercises), (exercises, ids)
+    for words in ["Four hinges with parallel axes", "15 → 17", "Three equations stay redundant", "The y equation is left out"]:
+        assert words in text, words
+    assert "cannot" in text_of(out / "lessons/hard/cannot-close.html").lower()
+
+    # the page has the lessons of this course, where exercises find their scenes, and a version of its own
+    bundle = json.loads((out / "live/lessons.json").read_text())
+    assert bundle["lessons"] == "/course/my lessons", bundle["lessons"]
+    for path, text in bundle["files"].items():
+        below = path.removeprefix("/course/")
+        assert (place / below).read_text() == text and (out / "course" / below).read_text() == text, path
+    assert "/course/my lessons/course.toml" in bundle["files"] and "/course/exercises/scenes/four-bar.toml" in bundle["files"]
+    version = re.search(r'VERSION = "([0-9a-f]{16})"', (out / "live/service_worker.js").read_text())[1]
+    assert version != "0123456789abcdef" and version in (out / "live/index.html").read_text()
+
+    # the same again, to the byte, and in place of the one before; what is hidden stays
+    (out / ".git").mkdir()
+    (out / ".git" / "HEAD").write_text("ref\n")
+    before = files_in(out)
+    run("site", *common, "--out", out, "--title", f"Course {HOSTILE}".replace("\\\\", "\\"))
+    assert files_in(out) == before
+    (lessons / "jacobians/n1-row.toml").unlink()
+    run("site", *common, "--out", out)
+    check_pages(out)
+    assert not (out / "lessons/jacobians").exists() and not (out / "pictures/jacobians").exists() and (out / ".git/HEAD").exists()
+    changed = re.search(r'VERSION = "([0-9a-f]{16})"', (out / "live/service_worker.js").read_text())[1]
+    assert changed != version, "other lessons, the same version"
+
+    # slides, as a file and as an address
+    (place / "slides.pdf").write_bytes(b"%PDF-1.4\n")
+    run("site", *common, "--out", out, "--slides", place / "slides.pdf")
+    check_pages(out)
+    assert 'href="slides.pdf#page=5"' in (out / "slides.html").read_text()
+    run("site", *common, "--out", out, "--slides", "https://example.org/s.pdf")
+    assert 'href="https://example.org/s.pdf#page=5"' in (out / "slides.html").read_text() and not (out / "slides.pdf").exists()
+
+    # in another language
+    run("site", *common, "--out", place / "zh", "--language", "zh-Hant")
+    check_pages(place / "zh")
+    assert '<html lang="zh-Hant">' in (place / "zh/index.html").read_text()
+    assert "投影片" in text_of(place / "zh/index.html")
+
+    # what is refused is said, and the site of before stays as it was
+    before = files_in(out)
+    stranger = place / "stranger"
+    stranger.mkdir()
+    (stranger / "thesis.txt").write_text("mine\n")
+    refused = [
+        ([*common, "--out", stranger], "is no part of a site"),
+        ([*common, "--out", lessons / "out"], "which is read"),
+        ([place / "nowhere", "--page", page, "--out", out], "is no folder"),
+        ([stranger, "--page", page, "--out", out], "no lessons are below"),
+        ([lessons, "--page", stranger, "--out", out], "./dev web"),
+        ([*common, "--out", out, "--slides", place / "none.pdf"], "--slides: there is no file"),
+        ([*common, "--out", out, "--exercises", place / "none"], "is no folder"),
+    ]
+    for arguments, words in refused:
+        assert words in run("site", *arguments, status=2).stderr, (arguments, words)
+    (lessons / "loops/bad.toml").write_text('format = 1\ntitle = "t"\ncolor = 3\n')
+    assert "bad.toml:3:1: error" in run("site", *common, "--out", out, status=2).stderr
+    wrong = (catalogue / "loops/four-bar.toml").read_text().replace("rank = 17", "rank = 16", 1)
+    assert "rank = 16" in wrong
+    (lessons / "loops/bad.toml").write_text(wrong)
+    said = run("site", *common, "--out", out, status=1).stderr
+    assert re.search(r"bad\.toml:\d+:\d+: after D, rank: expected 16, found 17", said), said
+    assert files_in(out) == before and sorted(p.name for p in stranger.iterdir()) == ["thesis.txt"]
+    print("refused what is wrong, and kept what was there")
