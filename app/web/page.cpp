@@ -120,6 +120,7 @@ std::string Page::state() const {
     json["title"] = session.lesson().title;
     json["file"] = session.lesson().file_name;
     json["changed"] = session.is_changed();
+    json["in_hand"] = session.in_hand();
     json["tried"] = session.tried();
     json["step"] = session.index();
     json["tab"] = word_of(host::kTabs, host_.state().tab);

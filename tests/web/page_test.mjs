@@ -1,6 +1,6 @@
 // Tests of the page.
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { Visit, difference } from "./browser.mjs";
@@ -164,6 +164,64 @@ test("The page draws what the program draws", async () => {
   } finally { rmSync(folder, { recursive: true }); }
   noFaults(v);
   await v.close();
+});
+
+test("What a digit costs is measured in another copy of the program, with the errors of the program, and can be stopped", async () => {
+  const lesson = join(mkdtempSync(join(tmpdir(), "jointwise-price-")), "four-bar-1.toml");
+  // elsewhere it has no stored reference, as in the page
+  copyFileSync(join(catalogue, "dynamics/four-bar-1.toml"), lesson);
+  const native = JSON.parse(execFileSync(join(root, "build/release/app/jointwise"), ["bench", lesson, "--format", "json"], { stdio: ["ignore", "pipe", "ignore"] }));
+  await visitAlone({ hash: "#four-bar-1?tab=price" }, async (v) => {
+    await v.tab.evaluate(() => {
+      const { program, loop } = window.jointwise;
+      window.told = [];
+      window.longest = 0;
+      const measured = program.measured;
+      program.measured = (number, news) => { window.told.push(JSON.parse(news)); measured(number, news); };
+      const frame = program.frame;
+      program.frame = (seconds) => {
+        const began = performance.now();
+        const due = frame(seconds);
+        window.longest = Math.max(window.longest, performance.now() - began);
+        return due;
+      };
+      loop.rouse();
+    });
+    const copies = async (count) => {
+      for (let k = 0; k < 100 && v.tab.workers().length !== count; ++k) { await new Promise((later) => setTimeout(later, 50)); }
+      return v.tab.workers().length;
+    };
+    // the button is somewhere at the top of the panels
+    let y = 150;
+    const press = () => v.tab.mouse.click(800, y);
+    for (; y < 260 && v.tab.workers().length === 0; y += 8) {
+      await press();
+      await new Promise((later) => setTimeout(later, 300));
+    }
+    y -= 8;
+    equal(await copies(1), 1, "copies that measure");
+    await v.tab.waitForFunction(() => window.told.some((news) => news.runs.length > 0), { timeout: 60000 });
+    await press();
+    equal(await copies(0), 0, "copies that measure after a stop");
+    await v.tab.evaluate(() => { window.told = []; });
+    await press();
+    await v.tab.waitForFunction(() => window.told.at(-1)?.done, { timeout: 100000 });
+    const news = await v.tab.evaluate(() => window.told.at(-1));
+    equal(news.failure, "", "failure");
+    equal(await copies(0), 0, "copies after the end");
+    let compared = 0;
+    for (const run of native.scenes[0].runs) {
+      const here = news.runs.find((other) => other.method === run.method);
+      // how far a sweep goes depends on the time that it takes
+      for (let k = 0; k < Math.min(run.points.length, here.points.length); ++k) {
+        equal(here.points[k][0], run.points[k].setting, `setting ${k} of ${run.method}`);
+        equal(here.points[k][2], run.points[k].position_m, `error at setting ${k} of ${run.method}`);
+        ++compared;
+      }
+    }
+    check(compared > 30, `${compared} points`);
+    console.log(`  ${compared} errors of ${native.scenes[0].runs.length} methods are those of the program; longest frame meanwhile ${(await v.tab.evaluate(() => window.longest)).toFixed(0)} ms`);
+  });
 });
 
 test("After the first visit the page opens without network", async () => {

@@ -1,44 +1,47 @@
 #include "app/session/benchmark/bench_job.hpp"
 
-#include <stdexcept>
+#include <mutex>
+#include <utility>
+
+#include "app/session/beside/worker.hpp"
 
 namespace jw {
 
+struct BenchJob::Running {
+    Running(Lesson lesson, std::optional<Reference> reference, BenchPlan plan)
+        : worker([this, lesson = std::move(lesson), reference = std::move(reference),
+                  plan = std::move(plan)](const std::stop_token& stop) mutable {
+              try {
+                  measure_prices(
+                      lesson, std::move(reference), plan, [this](const News& told) { take(told); }, stop);
+              } catch (const Stopped&) {}  // nobody waits for it
+          }) {}
+
+    void take(const News& told) {
+        const std::scoped_lock lock(mutex);
+        news = told;
+        ++version;
+    }
+
+    std::mutex mutex;
+    News news;
+    std::uint64_t version = 0;
+    Worker worker;  ///< last: it ends before what it writes into
+};
+
 BenchJob::BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan)
-    : worker_([this, lesson = std::move(lesson), reference = std::move(reference), plan = std::move(plan)](
-                  const std::stop_token& stop) mutable { work(lesson, std::move(reference), plan, stop); }) {}
+    : running_(std::make_unique<Running>(std::move(lesson), std::move(reference), std::move(plan))) {}
+
+BenchJob::~BenchJob() = default;
 
 std::uint64_t BenchJob::version() const {
-    const std::scoped_lock lock(mutex_);
-    return version_;
+    const std::scoped_lock lock(running_->mutex);
+    return running_->version;
 }
 
 BenchJob::News BenchJob::news() const {
-    const std::scoped_lock lock(mutex_);
-    return news_;
-}
-
-template <class Change>
-void BenchJob::tell(const Change& change) {
-    const std::scoped_lock lock(mutex_);
-    change(news_);
-    ++version_;
-}
-
-void BenchJob::work(
-    const Lesson& lesson, std::optional<Reference> reference, const BenchPlan& plan,
-    const std::stop_token& stop) {
-    try {
-        if (!reference) { reference = own_reference(lesson, stop); }
-        tell([&](News& news) { news.origin = reference->origin; });
-        const auto seen = [this](const std::vector<BenchRun>& runs) {
-            tell([&](News& news) { news.runs = runs; });
-        };
-        bench_dynamics(lesson, *reference, plan, {seen, stop});
-    } catch (const Stopped&) { return; } catch (const std::exception& error) {
-        tell([&](News& news) { news.failure = error.what(); });
-    }
-    tell([](News& news) { news.done = true; });
+    const std::scoped_lock lock(running_->mutex);
+    return running_->news;
 }
 
 }  // namespace jw

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
+#include <memory>
 
 #include "app/session/benchmark/benchmark.hpp"
-#include "app/session/beside/worker.hpp"
 
 /// A benchmark beside whatever else goes on.
 namespace jw {
 
-/// Measures a lesson by a `Worker`. Destroyed, it stops at the next sample of the run under way.
+/// Measures a lesson, one at a time: in a thread, or, in a page, in another copy of the program.
+/// Destroyed, it stops at once, or at the next sample of the run under way.
 class BenchJob {
 public:
     /// Results known so far.
@@ -23,22 +23,25 @@ public:
     /// @param lesson     with a point whose path can be compared
     /// @param reference  nothing: the lesson computes its own
     BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan);
+    ~BenchJob();
+    BenchJob(const BenchJob&) = delete;
+    BenchJob& operator=(const BenchJob&) = delete;
 
     /// Grows with everything that is new.
     std::uint64_t version() const;
     News news() const;
 
 private:
-    template <class Change>
-    void tell(const Change& change);
-    void work(
-        const Lesson& lesson, std::optional<Reference> reference, const BenchPlan& plan,
-        const std::stop_token& stop);
-
-    mutable std::mutex mutex_;
-    News news_;
-    std::uint64_t version_ = 0;
-    Worker worker_;  ///< last: it ends before what it writes into
+    struct Running;
+    std::unique_ptr<Running> running_;
 };
+
+/// Told the results known so far, whenever there are new ones.
+using TellNews = std::function<void(const BenchJob::News&)>;
+/// Measures a lesson here and now, and tells what is known after every point; a failure is news, too.
+/// @throws Stopped if `stop` asks for it
+void measure_prices(
+    const Lesson& lesson, std::optional<Reference> reference, const BenchPlan& plan, const TellNews& tell,
+    const std::stop_token& stop);
 
 }  // namespace jw

@@ -63,6 +63,7 @@ function programOf(module) {
     lessonSource: wrap("jw_lesson_source", "string"),
     check: wrap("jw_check", "string", "string", "string"),
     follow: wrap("jw_follow", null, "string"),
+    measured: wrap("jw_measured", null, "number", "string"),
     keepUnsaved: wrap("jw_keep_unsaved", null),
   };
 }
@@ -136,6 +137,35 @@ class Story {
   }
 }
 
+/** A copy of the program in a thread of the browser, which measures and is ended when nobody waits for it. */
+class Measuring {
+  constructor(program, loop) {
+    this.program = program;
+    this.loop = loop;
+  }
+  begin(number, lesson, treatment) {
+    this.end();
+    this.number = number;
+    this.worker = new Worker("measure.js", { type: "module" });
+    this.worker.addEventListener("message", ({ data }) => {
+      if (data.number !== this.number) { return; }
+      this.program.measured(number, data.news);
+      this.loop.rouse();
+    });
+    this.worker.addEventListener("error", (event) => {
+      this.program.measured(number, JSON.stringify({ runs: [], origin: "", failure: event.message ?? "measure.js could not be run", done: true }));
+      this.loop.rouse();
+    });
+    this.worker.postMessage({ number, lesson, treatment });
+  }
+  /** @param number  of what is measured; none: whatever it is */
+  end(number = this.number) {
+    if (number !== this.number) { return; }
+    this.worker?.terminate();
+    this.worker = this.number = undefined;
+  }
+}
+
 /** The lessons of the page: {lessons: folder of the course, language: of a site, files: texts by their paths}. */
 async function fetchLessons() {
   const answer = await fetch("lessons.json");
@@ -159,7 +189,12 @@ async function begin() {
   // told where it is waited for
   fetched.catch(() => {});
   const module = await createJointwise({
-    page: { copy, download: (path) => download(path, module.FS.readFile(path)) },
+    page: {
+      copy,
+      download: (path) => download(path, module.FS.readFile(path)),
+      beginMeasuring: (...what) => measuring.begin(...what),
+      endMeasuring: (number) => measuring.end(number),
+    },
     setStatus(text) {
       const part = /\((\d+(?:\.\d+)?)\/(\d+)\)/.exec(text);
       if (part) { $("progress").value = part[1] / part[2]; }
@@ -199,6 +234,7 @@ async function begin() {
       keepFolder(module.FS, "/kept");
     }, 200);
   });
+  const measuring = new Measuring(program, loop);
   listen(canvas, program, loop);
   fitCanvas(program, loop);
   surviveLostContext(program, loop);
