@@ -123,6 +123,7 @@ std::string lessons_bundle(const SiteCourse& course) {
         Json{
             {"lessons", (kCourse / lessons_folder_of(course)).generic_string()},
             {"language", std::string(language())},
+            {"site", "../index.html"},
             {"files", std::move(files)}},
         -1);
 }

@@ -56,20 +56,20 @@ void use_clipboard() {
 
 }  // namespace
 
-Page::Page(const PageSetup& setup)
-    : canvas_(setup.canvas), context_(make_webgl_context(canvas_.c_str())), host_(host_setup(setup)) {
+Page::Page(const PageSetup& setup) : canvas_(setup.canvas), host_(host_setup(setup)) {
     use_clipboard();
-    screen_ = std::make_unique<host::GuardedScreen>(context_->gl(), host_, std::cerr);
+    if (!canvas_.empty()) { restore_context(); }
 }
 
 Page::~Page() = default;
 
 double Page::frame(double seconds) {
-    if (!screen_) { return std::numeric_limits<double>::infinity(); }
+    const bool is_lost = !screen_ && !canvas_.empty();
+    if (is_lost) { return std::numeric_limits<double>::infinity(); }
     host_.look_at_file();
     if (seconds >= host_.seconds_to_change()) {
         host_.frame(seconds);
-        if (screen_->draw()) { screen_->show(); }
+        if (screen_ && screen_->draw()) { screen_->show(); }
         give_downloads();
     }
     return host_.seconds_to_change();

@@ -13,8 +13,9 @@
 namespace jw::web {
 
 struct PageSetup {
-    std::string canvas = "#canvas";  ///< CSS selector
-    int width = 1280;                ///< pixels of the canvas
+    std::string canvas =
+        "#canvas";     ///< CSS selector; empty: nothing is drawn, and the state tells what there is
+    int width = 1280;  ///< pixels of the canvas
     int height = 720;
     float text_scale = 1.0F;
     bool dark = false;

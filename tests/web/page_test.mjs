@@ -251,15 +251,22 @@ test("A context that is lost and given back draws the same picture", async () =>
   await v.close();
 });
 
-test("Without WebGL 2 a message is shown", async () => {
+test("Without WebGL 2 the steps are words, and the buttons lead through them", async () => {
   const v = await visit();
   await v.tab.evaluateOnNewDocument(() => {
     const get = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
   });
-  await v.open();
-  const text = await v.tab.evaluate(() => document.body.innerText);
-  check(text.includes("WebGL 2"), text);
+  await v.open("#four-bar/D");
+  const words = async (part) => v.tab.waitForFunction((p) => document.getElementById("story").innerText.includes(p) && document.body.innerText.includes("WebGL 2"), { timeout: 20000 }, part)
+    .catch(async () => { throw new Error(`no "${part}" in ${await v.tab.evaluate(() => document.body.innerText)}`); });
+  await words("Joint D");
+  const step = (await v.state()).step;
+  await v.tab.click("button[data-key=ArrowRight]");
+  await v.tab.waitForFunction((before) => window.jointwise.program.state().step === before + 1, { timeout: 20000 }, step);
+  await v.tab.select("select", "joints/spherical");
+  await words("A ball in a socket");
+  noFaults(v);
   await v.close();
 });
 

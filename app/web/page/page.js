@@ -181,10 +181,34 @@ async function fetchLetters(FS, language) {
   if (answer?.ok) { writeFiles(FS, { "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf": new Uint8Array(await answer.arrayBuffer()) }); }
 }
 
-async function begin() {
-  if (!document.createElement("canvas").getContext("webgl2")) {
-    return giveUp("This browser shows no WebGL 2.");
+/** The steps as words, where nothing can be drawn: the program runs, and its buttons lead it. */
+function showWords(course) {
+  document.body.classList.add("words");
+  $("loading").hidden = true;
+  $("story").classList.remove("unseen");
+  const notice = document.createElement("section");
+  notice.className = "missing";
+  notice.innerHTML = "<h1>This browser shows no WebGL 2</h1><p>The steps of the lessons stand below as words; the buttons above lead through them. " +
+    "Firefox, Chromium and Safari of the last years have WebGL 2; it may be switched off in the settings, or by the driver of the graphics card.</p>" +
+    "<p id=\"pictures\"></p><p><label>Lesson <select></select></label></p>";
+  if (course.site) {
+    const link = document.createElement("a");
+    link.href = course.site;
+    link.textContent = "The same lessons with pictures";
+    notice.querySelector("#pictures").append(link);
   }
+  const choice = notice.querySelector("select");
+  choice.add(new Option("…", ""));
+  for (const path of Object.keys(course.files).filter((file) => file.startsWith(`${course.lessons}/`) && !file.endsWith("/course.toml"))) {
+    const name = path.slice(course.lessons.length + 1, -".toml".length);
+    choice.add(new Option(name, name));
+  }
+  choice.addEventListener("change", () => { location.hash = `${choice.value}/1`; });
+  document.querySelector("main").replaceChildren(notice);
+}
+
+async function begin() {
+  const draws = Boolean(document.createElement("canvas").getContext("webgl2"));
   const fetched = fetchLessons();
   // told where it is waited for
   fetched.catch(() => {});
@@ -213,8 +237,9 @@ async function begin() {
   const usualLanguage = course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
   const language = settings.language ?? usualLanguage;
   await fetchLetters(module.FS, language);
-  const why = program.begin("#canvas", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
+  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
   if (why) { return giveUp(why); }
+  if (!draws) { showWords(course); }
 
   const story = new Story();
   const address = new Address(program, toast);
@@ -235,9 +260,11 @@ async function begin() {
     }, 200);
   });
   const measuring = new Measuring(program, loop);
-  listen(canvas, program, loop);
-  fitCanvas(program, loop);
-  surviveLostContext(program, loop);
+  if (draws) {
+    listen(canvas, program, loop);
+    fitCanvas(program, loop);
+    surviveLostContext(program, loop);
+  }
   address.open(() => loop.rouse());
 
   for (const button of document.querySelectorAll("button[data-key], button[data-text]")) {
@@ -261,9 +288,11 @@ async function begin() {
     const unseen = $("story").classList.toggle("unseen");
     $("describe").setAttribute("aria-expanded", String(!unseen));
   });
-  $("loading").hidden = true;
-  const { Editor } = await import("./editor.js");
-  new Editor({ program, loop, download, toast, address });
+  if (draws) {
+    $("loading").hidden = true;
+    const { Editor } = await import("./editor.js");
+    new Editor({ program, loop, download, toast, address });
+  }
   if ("serviceWorker" in navigator) { navigator.serviceWorker.register("service_worker.js", { updateViaCache: "none" }).catch(() => {}); }
   loop.rouse();
   // for tests, which ask what a person sees
