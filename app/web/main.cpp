@@ -11,6 +11,7 @@
 #include "app/web/browser.hpp"
 #include "app/web/keys.hpp"
 #include "app/web/page.hpp"
+#include "app/web/words.hpp"
 
 /// The functions that page.js calls. None throws: what goes wrong is a text.
 namespace {
@@ -117,6 +118,7 @@ EMSCRIPTEN_KEEPALIVE const char* jw_state() {
 EMSCRIPTEN_KEEPALIVE int jw_is_scene(double x, double y) {
     return page->host().layout().scene.contains(x, y) ? 1 : 0;
 }
+EMSCRIPTEN_KEEPALIVE const char* jw_words() { return answered(jw::web::words_of_page()); }
 EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address()); }
 /// @return what is wrong with the address; empty if it is shown
 EMSCRIPTEN_KEEPALIVE const char* jw_go_to_address(const char* address) {

@@ -7,8 +7,11 @@ import { keepFolder, restoreFolder, writeFiles } from "./kept.js";
 const $ = (id) => document.getElementById(id);
 const canvas = $("canvas");
 
+/** Words of the page in the language of the program, by the English ones. */
+let words = {};
+
 export function toast(text) {
-  $("toast").textContent = text;
+  $("toast").textContent = words[text] ?? text;
   $("toast").hidden = false;
   clearTimeout(toast.timer);
   toast.timer = setTimeout(() => { $("toast").hidden = true; }, 4000);
@@ -57,6 +60,7 @@ function programOf(module) {
     leave: wrap("jw_leave", null),
     isScene: wrap("jw_is_scene", "number", "number", "number"),
     open: wrap("jw_open", "number", "string", "string", "string"),
+    words: wrap("jw_words", "string"),
     state: () => JSON.parse(module.ccall("jw_state", "string", [], [])),
     address: wrap("jw_address", "string"),
     goToAddress: wrap("jw_go_to_address", "string", "string"),
@@ -66,6 +70,16 @@ function programOf(module) {
     measured: wrap("jw_measured", null, "number", "string"),
     keepUnsaved: wrap("jw_keep_unsaved", null),
   };
+}
+
+/** Shows the words around the picture in the language of the program. */
+function translate(program) {
+  words = JSON.parse(program.words());
+  for (const button of document.querySelectorAll("button")) {
+    button.dataset.english ??= button.getAttribute("aria-label") ?? button.textContent;
+    const shown = words[button.dataset.english] ?? button.dataset.english;
+    if (button.hasAttribute("aria-label")) { button.setAttribute("aria-label", shown); } else { button.textContent = shown; }
+  }
 }
 
 /** Calls the program when a picture is due, and sleeps otherwise. */
@@ -131,7 +145,8 @@ function surviveLostContext(program, loop) {
 /** Text of the step for those who do not see the picture. */
 class Story {
   tell(state) {
-    const text = state.shows_lesson ? state.text : "The list of lessons is shown. Arrows choose, Enter opens.";
+    const list = "The list of lessons is shown. Arrows choose, Enter opens.";
+    const text = state.shows_lesson ? state.text : words[list] ?? list;
     if (text !== this.told) { $("story").textContent = this.told = text; }
     document.title = state.shows_lesson ? `${state.title}${state.changed ? " (changed)" : ""} – Jointwise` : "Jointwise";
   }
@@ -173,12 +188,14 @@ async function fetchLessons() {
   return answer.json();
 }
 
-/** Letters of a language that the fonts in the page do not have; without them marks stand in their place. */
+/** Letters of Chinese, which the fonts in the page do not have; without them marks stand in their place. */
+const letters = { file: "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf", asked: false };
+const lacksLetters = (language) => language.startsWith("zh") && !letters.asked;
 async function fetchLetters(FS, language) {
-  const font = language.startsWith("zh") && "chinese.ttf";
-  if (!font) { return; }
-  const answer = await fetch(font).catch(() => null);
-  if (answer?.ok) { writeFiles(FS, { "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf": new Uint8Array(await answer.arrayBuffer()) }); }
+  if (!lacksLetters(language)) { return; }
+  letters.asked = true;
+  const answer = await fetch("chinese.ttf").catch(() => null);
+  if (answer?.ok) { writeFiles(FS, { [letters.file]: new Uint8Array(await answer.arrayBuffer()) }); }
 }
 
 /** The steps as words, where nothing can be drawn: the program runs, and its buttons lead it. */
@@ -241,6 +258,9 @@ async function begin() {
   if (why) { return giveUp(why); }
   if (!draws) { showWords(course); }
 
+  translate(program);
+  document.documentElement.lang = language;
+
   const story = new Story();
   const address = new Address(program, toast);
   let timer = null;
@@ -249,6 +269,10 @@ async function begin() {
     timer ??= setTimeout(() => {
       timer = null;
       const state = program.state();
+      if (state.language !== document.documentElement.lang) {
+        translate(program);
+        document.documentElement.lang = state.language;
+      }
       story.tell(state);
       address.follow(state);
       localStorage.setItem("jointwise-settings", JSON.stringify(
@@ -257,6 +281,8 @@ async function begin() {
       document.documentElement.classList.toggle("dark", state.dark);
       program.keepUnsaved();
       keepFolder(module.FS, "/kept");
+      // fonts are read when the program begins
+      if (lacksLetters(state.language)) { location.reload(); }
     }, 200);
   });
   const measuring = new Measuring(program, loop);
