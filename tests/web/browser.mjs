@@ -13,6 +13,15 @@ export function startBrowser(flags = []) {
   });
 }
 
+/** Firefox: without a display it has no WebGL. */
+export function startFirefox() {
+  return puppeteer.launch({
+    browser: "firefox", executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr", headless: false, protocolTimeout: PATIENCE,
+    // a software renderer is none that Firefox takes by itself
+    extraPrefsFirefox: { "webgl.force-enabled": true },
+  });
+}
+
 /** A visit of the page. What the console tells, and what is asked of other hosts, is kept in `faults`. */
 export class Visit {
   static async begin(browser, address, { width = 1280, height = 761, touch = false, ratio = 1, context } = {}) {
