@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
+#include "app/host/host_state.hpp"
 #include "app/host/lesson/address.hpp"
-#include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/web/browser.hpp"
@@ -20,9 +20,6 @@ namespace jw::web {
 namespace {
 
 namespace fs = std::filesystem;
-
-// a screen reader says no more than a person wants to hear
-constexpr int kDescribedWidth = 100;
 
 const fs::path kDownloads = "/downloads";  // what is put here is given to the person
 const fs::path kKept = "/kept";            // what outlives a visit: page.js keeps this folder
@@ -108,30 +105,7 @@ void Page::follow(const fs::path& file) {
     host_.open(file, at);
 }
 
-std::string Page::state() const {
-    Json json;
-    json["shows_lesson"] = host_.shows_lesson();
-    json["language"] = language();
-    json["dark"] = host_.state().dark;
-    json["text_scale"] = host_.state().text_scale;
-    json["notice"] = host_.notice().text();
-    if (!host_.shows_lesson()) { return json.dump(); }
-    const Session& session = *host_.session();
-    json["title"] = session.lesson().title;
-    json["file"] = session.lesson().file_name;
-    json["changed"] = session.is_changed();
-    json["in_hand"] = session.in_hand();
-    json["tried"] = session.tried();
-    json["step"] = session.index();
-    json["tab"] = word_of(host::kTabs, host_.state().tab);
-    const render::Camera& camera = host_.camera();
-    json["camera"] = Json::array();
-    for (const render::Vector3d& part : {camera.eye, camera.target, camera.up}) {
-        for (int k = 0; k < 3; ++k) { json["camera"].push_back(part(k)); }
-    }
-    json["text"] = describe(session.view(), kDescribedWidth);
-    return json.dump();
-}
+std::string Page::state() const { return host::state_text(host_); }
 
 std::string mistakes_of(const std::string& text, const std::string& file_name) {
     Json list = Json::array();

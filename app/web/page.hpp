@@ -50,8 +50,7 @@ public:
     std::string lesson_source() const;
     /// Shows a file that was written a moment ago, at the step that is shown.
     void follow(const std::filesystem::path& file);
-    /// State of the interface as JSON: title, step, tab, what was tried, its description for those who do not
-    /// see the picture.
+    /// State of the interface (app/host/host_state.hpp).
     std::string state() const;
 
 private:

@@ -61,6 +61,7 @@ function programOf(module) {
     isScene: wrap("jw_is_scene", "number", "number", "number"),
     open: wrap("jw_open", "number", "string", "string", "string"),
     words: wrap("jw_words", "string"),
+    stateText: wrap("jw_state", "string"),
     state: () => JSON.parse(module.ccall("jw_state", "string", [], [])),
     address: wrap("jw_address", "string"),
     goToAddress: wrap("jw_go_to_address", "string", "string"),

@@ -1,0 +1,41 @@
+#include "app/host/host_state.hpp"
+
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/wording/messages.hpp"
+
+namespace jw::host {
+
+namespace {
+
+// a screen reader says no more than a person wants to hear
+constexpr int kDescribedWidth = 100;
+
+}  // namespace
+
+std::string state_text(const Host& host) {
+    Json json;
+    json["shows_lesson"] = host.shows_lesson();
+    json["language"] = language();
+    json["dark"] = host.state().dark;
+    json["text_scale"] = host.state().text_scale;
+    json["notice"] = host.notice().text();
+    if (!host.shows_lesson()) { return json.dump(); }
+    const Session& session = *host.session();
+    json["title"] = session.lesson().title;
+    json["file"] = session.lesson().file_name;
+    json["changed"] = session.is_changed();
+    json["in_hand"] = session.in_hand();
+    json["tried"] = session.tried();
+    json["step"] = session.index();
+    json["tab"] = word_of(kTabs, host.state().tab);
+    const render::Camera& camera = host.camera();
+    json["camera"] = Json::array();
+    for (const render::Vector3d& part : {camera.eye, camera.target, camera.up}) {
+        for (int k = 0; k < 3; ++k) { json["camera"].push_back(part(k)); }
+    }
+    json["text"] = describe(session.view(), kDescribedWidth);
+    return json.dump();
+}
+
+}  // namespace jw::host
