@@ -31,6 +31,7 @@ struct OpenOptions {
     std::string size = "1280x720";
     bool dark = false;
     double text = 1.0;
+    double density = 0.0;
     std::string tab = "step";
     std::string exercise;
     std::string picture;
@@ -101,6 +102,9 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     if (!std::isfinite(options.text)) {
         throw CommandError(Exit::bad_input, "jointwise: error: --text is not finite; expected 0.75 to 1.5");
     }
+    if (!std::isfinite(options.density)) {
+        throw CommandError(Exit::bad_input, "jointwise: error: --density is not finite; expected 0 to 8");
+    }
     if (!options.picture.empty()) { check_output("--picture", options.picture, {options.file}); }
     WindowSetup setup;
     setup.host.catalogue = catalogue_folder();
@@ -115,6 +119,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.text_scale = static_cast<float>(options.text);
     setup.host.width = size.width;
     setup.host.height = size.height;
+    setup.host.density = static_cast<float>(options.density);
     setup.host.tab = *value_of(host::kTabs, options.tab);
     if (is_address(options.file)) {
         // pictures are the same whatever was opened before
@@ -161,6 +166,13 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
     command->add_flag("--dark", options->dark, "light text on a dark background");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
+        ->type_name("X")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--density", options->density,
+            "pixels of the screen for one of a web page: 3 on most phones; 0: not known")
+        ->check(CLI::Range(0.0, 8.0))
         ->type_name("X")
         ->capture_default_str();
     command

@@ -58,7 +58,7 @@ Host::Host(const HostSetup& setup)
     state_.dark = setup.dark;
     state_.text_scale = setup.text_scale;
     fonts_.need(panels::characters_of_messages());
-    resize(setup.width, setup.height);
+    resize(setup.width, setup.height, setup.density);
 }
 
 Host::~Host() { ImGui::DestroyContext(context_); }
@@ -148,16 +148,14 @@ void Host::need_characters_of_exercises() {
     }
 }
 
-void Host::resize(int width, int height) {
+void Host::resize(int width, int height, float density) {
     width = std::max(kSmallestWidth, width);
     height = std::max(kSmallestHeight, height);
-    const float scale = panels::scale_of(width, height) * state_.text_scale;
-    if (!fonts_.fit(scale)) {
-        ImGui::SetCurrentContext(context_);
-        say(fonts_.load(scale));
-        set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark);
-    }
-    layout_ = window_layout(width, height, fonts_.scale());
+    const float scale = panels::scale_on_screen(width, height, {density, state_.text_scale});
+    ImGui::SetCurrentContext(context_);
+    if (!fonts_.fit(scale)) { say(fonts_.load(scale)); }
+    layout_ = window_layout(width, height, density, fonts_.scale());
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.upright);
     if (session_ && hand_.is_own()) { fit_camera(true); }
     rouse();
 }
@@ -176,7 +174,7 @@ void Host::frame(double seconds) {
     need_characters_of_shelf();
     need_characters_of_exercises();
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
-        resize(layout_.width, layout_.height);
+        resize(layout_.width, layout_.height, layout_.density);
     }
     look_at_exercises();
     ImGui::NewFrame();

@@ -38,6 +38,7 @@ struct HostSetup {
     float text_scale = 1.0F;
     int width = 1280;
     int height = 720;
+    float density = 0.0F;  ///< of the screen, see panels::Looking
 };
 
 /// The tab that an address names. @throws std::runtime_error where there is none of that name
@@ -72,7 +73,8 @@ public:
     const ExerciseDesk& exercises() const { return desk_; }
 
     /// Size of the picture in pixels of the framebuffer.
-    void resize(int width, int height);
+    /// @param density  of the screen, see panels::Looking
+    void resize(int width, int height, float density = 0.0F);
 
     void push(const InputEvent& event) { events_.push(event); }
     /// Number of what is drawn at a pixel; whoever draws knows. Without it 3D cannot be pointed at.

@@ -27,7 +27,7 @@ void Host::draw_interface() {
     if (shows_lesson()) {
         draw_lesson({ui, *session_, hand_.camera()}, spots);
     } else {
-        browser(ui, layout_.whole, shelf_, desk_.practice().progress(), session_ != nullptr);
+        browser(ui, layout_, shelf_, desk_.practice().progress(), session_ != nullptr);
     }
     panels::Box room = layout_.whole;
     if (shows_lesson()) {
@@ -60,9 +60,9 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     }
     side_column(ui, layout_, tabs_, desk_.practice(), desk_.work());
     if (figure) {
-        bar_of_figure(ui, layout_.bar);
+        bar_of_figure(ui, layout_);
     } else {
-        timeline_bar(ui, layout_.bar);
+        timeline_bar(ui, layout_);
     }
 
     // the thing under the pointer lights up in the next frame

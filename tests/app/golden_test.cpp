@@ -31,6 +31,7 @@ const std::vector<GoldenWindow> kWindows{
     {"tests/golden/window-small.png",
      "screws/screw-jack.toml",
      {"--at", "thread", "--tab", "step", "--size", "960x640"}},
+    {"tests/golden/window-upright.png", "loops/four-bar.toml", {"--at", "D", "--size", "585x1150"}},
 };
 
 render::Image picture_of(const GoldenWindow& golden) {

@@ -43,7 +43,7 @@ std::future<render::Fonts> fonts_for(
 panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
     const panels::Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
     const float scale = look.scale(width, height);
-    return look.has_panels ? panels::layout_in(frame, scale, 0.0F, static_cast<float>(look.text))
+    return look.has_panels ? panels::layout_in(frame, panels::FrameKind::picture, scale)
                            : panels::layout_without_panels(frame, scale);
 }
 

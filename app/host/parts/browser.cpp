@@ -104,7 +104,8 @@ void card(
         std::string tip = entry.path.string();
         if (!entry.text.empty()) { tip = panels::run_on(math::plain_words(entry.text)) + "\n\n" + tip; }
         ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ui.px(420.0F));
+        ImGui::PushTextWrapPos(
+            std::min(ui.px(420.0F), ImGui::GetIO().DisplaySize.x - 2.0F * ImGui::GetStyle().WindowPadding.x));
         ImGui::TextUnformatted(tip.c_str());
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
@@ -130,14 +131,36 @@ void search_field(LessonShelf& shelf, float width) {
     }
 }
 
-void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
-    const Canvas& canvas = ui.canvas;
+void draw_head(const Canvas& canvas, const Box& box) {
     canvas.fill(box, theme::kPaper);
     canvas.fill({box.x, box.bottom() - 1.0F, box.width, 1.0F}, theme::kLine);
-    canvas.text({box.x + ui.px(16.0F), box.y + ui.px(8.0F)}, canvas.fonts().title, theme::kInk, "Jointwise");
     canvas.text(
-        {box.x + ui.px(18.0F), box.y + ui.px(36.0F)}, canvas.fonts().small, theme::kSoft,
-        tr("spatial kinematics of constrained rigid bodies, joint by joint"));
+        {box.x + canvas.px(16.0F), box.y + canvas.px(8.0F)}, canvas.fonts().title, theme::kInk, "Jointwise");
+    const float room = box.width - 2.0F * canvas.px(18.0F);
+    const char* const about = tr("spatial kinematics of constrained rigid bodies, joint by joint");
+    canvas.text(
+        {box.x + canvas.px(18.0F), box.y + canvas.px(36.0F)}, canvas.fonts().small, theme::kSoft,
+        panels::shortened(*canvas.fonts().small, about, room));
+}
+
+/// Buttons beside the name, the search below it.
+void upright_head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
+    draw_head(ui.canvas, box);
+    Area area(ui, "lessons head", box);
+    const float help = ImGui::GetFrameHeight();
+    const float back = has_lesson ? ui.px(64.0F) + ImGui::GetStyle().ItemSpacing.x : 0.0F;
+    ImGui::SetCursorScreenPos({box.right() - ui.px(16.0F) - help - back, box.y + ui.px(3.0F)});
+    if (has_lesson) {
+        command_button(ui, Command::lessons, tr("Back"), ui.px(64.0F));
+        ImGui::SameLine();
+    }
+    command_button(ui, Command::help, "?", help);
+    ImGui::SetCursorScreenPos({box.x + ui.px(16.0F), box.y + ui.px(60.0F)});
+    search_field(shelf, box.width - 2.0F * ui.px(16.0F));
+}
+
+void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
+    draw_head(ui.canvas, box);
     const float width = ui.px(460.0F);
     Area area(
         ui, "lessons head", {box.right() - width, box.y + ui.px(6.0F), width, box.height - ui.px(8.0F)});
@@ -151,11 +174,18 @@ void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
 
 }  // namespace
 
-void browser(const Ui& ui, const Box& window, LessonShelf& shelf, const Progress& progress, bool has_lesson) {
-    Box rest = window;
+void browser(
+    const Ui& ui, const WindowLayout& window, LessonShelf& shelf, const Progress& progress, bool has_lesson) {
+    Box rest = window.whole;
     ui.canvas.fill(rest, theme::kShade);
-    head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
-    Area area(ui, "lessons", panels::shrunk(rest, ui.px(20.0F), ui.px(2.0F)), true);
+    if (window.upright) {
+        const float height = ui.px(62.0F) + ImGui::GetFrameHeight() + ui.px(12.0F);
+        upright_head(ui, panels::cut_top(rest, height), shelf, has_lesson);
+    } else {
+        head(ui, panels::cut_top(rest, ui.px(62.0F)), shelf, has_lesson);
+    }
+    const float margin = ui.px(window.upright ? 4.0F : 20.0F);
+    Area area(ui, "lessons", panels::shrunk(rest, margin, ui.px(2.0F)), true);
     const std::vector<int> found = shelf.found();
     if (found.empty()) { return note(ui, tr("No lesson has all of these words.")); }
     const float gap = ui.px(kCardGap);

@@ -4,6 +4,7 @@
 #include "app/exercises/practice/progress.hpp"
 #include "app/host/lesson/lesson_shelf.hpp"
 #include "app/host/ui/ui.hpp"
+#include "app/host/ui/window_layout.hpp"
 
 /// The lessons as cards by chapter, with a search.
 namespace jw::host {
@@ -11,7 +12,7 @@ namespace jw::host {
 /// @param progress  of the exercises that the cards count
 /// @param has_lesson  one is open: there is a way back to it
 void browser(
-    const Ui& ui, const panels::Box& window, LessonShelf& shelf, const Progress& progress, bool has_lesson);
+    const Ui& ui, const WindowLayout& window, LessonShelf& shelf, const Progress& progress, bool has_lesson);
 
 /// Handles keys and letters while the lessons are shown.
 /// @return whether the event was for the browser

@@ -34,6 +34,19 @@ constexpr const char* kMouse[][2] = {
     {tr_later("Click a row, a plot"), tr_later("go there")},
 };
 
+/// Entries of the menu are further apart where fingers press them.
+class MenuSpacing {
+public:
+    explicit MenuSpacing(const Ui& ui) {
+        const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
+        const float y = is_for_fingers() ? ui.px(14.0F) : usual.y;
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, y});
+    }
+    ~MenuSpacing() { ImGui::PopStyleVar(); }
+    MenuSpacing(const MenuSpacing&) = delete;
+    MenuSpacing& operator=(const MenuSpacing&) = delete;
+};
+
 bool is_possible(const LessonUi& ui, Command command) {
     if (command == Command::undo) { return !ui.session.undo_text().empty(); }
     if (command == Command::redo) { return !ui.session.redo_text().empty(); }
@@ -116,6 +129,8 @@ float draw_sections(const panels::Canvas& canvas, const Box& box) {
 }  // namespace
 
 void menu(const LessonUi& ui) {
+    if (!ImGui::IsPopupOpen("menu")) { return; }
+    const MenuSpacing spacing(ui);
     if (!ImGui::BeginPopup("menu")) { return; }
     for (const Group group : kGroups) {
         if (!ImGui::BeginMenu(name_of(group))) { continue; }
@@ -149,6 +164,23 @@ void draw_list_of_keys(const Ui& ui, const Box& box) {
     ImGui::PopStyleColor();
 }
 
+/// @return the height taken
+float draw_head_of_keys(const panels::Canvas& canvas, const Box& box) {
+    const render::Fonts& fonts = canvas.fonts();
+    const char* const title = tr("Keys and mouse");
+    const char* const note = tr("any other key or a click closes this");
+    canvas.text({box.x, box.y}, fonts.title, theme::kInk, title);
+    const float needed = canvas.text_width(fonts.title, title) + canvas.text_width(fonts.small, note);
+    if (needed + canvas.px(12.0F) <= box.width) {
+        canvas.text({box.right(), box.y}, fonts.small, theme::kSoft, note, panels::Align::right);
+        return canvas.px(44.0F);
+    }
+    Box below = box;
+    panels::cut_top(below, canvas.line_height(fonts.title) + canvas.px(2.0F));
+    return below.y - box.y + panels::paragraph(canvas, below, fonts.small, theme::kSoft, note) +
+           canvas.px(12.0F);
+}
+
 }  // namespace
 
 void help_overlay(const Ui& ui, const Box& window) {
@@ -170,10 +202,7 @@ void help_overlay(const Ui& ui, const Box& window) {
     canvas.fill(sheet, theme::kPaper, canvas.px(8.0F));
     canvas.outline(sheet, theme::kLine, panels::hairline(canvas), canvas.px(8.0F));
     Box inner = panels::shrunk(sheet, canvas.px(24.0F), canvas.px(18.0F));
-    canvas.text({inner.x, inner.y}, canvas.fonts().title, theme::kInk, tr("Keys and mouse"));
-    const char* const note = tr("any other key or a click closes this");
-    canvas.text({inner.right(), inner.y}, canvas.fonts().small, theme::kSoft, note, panels::Align::right);
-    panels::cut_top(inner, canvas.px(44.0F));
+    panels::cut_top(inner, draw_head_of_keys(canvas, inner));
     draw_list_of_keys(ui, inner);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive()) { ui.state.help = false; }
     ImGui::End();

@@ -21,6 +21,7 @@ using panels::Canvas;
 
 constexpr float kSheetMargin = 10.0F;
 constexpr float kPadding = 12.0F;  // of the words in the sheet
+constexpr float kLeastField = 60.0F;
 
 /// Width of the words in the sheet.
 float width_of_words(const Ui& ui, const Box& scene) {
@@ -47,6 +48,19 @@ const char* hint_of(QuestionView::Kind kind) {
         case QuestionView::Kind::pose: break;
     }
     return tr("or seven numbers  (a)");
+}
+
+/// Width that unit and buttons leave for the field.
+float room_for_field(const QuestionView& question) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float beside = 0.0F;
+    for (const char* const label : {tr("Answer"), tr("Skip")}) {
+        beside += ImGui::CalcTextSize(label).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    }
+    if (!question.unit.empty()) {
+        beside += ImGui::CalcTextSize(question.unit.c_str()).x + style.ItemSpacing.x;
+    }
+    return ImGui::GetContentRegionAvail().x - beside;
 }
 
 /// Pose that the hand has led the asked body to, as it would be typed.
@@ -112,30 +126,34 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
         const std::string number = std::to_string(k + 1);
         if (ImGui::Button((" " + number + " ").c_str())) { take(ui, step, number); }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", math::plain_words(question.choices[k]).c_str());
-        }
+        if (ImGui::IsItemHovered()) { tip_of_item(math::plain_words(question.choices[k])); }
         ImGui::SameLine();
     }
     field(ui, question, step);
     if (!objection_.empty()) { note(ui, objection_); }
 }
 
-/// What is typed, and the buttons beside it.
+/// What is typed, and the buttons beside it. Where a choice leaves no room for them, its numbers are pressed.
 void Predictions::field(const LessonUi& ui, const QuestionView& question, const Step& step) {
-    if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
-    wants_focus_ = false;
-    ImGui::SetNextItemWidth(ui.px(150.0F));
-    const bool entered = ImGui::InputTextWithHint(
-        "##answer", hint_of(question.kind), field_.data(), field_.size(),
-        ImGuiInputTextFlags_EnterReturnsTrue);
-    if (!question.unit.empty()) {
+    const float room = room_for_field(question);
+    const bool is_typed = question.choices.empty() || room >= ui.px(kLeastField);
+    bool entered = false;
+    bool pressed = false;
+    if (is_typed) {
+        if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
+        ImGui::SetNextItemWidth(std::clamp(room, 1.0F, ui.px(150.0F)));
+        entered = ImGui::InputTextWithHint(
+            "##answer", hint_of(question.kind), field_.data(), field_.size(),
+            ImGuiInputTextFlags_EnterReturnsTrue);
+        if (!question.unit.empty()) {
+            ImGui::SameLine();
+            ImGui::TextUnformatted(question.unit.c_str());
+        }
         ImGui::SameLine();
-        ImGui::TextUnformatted(question.unit.c_str());
+        pressed = ImGui::Button(tr("Answer"));
+        ImGui::SameLine();
     }
-    ImGui::SameLine();
-    const bool pressed = ImGui::Button(tr("Answer"));
-    ImGui::SameLine();
+    wants_focus_ = false;
     command_button(ui, Command::next, tr("Skip"));
     if (!entered && !pressed) { return; }
     // copied: the answer empties the field

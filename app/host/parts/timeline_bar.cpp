@@ -5,11 +5,11 @@
 
 #include <imgui.h>
 
-#include "app/host/parts/menu.hpp"
+#include "app/host/parts/bar_buttons.hpp"
 #include "app/host/ui/widgets.hpp"
+#include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
-#include "app/session/output/pace.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
@@ -125,28 +125,11 @@ void scrub(
         if (moment.rows_switched) { tip = tr("{0}, another pair of equations", tip); }
         if (moment.change_point) { tip = tr("{0}, change point", tip); }
     }
-    ImGui::SetTooltip("%s", tip.c_str());
+    tip_of_item(tip);
 }
 
-void speed_button(const LessonUi& ui) {
-    const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
-    if (ImGui::Button(label.c_str(), {ui.px(52.0F), 0.0F})) { ui.state.playback.next_speed(); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", tr("Speed  (, and .)")); }
-}
-
-/// "Play", or "Pause 7 s" with the time until the next still, which also shrinks as a line.
-void play_button(const LessonUi& ui) {
-    const float width = ui.px(92.0F);
-    const std::optional<double> left = ui.state.playback.seconds_to_next_still(ui.session);
-    const std::string label = play_label(ui.state.playback.plays(), left);
-    command_button(ui, Command::play, label.c_str(), width);
-    if (!left) { return; }
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const double whole = seconds_of_step(ui.session.story(), ui.session.view());
-    const auto part = static_cast<float>(std::clamp(*left * ui.state.playback.speed() / whole, 0.0, 1.0));
-    ui.canvas.fill(
-        {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * width, ui.px(3.0F)}, theme::kAccent);
-}
+/// Height of the line in an upright window: names above marks.
+constexpr float kLineHeight = 40.0F;
 
 /// Width of the buttons at the right end, and a gap.
 constexpr float kRightButtons = 178.0F;
@@ -155,10 +138,36 @@ void right_buttons(const LessonUi& ui, const Box& box, float top) {
     ImGui::SetCursorScreenPos({box.right() - ui.px(kRightButtons - 10.0F), box.y + top});
     command_button(ui, Command::lessons, tr("Lessons"), ui.px(74.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    if (ImGui::Button(tr("Menu"), {ui.px(54.0F), 0.0F})) { ImGui::OpenPopup("menu"); }
+    menu_button(ui, {ui.px(54.0F)});
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::help, "?", ui.px(26.0F));
-    menu(ui);
+}
+
+/// Steps of the lesson on a line to jump and scrub on.
+void line_of_steps(const LessonUi& ui, const Box& line) {
+    const std::vector<Stretch> stretches = stretches_of(ui.session.story());
+    const TimelineScale scale(stretches, line.x, line.width);
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+        draw_stretch(ui.canvas, line, ui.session.story(), stretches[k], scale, k, ui.session.index());
+    }
+    scrub(ui, line, stretches, scale);
+}
+
+/// Parts of the bar of an upright window: the line above the buttons.
+struct UprightBar {
+    Box line;
+    Box buttons;
+};
+
+UprightBar places_in(const Ui& ui, const Box& bar) {
+    Box rest = panels::shrunk(bar, ui.px(8.0F), ui.px(3.0F));
+    UprightBar places;
+    places.line = panels::cut_top(rest, ui.px(kLineHeight));
+    panels::cut_top(rest, ui.px(4.0F));
+    places.buttons = rest;
+    // the time until the next still, as a line below its button
+    places.buttons.height -= ui.px(4.0F);
+    return places;
 }
 
 void draw_bar(const Canvas& canvas, const Box& box) {
@@ -167,18 +176,6 @@ void draw_bar(const Canvas& canvas, const Box& box) {
 }
 
 }  // namespace
-
-std::string play_label(bool plays, std::optional<double> seconds_left) {
-    if (!plays) { return tr("Play") + std::string("###play"); }
-    if (!seconds_left) { return tr("Pause") + std::string("###play"); }
-    return tr("Pause {0} s", static_cast<int>(std::ceil(*seconds_left))) + "###play";
-}
-
-std::string short_speed(double speed) {
-    if (speed == 0.25) { return "¼ ×"; }
-    if (speed == 0.5) { return "½ ×"; }
-    return std::to_string(static_cast<int>(speed)) + " ×";
-}
 
 TimelineScale::TimelineScale(const std::vector<Stretch>& stretches, float left, float width)
     : stretches_(&stretches) {
@@ -225,39 +222,39 @@ int TimelineScale::step_at(float x) const {
     return 0;
 }
 
-void timeline_bar(const LessonUi& ui, const Box& box) {
+void timeline_bar(const LessonUi& ui, const panels::FrameLayout& layout) {
     const Canvas& canvas = ui.canvas;
+    const Box& box = layout.bar;
     draw_bar(canvas, box);
     Area area(ui, "timeline bar", box);
+    if (layout.upright) {
+        const UprightBar places = places_in(ui, box);
+        line_of_steps(ui, places.line);
+        return row_of_buttons(ui, places.buttons, true);
+    }
     const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
     ImGui::SetCursorPosY(top);
     command_button(ui, Command::first, "|<", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::back, "<", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    play_button(ui);
+    play_button(ui, {ui.px(92.0F)});
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::play_motion, tr("Motion"), ui.px(64.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
     command_button(ui, Command::next, ">", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
-    speed_button(ui);
+    speed_button(ui, {ui.px(52.0F)});
     ImGui::SameLine(0.0F, ui.px(12.0F));
 
     const float left = ImGui::GetCursorScreenPos().x;
     const float right = box.right() - ui.px(kRightButtons);
-    const Box line{left, box.y + ui.px(6.0F), std::max(10.0F, right - left), box.height - ui.px(12.0F)};
-    const std::vector<Stretch> stretches = stretches_of(ui.session.story());
-    const TimelineScale scale(stretches, line.x, line.width);
-    for (std::size_t k = 0; k < stretches.size(); ++k) {
-        draw_stretch(canvas, line, ui.session.story(), stretches[k], scale, k, ui.session.index());
-    }
-    scrub(ui, line, stretches, scale);
-
+    line_of_steps(ui, {left, box.y + ui.px(6.0F), std::max(10.0F, right - left), box.height - ui.px(12.0F)});
     right_buttons(ui, box, top);
 }
 
-void bar_of_figure(const LessonUi& ui, const Box& box) {
+void bar_of_figure(const LessonUi& ui, const panels::FrameLayout& layout) {
+    const Box& box = layout.bar;
     draw_bar(ui.canvas, box);
     Area area(ui, "timeline bar", box);
     const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
@@ -266,6 +263,11 @@ void bar_of_figure(const LessonUi& ui, const Box& box) {
         tr("The lesson waits at step {0} of {1}: any other tab shows it.", ui.session.index() + 1,
            ui.session.story().steps().size());
     const float left = box.x + ui.px(theme::kMargin);
+    if (layout.upright) {
+        const UprightBar places = places_in(ui, box);
+        panels::paragraph(ui.canvas, places.line, small, theme::kSoft, words, 2);
+        return row_of_buttons(ui, places.buttons, false);
+    }
     const float room = box.right() - ui.px(kRightButtons) - left;
     const float y = box.y + 0.5F * (box.height - ui.canvas.line_height(small));
     ui.canvas.text({left, y}, small, theme::kSoft, panels::shortened(*small, words, room));

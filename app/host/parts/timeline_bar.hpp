@@ -21,15 +21,9 @@ private:
     std::vector<float> edges_;
 };
 
-void timeline_bar(const LessonUi& ui, const panels::Box& box);
+void timeline_bar(const LessonUi& ui, const panels::FrameLayout& layout);
 
 /// The same without the line, which a figure does not have: where the lesson waits meanwhile.
-void bar_of_figure(const LessonUi& ui, const panels::Box& box);
-
-/// Label of the button that plays: "Play", "Pause", or "Pause 7 s" with the time until the next still.
-std::string play_label(bool plays, std::optional<double> seconds_left);
-
-/// "½ ×"
-std::string short_speed(double speed);
+void bar_of_figure(const LessonUi& ui, const panels::FrameLayout& layout);
 
 }  // namespace jw::host

@@ -147,7 +147,7 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
         const std::string number = std::to_string(k + 1);
         ImGui::PushID(static_cast<int>(k));
         if (pressed_to_choose) {
-            if (ImGui::SmallButton((" " + number + " ").c_str())) {
+            if (small_button((" " + number + " ").c_str())) {
                 answer_ = number;
                 ui.requests.answer = number;
             }
@@ -186,10 +186,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     }
     if (kind == ExerciseKind::code) {
         if (ImGui::Button(tr("Write a starter"))) { ui.requests.starter = answer_; }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip(
-                "%s", tr("a program to begin with, and a file with its input, unless they are there"));
-        }
+        tip_of_item(tr("a program to begin with, and a file with its input, unless they are there"));
     }
 }
 
@@ -198,10 +195,7 @@ void ExerciseTab::buttons(const LessonUi& ui, const Practice& practice) {
     ImGui::BeginDisabled(practice.is_busy());
     if (ImGui::Button(tr("Check"))) { ui.requests.answer = answer_; }
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "%s", is_file(task.exercise().kind) ? tr("(Ctrl+Enter in the field)") : tr("(Enter)"));
-    }
+    tip_of_item(is_file(task.exercise().kind) ? tr("(Ctrl+Enter in the field)") : tr("(Enter)"));
     const auto hints = static_cast<int>(task.exercise().hints.size());
     if (hints > practice.hints_given()) {
         next_button(tr("Hint"));
@@ -242,7 +236,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
     if (const SlideLesson* const lesson = practice.lesson_about(judged.slide)) {
         const std::string label = tr("Open the lesson of {0}", shown_slides(judged.slide));
         if (ImGui::Button(label.c_str())) { ui.requests.open = lesson->file.string(); }
-        if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", lesson->title.c_str()); }
+        tip_of_item(lesson->title);
     }
 }
 

@@ -21,6 +21,8 @@ namespace jw::host {
 
 namespace {
 
+constexpr float kSlider = 230.0F;
+
 bool uses_axis(const JointType& type) {
     return std::ranges::any_of(type.roles, [](Role r) { return r != Role::same_point && r != Role::length; });
 }
@@ -151,13 +153,6 @@ bool sliders(const LessonUi& ui, const char* latex, Vec3& value, double reach) {
     return moved;
 }
 
-/// The next slider leaves room for its label at the right.
-void slider_beside(const LessonUi& ui, const char* label) {
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x -
-                       ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetNextItemWidth(std::clamp(room, 1.0F, ui.px(230.0F)));
-}
-
 void geometry(const LessonUi& ui, int index, const Joint& joint) {
     const double reach = 2.0 * extent(ui.session.as_written().mechanism);
     JointGeometry g = joint.geometry;
@@ -181,7 +176,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
     moved = sliders(ui, "\\mathbf{s}'_j^P", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {
         auto length = static_cast<float>(g.length);
-        slider_beside(ui, tr("length [m]"));
+        width_beside_label(ui, tr("length [m]"), kSlider);
         if (ImGui::SliderFloat(tr("length [m]"), &length, 0.001F, static_cast<float>(reach), "%.3f")) {
             g.length = std::max(1e-6, static_cast<double>(length));
             moved = true;
@@ -225,7 +220,7 @@ void experiment_drivers(const LessonUi& ui) {
             double& coefficient = function.polynomial[static_cast<std::size_t>(c)];
             auto number = static_cast<float>(coefficient / unit);
             const auto limit = static_cast<float>(reach);
-            slider_beside(ui, labels[c]);
+            width_beside_label(ui, labels[c], kSlider);
             if (ImGui::SliderFloat(labels[c], &number, -limit, limit, "%.2f")) {
                 coefficient = static_cast<double>(number) * unit;
                 moved = true;
@@ -237,7 +232,7 @@ void experiment_drivers(const LessonUi& ui) {
     const std::optional<MotionPlan> motion = shown_motion(lesson);
     if (!motion) { return; }
     auto t = static_cast<float>(ui.session.step().t);
-    slider_beside(ui, tr("time [s]"));
+    width_beside_label(ui, tr("time [s]"), kSlider);
     if (ImGui::SliderFloat(
             tr("time [s]"), &t, static_cast<float>(motion->from), static_cast<float>(motion->to), "%.3f")) {
         ui.requests.add(GoTo{ui.session.index_of_time(static_cast<double>(t))});

@@ -94,9 +94,7 @@ void parts(const LessonUi& ui) {
         ImGui::PushID(is_joint ? "joint" : "driver");
         ImGui::PushID(addition.index);
         if (ImGui::Checkbox("##present", &present)) { ui.requests.add(SetPresent{addition, present}); }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", present ? tr("take it out") : tr("put it back"));
-        }
+        tip_of_item(present ? tr("take it out") : tr("put it back"));
         ImGui::SameLine();
         const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : tr("driver");
         const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;
@@ -131,7 +129,7 @@ void repeated_equations(const LessonUi& ui) {
         const RowOrigin origin = system.origin(row);
         if (origin.kind == RowOrigin::Kind::constraint) {
             const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-            if (ImGui::SmallButton(tr("take out"))) {
+            if (small_button(tr("take out"))) {
                 ui.requests.add(SetEquationPresent{c.joint, {c.role, origin.component}, false});
             }
             ImGui::SameLine();
@@ -177,16 +175,12 @@ void trials(const LessonUi& ui) {
     section(ui, tr("Proposed"));
     for (std::size_t k = 0; k < proposed.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
-        if (ImGui::SmallButton(proposed[k].breaks ? tr("Break") : tr("Try"))) {
+        if (small_button(proposed[k].breaks ? tr("Break") : tr("Try"))) {
             ui.requests.trial = static_cast<int>(k);
         }
-        if (ImGui::IsItemHovered()) {
-            std::string tip;
-            for (const std::string& action : proposed[k].actions) {
-                tip += (tip.empty() ? "" : "\n") + action;
-            }
-            ImGui::SetTooltip("%s", tip.c_str());
-        }
+        std::string tip;
+        for (const std::string& action : proposed[k].actions) { tip += (tip.empty() ? "" : "\n") + action; }
+        tip_of_item(tip);
         ImGui::SameLine();
         note(ui, math::plain_words(proposed[k].text));
         ImGui::PopID();

@@ -18,7 +18,8 @@ using panels::Box;
 using panels::Point;
 
 constexpr double kZoomPerNotch = 1.25;
-constexpr float kReach = 12.0F;  // pixels at 720
+constexpr float kReach = 12.0F;         // pixels at 720
+constexpr float kLeastCurves = 230.0F;  // of the curves: three units below each other
 
 }  // namespace
 
@@ -90,7 +91,7 @@ void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     choose_curves(ui, shown);
     ImGui::SameLine();
     if (ImGui::Button(tr("All"))) { state() = panels::unzoomed(state()); }
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s", tr("everything in sight again")); }
+    tip_of_item(tr("everything in sight again"));
     ImGui::SameLine();
     command_button(ui, Command::save_csv, "CSV");
 }
@@ -117,7 +118,8 @@ void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const
         }
     }
     if (!ImGui::IsItemHovered()) { return; }
-    if (io.MouseWheel != 0.0F && at) {
+    // where the column scrolls, the wheel does that
+    if (io.MouseWheel != 0.0F && at && ImGui::GetScrollMaxY() <= 0.0F) {
         state() = panels::zoomed(
             state(), layout, mouse, std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)));
     }
@@ -128,15 +130,15 @@ void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const
 
 void PlotTab::draw(const LessonUi& ui, const Box& box) {
     const SeriesSet& shown = set(ui.session, experiment_joint_of(ui));
-    Area area(ui, "plots", box);
+    Area area(ui, "plots", box, true);
     controls(ui, shown);
-    const float top = ImGui::GetCursorScreenPos().y + ui.px(6.0F);
-    const float margin = ui.px(14.0F);
-    const Box place{box.x + margin, top, box.width - 2.0F * margin, box.bottom() - top - ui.px(10.0F)};
+    const Box place = rest_of_column(ui, box, kLeastCurves);
     state().cursor = panels::point_of_step(shown, ui.session.index());
-    const panels::PlotLayout layout = panels::layout_plot(ui.canvas, place, shown, state());
-    panels::draw_plot(ui.canvas, layout, shown, state());
+    const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+    const panels::PlotLayout layout = panels::layout_plot(canvas, place, shown, state());
+    panels::draw_plot(canvas, layout, shown, state());
     handle(ui, layout, shown);
+    end_column_at(place);
 }
 
 }  // namespace jw::host

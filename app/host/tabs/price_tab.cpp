@@ -14,6 +14,9 @@ namespace {
 using panels::Box;
 using panels::Point;
 
+// a dozen methods, what they show, and the curves
+constexpr float kLeastPrices = 400.0F;
+
 /// Why this lesson cannot be measured; empty if it can.
 std::string why_not(const Lesson& lesson) {
     if (!lesson.dynamics) {
@@ -60,13 +63,11 @@ void PriceTab::controls(const LessonUi& ui) {
         }
     } else {
         if (ImGui::Button(tr("Measure"))) { begin(ui.session); }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", tr("a sweep of tolerances with every method; takes some seconds"));
-        }
+        tip_of_item(tr("a sweep of tolerances with every method; takes some seconds"));
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(is_measuring());
-    ImGui::SetNextItemWidth(ui.px(150.0F));
+    width_beside_label(ui, tr("constraints"), 150.0F);
     if (ImGui::BeginCombo(tr("constraints"), std::string(entry_of(treatment_).name).c_str())) {
         for (const TreatmentName& entry : kTreatments) {
             // implicit methods only, and they take it for projection already
@@ -81,7 +82,7 @@ void PriceTab::controls(const LessonUi& ui) {
 }
 
 void PriceTab::draw(const LessonUi& ui, const Box& box) {
-    Area area(ui, "price", box);
+    Area area(ui, "price", box, true);
     if (told_ != ui.session.told()) {
         told_ = ui.session.told();
         forget();
@@ -101,13 +102,14 @@ void PriceTab::draw(const LessonUi& ui, const Box& box) {
                    "nine."));
     }
     if (!news_.origin.empty()) { note(ui, tr("Compared with: {0}", news_.origin)); }
-    const float top = ImGui::GetCursorScreenPos().y + ui.px(8.0F);
-    const Box place{box.x + ui.px(14.0F), top, box.width - ui.px(30.0F), box.bottom() - top - ui.px(10.0F)};
+    const Box place = rest_of_column(ui, box, kLeastPrices);
     std::string progress =
         tr(news_.origin.empty() ? tr_later("computing the reference …") : tr_later("measuring …"));
     if (news_.done) { progress = tr("CPU time on this machine"); }
+    const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
     const panels::ComparisonLayout layout =
-        panels::price_panel(ui.canvas, place, prices_.value_or(Prices{}), progress, plot_);
+        panels::price_panel(canvas, place, prices_.value_or(Prices{}), progress, plot_);
+    end_column_at(place);
     plot_.hovered = -1;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (std::size_t k = 0; k < layout.rows.size(); ++k) {

@@ -74,10 +74,7 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
         ImGui::PushID(k);
         if (ImGui::InvisibleButton("tab", {box.width, box.height})) { ui.requests.add(command_of(tab)); }
         const bool hovered = ImGui::IsItemHovered();
-        if (hovered) {
-            const CommandInfo& info = info_of(command_of(tab));
-            ImGui::SetTooltip("%s  (%s)", tr(info.text), tr(info.keys));
-        }
+        tip_of_command(command_of(tab));
         ImGui::PopID();
         if (chosen) {
             canvas.fill(box, theme::kPaper);

@@ -38,8 +38,14 @@ Area::Area(const Ui& ui, const char* name, const panels::Box& box, bool scrolls)
 
 Area::~Area() { ImGui::End(); }
 
-void set_style(ImGuiStyle& style, float scale, bool dark) {
+void set_style(ImGuiStyle& style, float scale, bool dark, bool for_fingers) {
     style = ImGuiStyle();
+    if (for_fingers) {
+        style.FramePadding.y = 9.0F;
+        style.ItemSpacing.y = 8.0F;
+        style.TouchExtraPadding = {2.0F, 4.0F};
+        style.GrabMinSize = 20.0F;
+    }
     style.ScaleAllSizes(scale);
     style.WindowRounding = 0.0F;
     style.FrameRounding = 4.0F * scale;
@@ -81,12 +87,33 @@ void set_style(ImGuiStyle& style, float scale, bool dark) {
     set(ImGuiCol_ModalWindowDimBg, render::with_alpha(theme::kInk, 0.35F));
 }
 
-void command_button(const Ui& ui, Command command, const char* label, float width) {
-    const CommandInfo& info = info_of(command);
+bool is_for_fingers() { return ImGui::GetStyle().TouchExtraPadding.y > 0.0F; }
+
+void command_button(const Ui& ui, Command command, const char* label, float width, float height) {
     ImGui::PushID(static_cast<int>(command));
-    if (ImGui::Button(label, {width, 0.0F})) { ui.requests.add(command); }
+    if (ImGui::Button(label, {width, height})) { ui.requests.add(command); }
     ImGui::PopID();
-    if (ImGui::IsItemHovered()) { ImGui::SetTooltip("%s  (%s)", tr(info.text), tr(info.keys)); }
+    tip_of_command(command);
+}
+
+void tip_of_command(Command command) {
+    const CommandInfo& info = info_of(command);
+    tip_of_item(std::string(tr(info.text)) + "  (" + tr(info.keys) + ")");
+}
+
+bool small_button(const char* label) {
+    return is_for_fingers() ? ImGui::Button(label) : ImGui::SmallButton(label);
+}
+
+void tip_of_item(const std::string& text) {
+    if (!ImGui::IsItemHovered()) { return; }
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::BeginTooltip();
+    // from the left edge of the tip
+    ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 2.0F * style.WindowPadding.x);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 bool toggle_button(const Ui& ui, const char* label, bool on, float width) {
@@ -133,6 +160,25 @@ void beside_if_it_fits(const char* label, float step) {
     const float left = std::ceil(after / step) * step;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (begin + left + width <= right) { ImGui::SameLine(begin - ImGui::GetWindowPos().x + left); }
+}
+
+void width_beside_label(const Ui& ui, const char* label, float most) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(label).x -
+                       ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::clamp(room, 1.0F, ui.px(most)));
+}
+
+panels::Box rest_of_column(const Ui& ui, const panels::Box& column, float least) {
+    const float top = ImGui::GetCursorScreenPos().y + ui.px(6.0F);
+    const float margin = ui.px(14.0F);
+    const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+    const float room = column.bottom() - top - ImGui::GetScrollY() - ui.px(10.0F);
+    return {column.x + margin, top, column.width - 2.0F * margin - bar, std::max(ui.px(least), room)};
+}
+
+void end_column_at(const panels::Box& place) {
+    ImGui::SetCursorScreenPos({place.x, place.y});
+    ImGui::Dummy({1.0F, place.height});
 }
 
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice) {

@@ -20,10 +20,23 @@ public:
 };
 
 /// Colours and sizes of ImGui's widgets as those of the panels.
-void set_style(ImGuiStyle& style, float scale, bool dark);
+/// @param for_fingers  what can be pressed is higher, and further apart
+void set_style(ImGuiStyle& style, float scale, bool dark, bool for_fingers);
+
+/// Whether that is the present style.
+bool is_for_fingers();
 
 /// A button for a command, with its keys as a tip. `label` may be short; the table's words are in the tip.
-void command_button(const Ui& ui, Command command, const char* label, float width = 0.0F);
+void command_button(
+    const Ui& ui, Command command, const char* label, float width = 0.0F, float height = 0.0F);
+
+/// A button no higher than its words, in a line of text; for fingers one like all others.
+bool small_button(const char* label);
+
+/// Words about the item before while the pointer is on it, wrapped where the window is narrow.
+void tip_of_item(const std::string& text);
+/// The same for an item that carries out a command: what it does, and its keys.
+void tip_of_command(Command command);
 
 /// A button that stays down while `on`.
 bool toggle_button(const Ui& ui, const char* label, bool on, float width = 0.0F);
@@ -34,11 +47,19 @@ void section(const Ui& ui, const char* title);
 /// Wrapped words in the small font.
 void note(const Ui& ui, const std::string& text);
 
-/// A list of the four coordinate choices, to choose one from.
+/// Width of the next widget: `most`, or less where its label, which stands at its right, needs the room.
+void width_beside_label(const Ui& ui, const char* label, float most);
+
+/// Rest of a column that scrolls, below the cursor, at least so high.
+panels::Box rest_of_column(const Ui& ui, const panels::Box& column, float least);
+/// What was drawn there is part of what scrolls.
+void end_column_at(const panels::Box& place);
+
 /// Puts the next radio button or tick beside the last one, at a multiple of `step` from the left, where its
 /// text fits there; else it begins a line.
 void beside_if_it_fits(const char* label, float step);
 
+/// A list of the four coordinate choices, to choose one from.
 /// @return true if another one was chosen
 bool choose_coordinates(const char* id, float width, CoordinateChoice& choice);
 

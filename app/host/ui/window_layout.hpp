@@ -8,11 +8,11 @@ namespace jw::host {
 struct WindowLayout : panels::FrameLayout {
     int width = 0;  ///< pixels of the framebuffer
     int height = 0;
+    float density = 0.0F;  ///< of the screen, see panels::Looking
     panels::Box whole;
-    panels::Box bar;  ///< of the timeline
 };
 
 /// @param scale  of text
-WindowLayout window_layout(int width, int height, float scale);
+WindowLayout window_layout(int width, int height, float density, float scale);
 
 }  // namespace jw::host

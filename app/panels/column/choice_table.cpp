@@ -54,7 +54,7 @@ void draw_condition(const Canvas& canvas, const Box& cell, int component, double
 float choice_table(const Canvas& canvas, const Box& box, const ChoiceView& choice, Density density) {
     const ImFont* const small = canvas.fonts().small;
     const float line = canvas.line_height(small);
-    float height = canvas.px(density == Density::tight ? 1.0F : 4.0F);
+    float height = canvas.px(density >= Density::tight ? 1.0F : 4.0F);
     for (int k = 0; k < 3; ++k) {
         const Box cell = column_of({box.x, box.y + height, box.width, 2.0F * line}, k, 3);
         const auto axis = static_cast<std::size_t>(k);
@@ -70,7 +70,7 @@ float choice_table(const Canvas& canvas, const Box& box, const ChoiceView& choic
             canvas, {cell.x, cell.y + line, cell.width, line}, k, choice.pair_condition[axis], dropped);
     }
     height += 2.0F * line;
-    if (density == Density::tight) { return height + canvas.px(2.0F); }
+    if (density >= Density::tight) { return height + canvas.px(2.0F); }
     height += canvas.px(5.0F);
     const Box below{box.x, box.y + height, box.width, 0.0F};
     const std::size_t lines = density == Density::roomy ? 5 : 3;

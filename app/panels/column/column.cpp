@@ -169,8 +169,9 @@ std::vector<float> heights_at(
     std::vector<float> heights;
     for (const Block& block : blocks) {
         const bool gone = block.given_up > 0 && block.given_up <= given_up;
-        const float needed = block.fills ? block.least[static_cast<std::size_t>(density)]
-                                         : std::ceil(block.draw(canvas.measuring(), box, density));
+        const float needed = block.fills
+                                 ? block.least[static_cast<std::size_t>(std::min(density, Density::tight))]
+                                 : std::ceil(block.draw(canvas.measuring(), box, density));
         heights.push_back(gone ? 0.0F : needed);
     }
     return heights;
@@ -182,6 +183,15 @@ float total_of(const std::vector<float>& heights, float gap) {
         if (height > 0.0F) { total += height + (total > 0.0F ? gap : 0.0F); }
     }
     return total;
+}
+
+/// Where nothing more can be given up, the last ones have no place; the first that shows something stays.
+void leave_out_last(std::vector<float>& heights, float gap, float room) {
+    const auto shows = [](float height) { return height > 0.0F; };
+    const auto first = std::ranges::find_if(heights, shows);
+    for (auto last = heights.end(); last != first && total_of(heights, gap) > room;) {
+        if (--last != first) { *last = 0.0F; }
+    }
 }
 
 /// Gives what is left to the blocks that fill, the first one first.
@@ -198,7 +208,7 @@ void share_out(
 }  // namespace
 
 Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks) {
-    constexpr int most_given_up = 5;
+    constexpr int most_given_up = 6;
     const float gap = canvas.px(theme::kGap);
     Arrangement arrangement;
     std::vector<float> heights;
@@ -209,6 +219,11 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
             if (total_of(heights, gap) <= box.height || given_up == 0) { break; }
         }
         if (total_of(heights, gap) <= box.height) { break; }
+    }
+    if (total_of(heights, gap) > box.height) {
+        arrangement.density = Density::bare;
+        heights = heights_at(canvas, box, blocks, Density::bare, most_given_up);
+        leave_out_last(heights, gap, box.height);
     }
     float left = box.height - total_of(heights, gap);
     share_out(heights, blocks, &Block::good, left);
@@ -242,7 +257,7 @@ std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
     return {
         failure_block(view),
         given_up_at(4, choices_block(view)),
-        quantities_block(view),
+        given_up_at(view.dynamics ? 6 : 0, quantities_block(view)),
         dynamics_block(view),
         given_up_at(view.dynamics ? 1 : 3, bodies_block(view)),
         warnings_block(view),
@@ -271,7 +286,10 @@ float column_height(const Canvas& canvas, const Box& box, const View& view) {
 }
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {
-    canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
+    // between picture and column; over the whole width there is nothing beside it
+    if (box.x > 0.0F) {
+        canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
+    }
     const Box inner = inside_column(canvas, box);
     const std::vector<Block> blocks = blocks_of(canvas, view);
     const Arrangement arrangement = arrange(canvas, inner, blocks);

@@ -14,7 +14,7 @@ struct Block {
     /// Returns the height taken.
     std::function<float(const Canvas&, const Box&, Density)> draw;
     bool fills = false;
-    std::array<float, 3> least{};  ///< for each density; filling blocks only
+    std::array<float, 3> least{};  ///< for each density but bare; filling blocks only
     float good = 0.0F;             ///< given to all that fill before any gets its `wish`
     float wish = 0.0F;
     int given_up =

@@ -171,7 +171,9 @@ float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView&
     const std::string about = dynamics.unique()
                                   ? tr("of the rows of Φq, joint by joint")
                                   : tr("of the rows of Φq; in brackets those that repeat others");
-    canvas.text({box.x + lambda.width + canvas.px(6.0F), box.y}, fonts.small, theme::kSoft, about);
+    const float left = lambda.width + canvas.px(6.0F);
+    canvas.text(
+        {box.x + left, box.y}, fonts.small, theme::kSoft, shortened(*fonts.small, about, box.width - left));
     float height = canvas.line_height(fonts.small) + canvas.px(2.0F);
     std::size_t joints = 0;
     for (std::size_t first = 0; first < dynamics.multipliers.size();) {
@@ -203,7 +205,7 @@ float draw_sums(const Canvas& canvas, const Box& box, const DynamicsView& dynami
 }  // namespace
 
 float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density) {
-    const bool tight = density == Density::tight;
+    const bool tight = density >= Density::tight;
     const std::size_t most = density == Density::roomy ? 6 : (tight ? 2 : 4);
     float height =
         heading(canvas, box, tr("Equations of motion"), tr("(r, ω′), bodies at their centres of mass"));
@@ -211,6 +213,7 @@ float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& d
     const float gap = canvas.px(tight ? 2.0F : 5.0F);
     if (!tight) { height += draw_slide_24(canvas, below()); }
     height += draw_bodies(canvas, below(), dynamics, most) + gap;
+    if (density == Density::bare) { return height; }
     height += draw_multipliers(canvas, below(), dynamics, most) + gap;
     return height + draw_sums(canvas, below(), dynamics);
 }

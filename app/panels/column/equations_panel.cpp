@@ -88,7 +88,7 @@ struct FormulaLines {
 };
 
 FormulaLines formula_lines(const FormulaFonts& fonts, const std::string& markup, float width) {
-    static const std::string sign = "≡";
+    static const std::string sign = R"(\equiv)";
     FormulaLines lines{layout_formula(markup, fonts), {}};
     const std::size_t at = markup.find(sign);
     if (lines.first.width <= width || at == std::string::npos) { return lines; }
@@ -131,7 +131,7 @@ float draw_formula_line(const Canvas& canvas, const Box& box, const EquationGrou
         height += canvas.px(2.0F);
         height += draw_formula_at(canvas, {box.x + canvas.px(10.0F), box.y + height}, lines.second, group);
     }
-    return height + canvas.px(density == Density::tight ? 3.0F : 5.0F);
+    return height + canvas.px(density >= Density::tight ? 3.0F : 5.0F);
 }
 
 float draw_group(const Canvas& canvas, const Box& box, const EquationGroup& group, Density density) {

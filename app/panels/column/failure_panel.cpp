@@ -17,7 +17,7 @@ float failure_panel(
     const Box inner{
         box.x + margin + canvas.px(4.0F), box.y + margin, box.width - 2.0F * margin - canvas.px(4.0F), 0.0F};
     const Box words{inner.x, inner.y + title_height, inner.width, 0.0F};
-    const std::size_t most = density == Density::tight ? 6 : 12;
+    const std::size_t most = density >= Density::tight ? 6 : 12;
     const float text = paragraph(canvas.measuring(), words, font, theme::kInk, failure, most);
     const Box frame{box.x, box.y, box.width, title_height + text + 2.0F * margin};
 

@@ -154,7 +154,7 @@ float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) 
 
 float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Density density) {
     const std::size_t most = density == Density::roomy ? 3 : (density == Density::compact ? 2 : 1);
-    const std::size_t lines = density == Density::tight ? 1 : 2;
+    const std::size_t lines = density >= Density::tight ? 1 : 2;
     float height = rank_warnings(canvas, box, rank);
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += titled_list(canvas, below(), tr("What repeats what"), rank.combinations, most, lines);

@@ -25,11 +25,17 @@ void draw_progress(const Canvas& canvas, const Box& box, const View& view) {
     canvas.fill({line.x, line.y, std::round(line.width * std::min(part, 1.0F)), height}, theme::kAccent);
 }
 
+/// "t = 0.500 s   ·   step 12 of 40"
+std::string position_text(const View& view) {
+    std::string text = view.steps > 0 ? tr("step {0} of {1}", view.step + 1, view.steps) : "";
+    if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
+    return text;
+}
+
 /// @return left edge of what was drawn
 float draw_position(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
-    std::string text = view.steps > 0 ? tr("step {0} of {1}", view.step + 1, view.steps) : "";
-    if (view.kind == Step::Kind::motion) { text = "t = " + fixed_text(view.t, 3) + " s   ·   " + text; }
+    const std::string text = position_text(view);
     const float source_room = 0.4F * box.width;
     const std::string source = shortened(*fonts.small, shown_slides(view.source), source_room);
     canvas.text({box.right(), box.y}, fonts.small, theme::kSoft, source, Align::right);
@@ -37,6 +43,32 @@ float draw_position(const Canvas& canvas, const Box& box, const View& view) {
     canvas.text({box.right(), y}, fonts.normal, theme::kInk, text, Align::right);
     return box.right() -
            std::max(canvas.text_width(fonts.small, source), canvas.text_width(fonts.normal, text));
+}
+
+constexpr float kBetweenTitleLines = 1.0F;
+
+float height_of_three_lines(const Canvas& canvas) {
+    const render::Fonts& fonts = canvas.fonts();
+    return canvas.line_height(fonts.small) + canvas.line_height(fonts.title) +
+           canvas.line_height(fonts.normal) + 2.0F * canvas.px(kBetweenTitleLines);
+}
+
+/// The lesson; the step; where it stands, in the lecture and in the lesson.
+void draw_three_lines(const Canvas& canvas, const Box& box, const View& view) {
+    const render::Fonts& fonts = canvas.fonts();
+    const float gap = canvas.px(kBetweenTitleLines);
+    float y = box.y;
+    canvas.text({box.x, y}, fonts.small, theme::kSoft, shortened(*fonts.small, view.lesson_title, box.width));
+    y += canvas.line_height(fonts.small) + gap;
+    canvas.text({box.x, y}, fonts.title, theme::kInk, shortened(*fonts.title, view.title, box.width));
+    y += canvas.line_height(fonts.title) + gap;
+    const std::string position = position_text(view);
+    canvas.text({box.right(), y}, fonts.normal, theme::kInk, position, Align::right);
+    const float room = box.width - canvas.text_width(fonts.normal, position) - canvas.px(16.0F);
+    const float drop = std::round(fonts.normal->Ascent) - std::round(fonts.small->Ascent);
+    canvas.text(
+        {box.x, y + drop}, fonts.small, theme::kSoft,
+        room > 0.0F ? shortened(*fonts.small, shown_slides(view.source), room) : "");
 }
 
 Box inside_caption(const Canvas& canvas, const Box& box) {
@@ -115,6 +147,7 @@ void draw_title(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     if (view.steps > 0) { draw_progress(canvas, box, view); }
     const Box inner = shrunk(box, canvas.px(theme::kMargin), canvas.px(8.0F));
+    if (inner.height >= height_of_three_lines(canvas)) { return draw_three_lines(canvas, inner, view); }
     const float right = draw_position(canvas, inner, view) - canvas.px(20.0F);
     const float room = right - inner.x;
     canvas.text(

@@ -12,31 +12,118 @@ namespace jw::panels {
 
 namespace {
 
-// parts of the frame
 constexpr float kTitleHeight = 62.0F;
+
+// a column at the right
 constexpr float kColumnPart = 0.4F;
 constexpr float kCaptionPart = 0.225F;
 constexpr float kMostCaptionGrowth = 1.5F;
+constexpr float kTabsHeight = 36.0F;
+constexpr float kBarHeight = 56.0F;
+
+// upright: a book, a phone and a tablet are, two windows side by side are not
+constexpr float kUprightShape = 1.2F;
+constexpr float kUprightWidth = 480.0F;
+constexpr float kUprightHeight = 800.0F;
+constexpr float kUprightTitleHeight = 84.0F;  // three lines: there is no room for two texts beside each other
+constexpr float kMostSceneShape = 0.8F;       // height of the picture beside its width, at most
+constexpr float kUprightScenePart = 0.39F;    // of what title, tabs and bar leave
+constexpr float kUprightCaptionPart = 0.17F;
+constexpr float kFinger = 40.0F;            // height that it needs, in pixels of a page
+constexpr float kUnknownDensity = 1.25F;    // beside scale_of, as on a phone
+constexpr float kUprightBarHeight = 54.0F;  // beside the buttons: a line to scrub on, and gaps
+
+constexpr float kLargestText = 1.5F;  // beside what scale_of gives: less room is not enough for the panels
+// letters of 14 pixels are the smallest: 11 in a hand, 10 where a turned phone has room for them
+constexpr float kLeastUpright = 0.8F;
+constexpr float kLeastTurned = 0.72F;
+
+constexpr float kMostMargin = 0.25F;  // around bodies, of the picture
+
+bool is_upright(float width, float height) { return height >= kUprightShape * width; }
 
 /// Names of bodies and vectors stand around it.
 render::Rect safe_part(const Box& scene, float scale) {
-    return rect_of(shrunk(scene, std::round(44.0F * scale), std::round(34.0F * scale)));
+    const auto margin = [&](float at_720, float length) {
+        return std::min(std::round(at_720 * scale), kMostMargin * length);
+    };
+    return rect_of(shrunk(scene, margin(44.0F, scene.width), margin(34.0F, scene.height)));
+}
+
+/// Strip at the foot of `rest`, which loses it.
+Box cut_bottom(Box& rest, float height) {
+    Box bottom = rest;
+    rest = cut_top(bottom, rest.height - height);
+    return bottom;
+}
+
+/// @param text  size of text beside that of a frame of this size: the caption grows with it
+FrameLayout column_at_right(const Box& frame, FrameKind kind, float scale, float text) {
+    Box rest = frame;
+    FrameLayout layout;
+    layout.bar = cut_bottom(rest, kind == FrameKind::window ? std::round(kBarHeight * scale) : 0.0F);
+    const float height = rest.height;
+    layout.title = cut_top(rest, std::round(kTitleHeight * scale));
+    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * frame.width));
+    layout.tabs = cut_top(rest, kind == FrameKind::window ? std::round(kTabsHeight * scale) : 0.0F);
+    layout.column = rest;
+    const float caption = kCaptionPart * std::clamp(text, 1.0F, kMostCaptionGrowth);
+    const Box scene = cut_top(left, left.height - std::round(caption * height));
+    layout.caption = left;
+    layout.scene = rect_of(scene);
+    layout.scene_safe = safe_part(scene, scale);
+    return layout;
+}
+
+/// @param finger  pixels that it needs
+FrameLayout upright(const Box& frame, FrameKind kind, float scale, float finger) {
+    const bool is_window = kind == FrameKind::window;
+    Box rest = frame;
+    FrameLayout layout;
+    layout.upright = true;
+    layout.bar = cut_bottom(rest, is_window ? finger + std::round(kUprightBarHeight * scale) : 0.0F);
+    layout.title = cut_top(rest, std::round(kUprightTitleHeight * scale));
+    const float tabs = is_window ? finger : 0.0F;
+    const float room = std::max(0.0F, rest.height - tabs);
+    const float height = std::min(kUprightScenePart * room, kMostSceneShape * rest.width);
+    const Box scene = cut_top(rest, std::round(height));
+    layout.caption = cut_top(rest, std::round(kUprightCaptionPart * room));
+    layout.tabs = cut_top(rest, tabs);
+    layout.column = rest;
+    layout.scene = rect_of(scene);
+    layout.scene_safe = safe_part(scene, scale);
+    return layout;
 }
 
 }  // namespace
 
 float scale_of(int width, int height) {
-    return std::min(static_cast<float>(width) / 1280.0F, static_cast<float>(height) / 720.0F);
+    const auto w = static_cast<float>(width);
+    const auto h = static_cast<float>(height);
+    return is_upright(w, h) ? std::min(w / kUprightWidth, h / kUprightHeight)
+                            : std::min(w / 1280.0F, h / 720.0F);
+}
+
+float scale_on_screen(int width, int height, const Looking& looking) {
+    const float usual = scale_of(width, height);
+    if (looking.density <= 0.0F) { return usual * looking.text; }
+    const float most = kLargestText * usual;
+    const bool upright = is_upright(static_cast<float>(width), static_cast<float>(height));
+    const float least = looking.density * (upright ? kLeastUpright : kLeastTurned);
+    const float readable = std::max(upright ? std::min(usual, looking.density) : usual, least);
+    return std::min(readable * looking.text, most);
 }
 
 float scale_without_panels(int width, int height) {
-    // the 3D picture in a frame of 1280x720
-    return std::min(static_cast<float>(width) / 768.0F, static_cast<float>(height) / 496.0F);
+    const auto w = static_cast<float>(width);
+    const auto h = static_cast<float>(height);
+    // the 3D picture in a frame of 1280x720, or over the whole width
+    return is_upright(w, h) ? scale_of(width, height) : std::min(w / 768.0F, h / 496.0F);
 }
 
 FrameLayout layout_of(int width, int height) {
     const Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
-    return layout_in(frame, scale_of(width, height), 0.0F);
+    return layout_in(frame, FrameKind::picture, scale_of(width, height));
 }
 
 FrameLayout layout_without_panels(const Box& frame, float scale) {
@@ -46,19 +133,11 @@ FrameLayout layout_without_panels(const Box& frame, float scale) {
     return layout;
 }
 
-FrameLayout layout_in(const Box& frame, float scale, float tabs_height, float text) {
-    Box rest = frame;
-    FrameLayout layout;
-    layout.title = cut_top(rest, std::round(kTitleHeight * scale));
-    Box left = cut_left(rest, std::round((1.0F - kColumnPart) * frame.width));
-    layout.tabs = cut_top(rest, tabs_height);
-    layout.column = rest;
-    const float caption = kCaptionPart * std::clamp(text, 1.0F, kMostCaptionGrowth);
-    const Box scene = cut_top(left, left.height - std::round(caption * frame.height));
-    layout.caption = left;
-    layout.scene = rect_of(scene);
-    layout.scene_safe = safe_part(scene, scale);
-    return layout;
+FrameLayout layout_in(const Box& frame, FrameKind kind, float scale, float density) {
+    const float usual = scale_of(static_cast<int>(frame.width), static_cast<int>(frame.height));
+    if (!is_upright(frame.width, frame.height)) { return column_at_right(frame, kind, scale, scale / usual); }
+    return upright(
+        frame, kind, scale, std::round(kFinger * (density > 0.0F ? density : kUnknownDensity * usual)));
 }
 
 void draw_frame(

@@ -8,8 +8,9 @@
 /// Pieces that several panels are made of. Those that return a height took it from the top of their box.
 namespace jw::panels {
 
-/// Room that a panel takes; what is needed least is left out first.
-enum class Density { roomy, compact, tight };
+/// Room that a panel takes; what is needed least is left out first. Bare is for a picture alone that has no
+/// room for what is tight: in a window it scrolls.
+enum class Density { roomy, compact, tight, bare };
 
 /// Bold title at the left, soft note at the right, a hairline below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});

@@ -193,9 +193,11 @@ void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
             "{0} units not shown for want of height");
         text = text.empty() ? units : tr("{0}, {1}", text, units);
     }
-    const float y = layout.panes.front().caption_at.y;
+    const PlotPane& first = layout.panes.front();
+    const float room = first.plot.right() - right_of_caption(canvas, first) - canvas.px(10.0F);
     canvas.text(
-        {layout.panes.front().plot.right(), y}, canvas.fonts().small, theme::kFaint, text, Align::right);
+        {first.plot.right(), first.caption_at.y}, canvas.fonts().small, theme::kFaint,
+        shortened(*canvas.fonts().small, text, std::max(0.0F, room)), Align::right);
 }
 
 }  // namespace

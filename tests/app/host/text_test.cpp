@@ -12,6 +12,7 @@
 #include "lessons/writer.hpp"
 #include "tests/app/host/overprint.hpp"
 #include "tests/app/host/person.hpp"
+#include "tests/app/host/reach.hpp"
 #include "tests/app/messages/in_language.hpp"
 
 namespace jw::test {
@@ -24,8 +25,9 @@ struct Size {
     int height;
 };
 
-constexpr Size kSizes[] = {{900, 600}, {1280, 720}};
-constexpr float kTexts[] = {1.0F, 1.25F, 1.5F};
+// the last stands upright, with the units of the smallest phones
+constexpr Size kSizes[] = {{900, 600}, {1280, 720}, {480, 800}};
+constexpr float kTexts[] = {0.75F, 1.0F, 1.25F, 1.5F};
 
 /// A lesson of every chapter, those with the longest texts and the largest matrices among them.
 const std::vector<std::string>& lessons_looked_at() {
@@ -152,7 +154,7 @@ TEST_CASE("Every letter beside the picture can be read, at any size of text and 
             for (const float text : kTexts) {
                 Person person(name + ".toml", Person::Pictures::none, size.width, size.height, false, text);
                 person.go_to(person.session().story().last_assembled() + 2);
-                for (const char tab : {'2', '3', '4', '5'}) {
+                for (const char tab : {'2', '3', '4', '5', '6'}) {
                     person.type(std::string_view(&tab, 1));
                     CAPTURE(name, size.width, text, tab);
                     CHECK(unreadable(person) == "");
@@ -174,9 +176,15 @@ TEST_CASE("Every letter of the list, of the keys and of the menu can be read", "
             person.type("g");
             CHECK(unreadable(person) == "");
             person.press(Key::escape);
+            const host::WindowLayout& layout = person.host().layout();
             const auto right = static_cast<float>(size.width);
-            const float y = static_cast<float>(size.height) - 0.6F * person.host().layout().bar.height;
-            person.click(right - 0.6F * person.host().layout().bar.height - 30.0F, y);
+            const float y = layout.bar.bottom() - (layout.upright ? 0.3F : 0.6F) * layout.bar.height;
+            person.click(layout.upright ? right - 30.0F : right - 1.125F * layout.bar.height, y);
+            panels::Box menu;
+            REQUIRE(open_popup(menu) != nullptr);
+            CHECK(unreadable(person) == "");
+            // the group of the most commands
+            person.click(menu.x + 40.0F, menu.y + 0.75F * menu.height);
             CHECK(unreadable(person) == "");
         }
     }

@@ -1,10 +1,15 @@
 #include <catch2/catch.hpp>
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "app/host/parts/bar_buttons.hpp"
 #include "app/host/parts/timeline_bar.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/story/timeline.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
+#include "tests/app/host/reach.hpp"
 
 namespace jw::test {
 namespace {
@@ -217,6 +222,41 @@ TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
         CHECK_FALSE(step_at(story, nonsense));
     }
     CHECK_FALSE(step_at(story, std::to_string(last + 2)));
+}
+
+TEST_CASE("Buttons of an upright window are as large as a finger, and leave none out without the menu") {
+    for (const float text : {0.75F, 1.0F, 1.5F}) {
+        Person person("loops/four-bar.toml", Person::Pictures::none, 480, 960, false, text);
+        const host::WindowLayout& layout = person.host().layout();
+        REQUIRE(layout.upright);
+        // a phone has 390 pixels of a page in this width
+        constexpr float kFinger = 40.0F * 480.0F / 390.0F;
+        const float y = layout.bar.bottom() - 0.5F * kFinger;
+        std::vector<unsigned> seen;
+        std::vector<float> widths;
+        for (float x = 0.0F; x < layout.bar.right(); x += 1.0F) {
+            person.point(x, y);
+            const unsigned id = ImGui::GetCurrentContext()->HoveredId;
+            if (id == 0) { continue; }
+            if (seen.empty() || seen.back() != id) {
+                seen.push_back(id);
+                widths.push_back(0.0F);
+                // as high, too
+                person.point(x, y - 0.4F * kFinger);
+                CHECK(ImGui::GetCurrentContext()->HoveredId == id);
+                person.point(x, y + 0.3F * kFinger);
+                CHECK(ImGui::GetCurrentContext()->HoveredId == id);
+            }
+            widths.back() += 1.0F;
+        }
+        CAPTURE(text);
+        // step back, play, step on, lessons, menu; with usual letters all but speed and keys
+        CHECK(seen.size() >= (text > 1.0F ? 5 : 7));
+        for (const float width : widths) { CHECK(width >= kFinger - 2.0F); }
+        person.click(layout.bar.right() - 30.0F, y);
+        panels::Box menu;
+        CHECK(open_popup(menu) != nullptr);
+    }
 }
 
 }  // namespace jw::test

@@ -84,7 +84,7 @@ TEST_CASE("panels fit the column at every size, whatever the step", "[panels][co
 TEST_CASE("a panel takes the height that it was measured to take", "[panels][column]") {
     Surface surface;
     const Box box{780.0F, 100.0F, 480.0F, 0.0F};
-    const auto density = GENERATE(Density::roomy, Density::compact, Density::tight);
+    const auto density = GENERATE(Density::roomy, Density::compact, Density::tight, Density::bare);
     for (const View& view : {four_bar(Kind::equations), screw(Kind::equations)}) {
         surface.clear();
         const float measured = equations_panel(surface.canvas().measuring(), box, view.equations, density);
