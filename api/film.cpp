@@ -31,12 +31,13 @@ void check_size(const FilmOptions& options) {
     const int width = options.panels ? film::kSmallestWidth : film::kSmallestWidthAlone;
     const int height = options.panels ? film::kSmallestHeight : film::kSmallestHeightAlone;
     const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
-    const bool fits = options.width >= width && options.height >= height &&
-                      options.width <= film::kLargestWidth && options.height <= film::kLargestHeight;
-    if (fits) { return; }
+    const auto fits = [&](int w, int h) {
+        return w >= width && h >= height && w <= film::kLargestWidth && h <= film::kLargestHeight;
+    };
+    if (fits(options.width, options.height) || fits(options.height, options.width)) { return; }
     refuse(
         "size '" + text(options.width, options.height) + "'; expected WIDTHxHEIGHT in pixels from " +
-        text(width, height) + " to " + text(film::kLargestWidth, film::kLargestHeight));
+        text(width, height) + " to " + text(film::kLargestWidth, film::kLargestHeight) + ", or turned");
 }
 
 const FilmOptions& checked(const FilmOptions& options) {

@@ -67,8 +67,8 @@ host::FrameLook RenderOptions::look() const {
 
 CheckedRender checked(const RenderOptions& options) {
     CheckedRender result;
-    result.size =
-        size_option(options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame);
+    result.size = size_option_either_way(
+        options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame);
     if (!std::isfinite(options.fps)) {
         throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
     }

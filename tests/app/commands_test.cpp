@@ -132,13 +132,13 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: --step is so small that there would be more than a million rows\n"
          "hint: jointwise solve --help\n"},
         {{"render", crank, "--out", folder.path("frames"), "--size", "big"},
-         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, for "
-         "example "
-         "1920x1080\n"},
+         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, or "
+         "turned, "
+         "for example 1920x1080\n"},
         {{"render", crank, "--out", folder.path("frames"), "--size", "15360x8640"},
          "jointwise: error: --size '15360x8640'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, "
-         "for "
-         "example 1920x1080\n"},
+         "or "
+         "turned, for example 1920x1080\n"},
         {{"render", crank, "--out", folder.path("frames"), "--fps", "nan"},
          "jointwise: error: --fps is not finite; expected 0.1 to 240\n"},
         {{"render", crank, "--out", folder.path("frames"), "--frames", "5:2"},

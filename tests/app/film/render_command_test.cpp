@@ -6,6 +6,7 @@
 #include "app/host/frames/frame_draft.hpp"
 #include "render/png_reader.hpp"
 #include "tests/app/program.hpp"
+#include "tests/support/read_png.hpp"
 
 namespace jw::test {
 namespace {
@@ -44,6 +45,20 @@ TEST_CASE("Shards that are drawn in any order and put together are one run, to t
     CHECK_THAT(other.err, Catch::Contains("look.dark: false before, true now"));
     REQUIRE(run(with(render, {"--out", folder.path("two"), "--resume"})).status == 0);
     CHECK(files_of(folder.path("one")) == files_of(folder.path("two")));
+}
+
+TEST_CASE("A film that stands upright has the same limits of size, turned", "[film][render]") {
+    const Folder folder;
+    const std::string crank = folder.file("crank.toml", kCrank);
+    const auto drawn = [&](const std::string& size) {
+        return run({"render", crank, "--size", size, "--frames", "0", "--out", folder.path(size)}).status;
+    };
+    CHECK(drawn("540x960") == 0);
+    const render::Image picture = read_png(folder.path("540x960/frame_00000.png"));
+    CHECK(picture.width == 540);
+    CHECK(picture.height == 960);
+    CHECK(drawn("539x960") == 2);
+    CHECK(drawn("540x959") == 2);
 }
 
 TEST_CASE("The manifest has the hash of every picture, and what it was drawn with", "[film][render]") {
