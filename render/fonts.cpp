@@ -18,10 +18,11 @@
 namespace jw::render {
 namespace {
 
-// for letters of the usual size and up to three times as large; the height follows, and is 16384 at the most
-constexpr int kAtlasWidth = 2048;
-constexpr float kLargeScale = 3.0F;
-constexpr int kLargeAtlasWidth = 8192;
+/// Width for letters of a scale. The height follows, and is 16384 at the most.
+int atlas_width(float scale, AtlasSize size) {
+    if (scale > 3.0F) { return 8192; }
+    return size == AtlasSize::small && scale > 1.5F ? 4096 : 2048;
+}
 
 constexpr char32_t kMissing = 0xFFFD;
 constexpr char32_t kBox = 0x25A1;            // □
@@ -91,10 +92,10 @@ std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
 class AtlasBuilder {
 public:
     /// @throws std::runtime_error as `load_fonts`; then the atlas is as it was
-    AtlasBuilder(ImFontAtlas& atlas, float scale) : atlas_(atlas) {
+    AtlasBuilder(ImFontAtlas& atlas, float scale, AtlasSize size) : atlas_(atlas) {
         for (const FontFile& file : kFontFiles) { face_of(file); }
         atlas_.Clear();
-        atlas_.TexDesiredWidth = scale > kLargeScale ? kLargeAtlasWidth : kAtlasWidth;
+        atlas_.TexDesiredWidth = atlas_width(scale, size);
         atlas_.Flags |= ImFontAtlasFlags_NoMouseCursors;
     }
 
@@ -221,8 +222,8 @@ private:
 
 }  // namespace
 
-Fonts load_fonts(float scale, std::u32string_view others) {
-    AtlasBuilder builder(*ImGui::GetIO().Fonts, scale);
+Fonts load_fonts(float scale, std::u32string_view others, AtlasSize atlas) {
+    AtlasBuilder builder(*ImGui::GetIO().Fonts, scale, atlas);
     builder.open_chinese(others);
     const auto size = [scale](float pixels) { return std::round(pixels * scale); };
     Fonts fonts;

@@ -36,6 +36,12 @@ struct Fonts {
     float scale = 1.0F;
 };
 
+/// Sides of the texture that letters are in.
+enum class AtlasSize {
+    usual,  ///< up to 16384
+    small,  ///< 4096 up to 2.4 times the usual letters, 8192 up to three times: what graphics of phones take
+};
+
 /// Loads all fonts into the atlas of the current ImGui context, builds it and makes `normal` the default.
 ///
 /// Searched in the folders of JOINTWISE_FONTS (colon-separated), then where Debian's packages put them.
@@ -45,7 +51,7 @@ struct Fonts {
 /// @throws std::runtime_error naming the file that is missing or damaged and its Debian package; then the
 /// atlas
 ///         is as it was.
-Fonts load_fonts(float scale, std::u32string_view others = {});
+Fonts load_fonts(float scale, std::u32string_view others = {}, AtlasSize atlas = AtlasSize::usual);
 
 /// Where a letter of a font of `Fonts` comes from.
 struct LetterSource {

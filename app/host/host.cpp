@@ -153,9 +153,11 @@ void Host::resize(int width, int height, float density) {
     height = std::max(kSmallestHeight, height);
     const float scale = panels::scale_on_screen(width, height, {density, state_.text_scale});
     ImGui::SetCurrentContext(context_);
-    if (!fonts_.fit(scale)) { say(fonts_.load(scale)); }
+    // of screens whose density is known, some are phones
+    const auto atlas = density > 0.0F ? render::AtlasSize::small : render::AtlasSize::usual;
+    if (!fonts_.fit(scale)) { say(fonts_.load(scale, atlas)); }
     layout_ = window_layout(width, height, density, fonts_.scale());
-    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.upright);
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.for_fingers);
     if (session_ && hand_.is_own()) { fit_camera(true); }
     rouse();
 }

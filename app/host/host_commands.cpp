@@ -242,7 +242,7 @@ void Host::let_go() {
 
 void Host::change_tone() {
     state_.dark = !state_.dark;
-    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.upright);
+    set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.for_fingers);
     shown_.redraw();
 }
 

@@ -143,6 +143,12 @@ void right_buttons(const LessonUi& ui, const Box& box, float top) {
     command_button(ui, Command::help, "?", ui.px(26.0F));
 }
 
+/// Below the upper edge of the bar; buttons for fingers are as high as there is room in it.
+float top_of_buttons(const Ui& ui, const Box& bar) {
+    const float usual = ImGui::GetCursorPosY() + ui.px(4.0F);
+    return std::round(std::min(usual, 0.5F * (bar.height - ImGui::GetFrameHeight())));
+}
+
 /// Steps of the lesson on a line to jump and scrub on.
 void line_of_steps(const LessonUi& ui, const Box& line) {
     const std::vector<Stretch> stretches = stretches_of(ui.session.story());
@@ -232,7 +238,7 @@ void timeline_bar(const LessonUi& ui, const panels::FrameLayout& layout) {
         line_of_steps(ui, places.line);
         return row_of_buttons(ui, places.buttons, true);
     }
-    const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
+    const float top = top_of_buttons(ui, box);
     ImGui::SetCursorPosY(top);
     command_button(ui, Command::first, "|<", ui.px(34.0F));
     ImGui::SameLine(0.0F, ui.px(4.0F));
@@ -257,7 +263,7 @@ void bar_of_figure(const LessonUi& ui, const panels::FrameLayout& layout) {
     const Box& box = layout.bar;
     draw_bar(ui.canvas, box);
     Area area(ui, "timeline bar", box);
-    const float top = ImGui::GetCursorPosY() + ui.px(4.0F);
+    const float top = top_of_buttons(ui, box);
     const ImFont* const small = ui.canvas.fonts().small;
     const std::string words =
         tr("The lesson waits at step {0} of {1}: any other tab shows it.", ui.session.index() + 1,

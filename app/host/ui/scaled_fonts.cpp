@@ -27,10 +27,10 @@ bool ScaledFonts::fit(float scale) const {
     return version_ > 0 && !lacks_characters_ && in_eighths(scale) == fonts_.scale;
 }
 
-std::string ScaledFonts::load(float scale) {
+std::string ScaledFonts::load(float scale, render::AtlasSize atlas) {
     lacks_characters_ = false;  // what cannot be loaded now is not tried again in every frame
     try {
-        fonts_ = render::load_fonts(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()));
+        fonts_ = render::load_fonts(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()), atlas);
     } catch (const std::runtime_error& error) {
         if (version_ == 0) { throw; }
         return tr("The text size stays as it is: {0}", error.what());

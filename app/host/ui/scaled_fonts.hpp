@@ -19,7 +19,7 @@ public:
     /// Loads those for another scale, between two frames of the current ImGui context.
     /// @return why they cannot be loaded, for people: the letters that are there stay; else empty
     /// @throws std::runtime_error as render::load_fonts where there are none yet
-    std::string load(float scale);
+    std::string load(float scale, render::AtlasSize atlas);
 
     /// The characters beyond those of the interface.
     const std::set<char32_t>& needed() const { return needed_; }

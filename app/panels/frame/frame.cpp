@@ -38,7 +38,14 @@ constexpr float kLargestText = 1.5F;  // beside what scale_of gives: less room i
 constexpr float kLeastUpright = 0.8F;
 constexpr float kLeastTurned = 0.72F;
 
-constexpr float kMostMargin = 0.25F;  // around bodies, of the picture
+constexpr float kMostMargin = 0.2F;  // around bodies, of the picture
+
+constexpr float kLeastOfPhones = 2.0F;  // density
+
+/// A screen on which letters would be too small for a hand, though they are as large as there is room.
+bool is_turned_phone(float usual, float density) {
+    return density >= kLeastOfPhones && kLeastTurned * density > usual;
+}
 
 bool is_upright(float width, float height) { return height >= kUprightShape * width; }
 
@@ -80,7 +87,7 @@ FrameLayout upright(const Box& frame, FrameKind kind, float scale, float finger)
     const bool is_window = kind == FrameKind::window;
     Box rest = frame;
     FrameLayout layout;
-    layout.upright = true;
+    layout.upright = layout.for_fingers = true;
     layout.bar = cut_bottom(rest, is_window ? finger + std::round(kUprightBarHeight * scale) : 0.0F);
     layout.title = cut_top(rest, std::round(kUprightTitleHeight * scale));
     const float tabs = is_window ? finger : 0.0F;
@@ -135,7 +142,11 @@ FrameLayout layout_without_panels(const Box& frame, float scale) {
 
 FrameLayout layout_in(const Box& frame, FrameKind kind, float scale, float density) {
     const float usual = scale_of(static_cast<int>(frame.width), static_cast<int>(frame.height));
-    if (!is_upright(frame.width, frame.height)) { return column_at_right(frame, kind, scale, scale / usual); }
+    if (!is_upright(frame.width, frame.height)) {
+        FrameLayout layout = column_at_right(frame, kind, scale, scale / usual);
+        layout.for_fingers = is_turned_phone(usual, density);
+        return layout;
+    }
     return upright(
         frame, kind, scale, std::round(kFinger * (density > 0.0F ? density : kUnknownDensity * usual)));
 }

@@ -16,6 +16,7 @@ namespace jw::panels {
 /// right.
 struct FrameLayout {
     bool upright = false;
+    bool for_fingers = false;  ///< what is pressed is larger: upright, or a phone that is turned
     Box title;
     render::Rect scene;       ///< 3D viewport
     render::Rect scene_safe;  ///< part of it that bodies should keep to: labels find room around

@@ -143,6 +143,7 @@ TEST_CASE("letters and what is pressed are as large as a hand needs them", "[pan
         const float scale = scale_on_screen(width, height, {density, text});
         const FrameLayout layout = layout_in(frame, FrameKind::window, scale, density);
         REQUIRE(layout.upright == upright);
+        CHECK(layout.for_fingers);
         if (!upright) { continue; }
         CHECK(layout.tabs.height >= 40.0F * density - 1.0F);
         // buttons, and a line of steps above them
@@ -164,6 +165,7 @@ TEST_CASE(
     CHECK(scale_of(1280, 720) == 1.0F);
     CHECK(scale_of(2532, 1170) == 1.625F);
     CHECK(scale_on_screen(1280, 720, {1.0F, 1.0F}) == 1.0F);
+    CHECK_FALSE(layout_in({0.0F, 0.0F, 1280.0F, 720.0F}, FrameKind::window, 1.0F, 1.0F).for_fingers);
 }
 
 TEST_CASE("every part keeps to its place, however long its texts are", "[panels][frame]") {
