@@ -47,16 +47,18 @@ std::vector<std::string> lines_of(const char* text) {
 
 extern "C" {
 
+/// @param density  pixels of the canvas for one of the page
 /// @param lessons  folder of the course
 /// @return why the page cannot begin; empty if it does
 EMSCRIPTEN_KEEPALIVE const char* jw_begin(
-    const char* canvas, int width, int height, double text_scale, int dark, const char* language,
-    const char* lessons) {
+    const char* canvas, int width, int height, double density, double text_scale, int dark,
+    const char* language, const char* lessons) {
     return problem_of([&] {
         // the catalogue of the program (lessons/catalogue.hpp)
         ::setenv("JOINTWISE_LESSONS", lessons, 1);
-        page = std::make_unique<jw::web::Page>(
-            jw::web::PageSetup{canvas, width, height, static_cast<float>(text_scale), dark != 0, language});
+        page = std::make_unique<jw::web::Page>(jw::web::PageSetup{
+            canvas, width, height, static_cast<float>(density), static_cast<float>(text_scale), dark != 0,
+            language});
     });
 }
 
@@ -71,7 +73,9 @@ EMSCRIPTEN_KEEPALIVE double jw_frame(double seconds) {
     }
 }
 
-EMSCRIPTEN_KEEPALIVE void jw_resize(int width, int height) { page->host().resize(width, height); }
+EMSCRIPTEN_KEEPALIVE void jw_resize(int width, int height, double density) {
+    page->host().resize(width, height, static_cast<float>(density));
+}
 EMSCRIPTEN_KEEPALIVE void jw_lose_context() { page->lose_context(); }
 EMSCRIPTEN_KEEPALIVE const char* jw_restore_context() {
     return problem_of([] { page->restore_context(); });

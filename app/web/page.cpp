@@ -38,6 +38,7 @@ host::HostSetup host_setup(const PageSetup& setup) {
     wanted.text_scale = setup.text_scale;
     wanted.width = setup.width;
     wanted.height = setup.height;
+    wanted.density = setup.density;
     return wanted;
 }
 

@@ -17,6 +17,7 @@ struct PageSetup {
         "#canvas";     ///< CSS selector; empty: nothing is drawn, and the state tells what there is
     int width = 1280;  ///< pixels of the canvas
     int height = 720;
+    float density = 1.0F;  ///< see panels::Looking
     float text_scale = 1.0F;
     bool dark = false;
     std::string language = "en";

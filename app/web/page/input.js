@@ -6,6 +6,8 @@ const LONG_PRESS = 450;
 const SLOP = 8;
 // [CSS pixels] of a wheel that counts them, for one notch
 const NOTCH = 100;
+// [CSS pixels] of a finger for one notch: panels follow it, some a little slower than others
+const FINGER_NOTCH = 55;
 // distance between fingers for one notch of the wheel, as in app/host/parts/scene_hand.cpp
 const CLOSER_PER_NOTCH = 0.9;
 const BUTTONS = [0, 2, 1];
@@ -87,7 +89,7 @@ class Fingers {
         this.scrolls = true;
       } else { this.press(0); }
     }
-    if (this.scrolls) { return this.program.wheel((at[1] - before[1]) / (NOTCH * ratio)); }
+    if (this.scrolls) { return this.program.wheel((at[1] - before[1]) / (FINGER_NOTCH * ratio)); }
     if (!this.rests) { this.program.pointer(...at); }
   }
   end(event) {

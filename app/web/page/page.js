@@ -47,9 +47,9 @@ function programOf(module) {
   const wrap = (name, result, ...types) => module.cwrap(name, result, types);
   return {
     module,
-    begin: wrap("jw_begin", "string", "string", "number", "number", "number", "number", "string", "string"),
+    begin: wrap("jw_begin", "string", "string", "number", "number", "number", "number", "number", "string", "string"),
     frame: wrap("jw_frame", "number", "number"),
-    resize: wrap("jw_resize", null, "number", "number"),
+    resize: wrap("jw_resize", null, "number", "number", "number"),
     loseContext: wrap("jw_lose_context", null),
     restoreContext: wrap("jw_restore_context", "string"),
     pointer: wrap("jw_pointer", null, "number", "number"),
@@ -113,11 +113,11 @@ class Loop {
 }
 
 function fitCanvas(program, loop) {
-  const fit = (width, height) => {
+  const fit = (width, height, ratio) => {
     if (width <= 0 || height <= 0) { return; }
     canvas.width = width;
     canvas.height = height;
-    program.resize(width, height);
+    program.resize(width, height, ratio);
     loop.rouse();
   };
   new ResizeObserver(([entry]) => {
@@ -126,7 +126,7 @@ function fitCanvas(program, loop) {
     // whole pixels of the screen where the browser tells them; one that imitates another screen does not
     const box = entry.devicePixelContentBoxSize?.[0];
     const told = box && Math.abs(box.inlineSize - width) < 2 && Math.abs(box.blockSize - height) < 2;
-    fit(told ? box.inlineSize : Math.round(width), told ? box.blockSize : Math.round(height));
+    fit(told ? box.inlineSize : Math.round(width), told ? box.blockSize : Math.round(height), ratio);
   }).observe(canvas);
 }
 
@@ -255,7 +255,7 @@ async function begin() {
   const usualLanguage = course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
   const language = settings.language ?? usualLanguage;
   await fetchLetters(module.FS, language);
-  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
+  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
   if (why) { return giveUp(why); }
   if (!draws) { showWords(course); }
 
