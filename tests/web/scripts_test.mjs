@@ -1,6 +1,6 @@
 // Scripts of events lead the page and the program to the same states, text for text and number for number.
 import { execFileSync } from "node:child_process";
-import { readdirSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { basename, join } from "node:path";
 import { Visit } from "./browser.mjs";
 import { browser, check, noFaults, root, served, test } from "./suite.mjs";
@@ -15,23 +15,26 @@ function randomOf(seed) {
   };
 }
 
-/** A script of somebody who tries keys, panels and the timeline of a lesson. The picture is left alone: what is pointed at there
- * depends on what was drawn. */
-function scriptOf(name, seed, length) {
+/** A script of somebody who tries keys, panels, the timeline and the experiments of a lesson. The picture is left alone: what is
+ * pointed at there depends on what was drawn; so is the sphere on which axes are set by hand: they depend on where the eye is.
+ * @param trials  lists of experiments that its author proposes */
+function scriptOf(name, seed, length, trials) {
   const random = randomOf(seed);
   const one = (all) => all[Math.floor(random() * all.length)];
   const lines = [`go #${name}`, "frame 0.05"];
   const press = (key) => lines.push(`key ${key} 1`, "frame 0.05", `key ${key} 0`, "frame 0.05");
   for (let k = 0; k < length; ++k) {
     const kind = random();
-    if (kind < 0.35) {
-      press(one(["ArrowRight", "ArrowLeft", "PageDown", "PageUp", "Home", "End", "Space", "Escape", "Tab", "Enter"]));
+    if (kind < 0.08 && trials.length > 0) {
+      lines.push(`go #${name}?${one(trials).map((experiment) => `try=${encodeURIComponent(experiment)}`).join("&")}`, "frame 0.05");
+    } else if (kind < 0.35) {
+      press(one(["ArrowRight", "ArrowLeft", "PageDown", "PageUp", "Home", "End", "Space", "Escape", "Enter"]));
     } else if (kind < 0.65) {
       // no exercises, prices and files: they take their time, or leave the page
-      lines.push(`text ${one([..."12345fxyzvuU0tT.,+-[]{}mMda"]).codePointAt(0)}`, "frame 0.05");
+      lines.push(`text ${one([..."1345fxyzvuU0tT.,+-[]{}mMda"]).codePointAt(0)}`, "frame 0.05");
     } else {
       const timeline = random() < 0.4;
-      const [x, y] = timeline ? [360 + 740 * random(), 690 + 25 * random()] : [780 + 490 * random(), 70 + 580 * random()];
+      const [x, y] = timeline ? [360 + 740 * random(), 690 + 25 * random()] : [780 + 490 * random(), 110 + 540 * random()];
       lines.push(`pointer ${Math.round(x)} ${Math.round(y)}`, "frame 0.05");
       if (random() < 0.3) { lines.push(`wheel ${one([-1, 1])}`, "frame 0.05"); } else { lines.push("button 0 1", "frame 0.05", "button 0 0", "frame 0.05"); }
     }
@@ -43,19 +46,26 @@ function scriptOf(name, seed, length) {
 test("Scripts of events lead the page and the program to the same states", async () => {
   const program = join(root, "build/release/tests/web/scripts");
   const seed = Number(process.env.SEED ?? 1);
-  const names = readdirSync(join(root, "lessons/catalogue"), { recursive: true }).filter((f) => f.endsWith(".toml") && basename(f) !== "course.toml").map((f) => basename(f, ".toml")).sort();
+  const names = readdirSync(join(root, "lessons/catalogue"), { recursive: true }).filter((f) => f.endsWith(".toml") && basename(f) !== "course.toml").sort();
   const v = await Visit.begin(browser, await served("build/web/page"));
+  // each begins without the settings of the one before; nothing is drawn, as in the program of the scripts
+  await v.tab.evaluateOnNewDocument(() => {
+    localStorage.clear();
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+  });
   let states = 0;
   const seen = new Set();
-  for (const [k, name] of names.entries()) {
-    const script = scriptOf(name, seed + k, 25);
+  for (const [k, file] of names.entries()) {
+    const name = basename(file, ".toml");
+    const trials = [...readFileSync(join(root, "lessons/catalogue", file), "utf8").matchAll(/^do = (\[.*\])$/gmu)]
+      .map(([, list]) => list.match(/"(?:[^"\\]|\\.)*"|'[^']*'/gu).map((text) => (text[0] === '"' ? JSON.parse(text) : text.slice(1, -1))));
+    const script = scriptOf(name, seed + k, 25, trials);
     const here = execFileSync(program, { input: script.join("\n") + "\n", maxBuffer: 1 << 28, env: { ...process.env, JOINTWISE_LESSONS: join(root, "lessons/catalogue") } }).toString().trimEnd().split("\n");
     await v.open();
     const there = await v.tab.evaluate((lines) => {
       const { program, loop } = window.jointwise;
       loop.stopped = true;
-      document.getElementById("canvas").width = 1280;
-      document.getElementById("canvas").height = 720;
       program.resize(1280, 720, 1);
       const told = [];
       for (const line of lines) {
@@ -74,16 +84,21 @@ test("Scripts of events lead the page and the program to the same states", async
       return told;
     }, script);
     check(here.length === there.length, `${name}: ${here.length} states here, ${there.length} in the page`);
-    // where files are is another place
-    const placeless = (text) => text.replace(/"file":"[^"]*"/u, "");
+    // where files are is another place; where the eye is comes from sines of the C library, whose last digit may differ
+    const CAMERA = /[?&]camera=[^&\t]*|"camera":\[[^\]]*\]/gu;
+    const placeless = (text) => text.replace(/"file":"[^"]*"/u, "").replace(CAMERA, "");
+    const camera = (text) => (text.match(CAMERA) ?? []).join(" ").match(/-?[\d.]+(e[-+]?\d+)?/gu)?.map(Number) ?? [];
+    const isNear = (a, b) => a.length === b.length && a.every((x, n) => Math.abs(x - b[n]) <= 1e-12 * Math.max(1, Math.abs(x)));
     for (let state = 0; state < here.length; ++state) {
+      check(isNear(camera(here[state]), camera(there[state])), `${name}, seed ${seed + k}, state ${state}: the eye is elsewhere\n${here[state].slice(0, 300)}\n${there[state].slice(0, 300)}`);
       check(placeless(here[state]) === placeless(there[state]), `${name}, seed ${seed + k}, state ${state}:\nhere ${here[state].slice(0, 600)}\npage ${there[state].slice(0, 600)}`);
       seen.add(placeless(here[state]));
     }
     states += here.length;
   }
   console.log(`  ${names.length} scripts, ${states} states are the same, ${seen.size} of them different ones`);
-  check(seen.size > 20 * names.length, `${seen.size} different states`);
+  // most frames change nothing
+  check(seen.size > 10 * names.length, `${seen.size} different states`);
   noFaults(v);
   await v.close();
 });

@@ -255,7 +255,9 @@ async function begin() {
   const usualLanguage = course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
   const language = settings.language ?? usualLanguage;
   await fetchLetters(module.FS, language);
-  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.text_scale ?? 1, dark ? 1 : 0, language, course.lessons);
+  // in a page of a course the figure has less room than a window: its letters are a little larger there
+  const usualText = window.parent !== window && canvas.clientWidth > canvas.clientHeight ? 1.25 : 1;
+  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.text_scale ?? usualText, dark ? 1 : 0, language, course.lessons);
   if (why) { return giveUp(why); }
   if (!draws) { showWords(course); }
 
@@ -277,7 +279,7 @@ async function begin() {
       story.tell(state);
       address.follow(state);
       localStorage.setItem("jointwise-settings", JSON.stringify(
-        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale, language: state.language === usualLanguage ? undefined : state.language }));
+        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale === usualText ? undefined : state.text_scale, language: state.language === usualLanguage ? undefined : state.language }));
       document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
       document.documentElement.classList.toggle("dark", state.dark);
       program.keepUnsaved();
