@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The site of a course, as files: site_test.py JOINTWISE ROOT.
 
 A small course with hostile titles and names, without the program of the page, of which a few files stand for all.
@@ -6,15 +6,18 @@ A small course with hostile titles and names, without the program of the page, o
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
 from html.parser import HTMLParser
 from pathlib import Path
-from urllib.parse import unquote, urljoin, urlsplit
+from urllib.parse import quote, unquote, urljoin, urlsplit
 
-program, root = sys.argv[1], Path(sys.argv[2])
+import yaml
+
+program, root = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve()
 catalogue = root / "lessons" / "catalogue"
 HTML = "{http://www.w3.org/1999/xhtml}"
 MATH = "{http://www.w3.org/1998/Math/MathML}"
@@ -116,8 +119,6 @@ def check_pages(site):
 
 
 def path_in_url(name):
-    from urllib.parse import quote
-
     return quote(name)
 
 
@@ -237,3 +238,20 @@ with tempfile.TemporaryDirectory() as place:
     assert re.search(r"bad\.toml:\d+:\d+: after D, rank: expected 16, found 17", said), said
     assert files_in(out) == before and sorted(p.name for p in stranger.iterdir()) == ["thesis.txt"]
     print("refused what is wrong, and kept what was there")
+
+    # the repository that publishes itself, by the commands of its own workflow
+    repository = place / "repository"
+    shutil.copytree(root / "docs" / "snapshots" / "template", repository)
+    door = repository / "jointwise" / "dev"
+    door.parent.mkdir()
+    door.write_text(f'#!/bin/sh\n[ "$1" = site ] && shift && exec "{program}" site --page "{page}" "$@"\n')
+    door.chmod(0o755)
+    workflow = yaml.safe_load((repository / ".github" / "workflows" / "site.yml").read_text())
+    steps = workflow["jobs"]["site"]["steps"]
+    commands = [step["run"] for step in steps if "run" in step]
+    assert len(commands) == 1, commands
+    subprocess.run(["sh", "-e", "-c", commands[0]], cwd=repository, check=True, capture_output=True)
+    published = [step["with"]["path"] for step in steps if "upload-pages-artifact" in step.get("uses", "")]
+    check_pages(repository / published[0])
+    assert (repository / published[0] / "lessons/slider-crank.html").is_file()
+    print("the repository of docs publishes its site")

@@ -201,3 +201,17 @@ test("Pages that were visited are there without network, the figure too", async 
     check((await (await programIn(tab)).state()).shows_lesson, "the figure");
   });
 });
+
+test("From a folder that no server serves the site can be read and searched, and the program says why it does not run", async () => {
+  const tab = await browser.newPage();
+  const folder = `file://${join(root, "build/site")}/`;
+  await tab.goto(`${folder}index.html`);
+  await tab.type("#search", "bennett");
+  await tab.waitForFunction(() => document.getElementById("found").textContent === "1 lesson");
+  await tab.goto(folder + LESSON);
+  check(await tab.$eval("figure.live img", (image) => image.complete && image.naturalWidth === 1280), "the picture of the program");
+  equal((await tab.$$("iframe")).length, 0, "figures");
+  await tab.goto(`${folder}live/index.html`);
+  await tab.waitForFunction(() => document.getElementById("loading").innerText.includes("web server"));
+  await tab.close();
+});
