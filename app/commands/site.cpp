@@ -9,6 +9,7 @@
 #include "app/commands/outputs.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/site/live_page.hpp"
+#include "app/site/page_frame.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/data_folder.hpp"
 #include "lessons/diagnostics.hpp"
@@ -44,6 +45,13 @@ void check_folder(const std::string& what, const fs::path& folder) {
     throw bad_site(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
 }
 
+/// True if a path, which need not be there, is a folder or below it, whatever links lead there.
+bool lies_in(const fs::path& path, const fs::path& folder) {
+    const fs::path way = fs::weakly_canonical(fs::absolute(path))
+                             .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
+    return !way.empty() && *way.begin() != "..";
+}
+
 /// Looks at everything that is read before anything is computed.
 void check_setup(const SiteSetup& setup) {
     check_folder("", setup.folder);
@@ -59,14 +67,12 @@ void check_setup(const SiteSetup& setup) {
         throw bad_site(
             "--slides: there is no file " + in_quotes(setup.slides) + "; expected a PDF file or a URL");
     }
-    const fs::path out = fs::weakly_canonical(setup.out, error);
     for (const std::string& read : {setup.folder, setup.exercises, setup.page}) {
         if (read.empty()) { continue; }
-        const fs::path way = out.lexically_relative(fs::weakly_canonical(read, error));
-        if (!way.empty() && *way.begin() != "..") {
+        if (lies_in(setup.out, read) || lies_in(read, setup.out)) {
             throw bad_site(
-                "--out: " + in_quotes(setup.out) + " lies in " + in_quotes(read) +
-                ", which is read; expected a folder elsewhere");
+                "--out: " + in_quotes(setup.out) + " and " + in_quotes(read) +
+                ", which is read, lie in one another; expected a folder elsewhere");
         }
     }
 }
@@ -87,7 +93,8 @@ Exit make_site(SiteSetup setup, const Streams& streams) {
                                     "'jointwise check' tells more, and no site is written");
     }
     for (const std::string& note : read.notes) { streams.err << "jointwise: note: " << note << '\n'; }
-    read.course.title = setup.title.empty() ? tr("Lessons") : setup.title;
+    const bool is_blank = site::words_plain(setup.title).empty();
+    read.course.title = is_blank ? tr("Lessons") : setup.title;
     read.course.program = "Jointwise " JW_VERSION;
     site::SiteOutput output{setup.out, setup.page, {}};
     if (is_url(setup.slides)) {

@@ -1,6 +1,5 @@
 #include "app/site/live_page.hpp"
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -13,6 +12,8 @@
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/exercise/exercise_index.hpp"
+#include "lessons/exercise/read_exercises.hpp"
 
 namespace jw::site {
 
@@ -29,19 +30,15 @@ constexpr const char* kExercises = "exercises";
 constexpr std::string_view kVersionBefore = "const VERSION = \"";
 constexpr std::size_t kVersionDigits = 16;
 
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in) { host::refuse(file, "cannot be read"); }
-    return text;
-}
-
 void write(const fs::path& file, const std::string& text) {
     std::ofstream out(file, std::ios::binary);
     out << text;
     out.close();
     if (!out) { host::refuse(file, "cannot be written; is there room?"); }
 }
+
+/// Copies a file, which others may read whatever the right to it was.
+void copy_readable(const fs::path& from, const fs::path& to) { write(to, file_text(from)); }
 
 /// A file of the course, and where the page finds it.
 struct CourseFile {
@@ -59,7 +56,7 @@ void add_folder(const fs::path& folder, const fs::path& place, std::vector<Cours
 void add_orders(const fs::path& folder, const fs::path& place, std::vector<CourseFile>& files) {
     std::error_code error;
     for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-        if (entry.path().filename() == kCourseFile) {
+        if (entry.path().filename() == kCourseFile && entry.is_regular_file(error)) {
             files.push_back({entry.path(), place / entry.path().lexically_relative(folder)});
         }
     }
@@ -97,6 +94,13 @@ std::string version_in(const std::string& worker) {
 
 }  // namespace
 
+std::string file_text(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!in) { host::refuse(file, "cannot be read"); }
+    return text;
+}
+
 std::string problem_of_page(const fs::path& folder) {
     std::error_code error;
     for (const char* file :
@@ -107,7 +111,7 @@ std::string problem_of_page(const fs::path& folder) {
                    "build/web/page";
         }
     }
-    if (version_in(text_of(folder / kWorkerFile)).empty()) {
+    if (version_in(file_text(folder / kWorkerFile)).empty()) {
         return in_quotes((folder / kWorkerFile).string()) +
                " names no version; build the page anew with './dev web'";
     }
@@ -117,7 +121,7 @@ std::string problem_of_page(const fs::path& folder) {
 std::string lessons_bundle(const SiteCourse& course) {
     Json files = Json::object();
     for (const CourseFile& file : files_of(course)) {
-        files[(kCourse / file.place).generic_string()] = text_of(file.file);
+        files[(kCourse / file.place).generic_string()] = file_text(file.file);
     }
     return json_document(
         Json{
@@ -131,21 +135,31 @@ std::string lessons_bundle(const SiteCourse& course) {
 void write_live_page(const fs::path& page, const std::string& bundle, const fs::path& into) {
     fs::create_directories(into);
     for (const fs::directory_entry& entry : fs::directory_iterator(page)) {
-        fs::copy_file(entry.path(), into / entry.path().filename(), fs::copy_options::overwrite_existing);
+        if (entry.is_regular_file()) { copy_readable(entry.path(), into / entry.path().filename()); }
     }
     write(into / kBundleFile, bundle);
-    const std::string before = version_in(text_of(page / kWorkerFile));
+    const std::string before = version_in(file_text(page / kWorkerFile));
     const std::string after = before.substr(0, kVersionDigits / 2) +
                               host::sha256_of(into / kBundleFile).substr(0, kVersionDigits / 2);
     for (const char* file : {kWorkerFile, kIndexFile}) {
-        write(into / file, replaced(text_of(page / file), before, after));
+        write(into / file, replaced(file_text(page / file), before, after));
     }
 }
 
 void write_course_files(const SiteCourse& course, const fs::path& into) {
     for (const CourseFile& file : files_of(course)) {
         fs::create_directories((into / file.place).parent_path());
-        fs::copy_file(file.file, into / file.place, fs::copy_options::overwrite_existing);
+        copy_readable(file.file, into / file.place);
+    }
+    for (const fs::path& file : exercise_files_in(into / kExercises)) {
+        const ExercisesRead read = read_exercise_file(file);
+        if (read.exercises.empty() && !read.diagnostics.empty()) {
+            throw std::runtime_error(
+                "in the site exercises do not find what they need; expected their scenes below their own "
+                "folder or "
+                "the lessons:\n" +
+                read.report());
+        }
     }
 }
 

@@ -9,6 +9,9 @@
 /// of those that come with it.
 namespace jw::site {
 
+/// Content of a file. @throws std::runtime_error if it cannot be read
+std::string file_text(const std::filesystem::path& file);
+
 /// Problem with a folder that should hold the files of the page; empty if there is none.
 std::string problem_of_page(const std::filesystem::path& folder);
 
@@ -23,6 +26,8 @@ void write_live_page(
     const std::filesystem::path& page, const std::string& bundle, const std::filesystem::path& into);
 
 /// Copies lessons and exercises, each where the page would find it, into a folder.
+/// @throws std::runtime_error if a file cannot be read or written, or if exercises do not find their scenes
+/// there
 void write_course_files(const SiteCourse& course, const std::filesystem::path& into);
 
 }  // namespace jw::site

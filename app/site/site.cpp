@@ -35,7 +35,7 @@ void write_site(
     folder.write("site.js", kScript);
     folder.write("service_worker.js", kWorker);
     folder.write("icon.svg", kIcon);
-    if (!output.slides.empty()) { std::filesystem::copy_file(output.slides, folder.draft() / course.slides); }
+    if (!output.slides.empty()) { folder.write(course.slides, file_text(output.slides)); }
     for (std::size_t k = 0; k < course.lessons.size(); ++k) {
         progress(static_cast<double>(k) / static_cast<double>(course.lessons.size()));
         write_lesson(course, k, folder);

@@ -14,7 +14,11 @@ class Figure {
   }
   /** Runs it when it is seen; on a line that counts each byte when it is asked for. */
   wait() {
-    this.link.addEventListener("click", (event) => { event.preventDefault(); this.show(this.link.href); });
+    this.link.addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) { return; }
+      event.preventDefault();
+      this.show(this.link.href);
+    });
     if (navigator.connection?.saveData) { return; }
     const seen = new IntersectionObserver((entries) => {
       if (!entries.some((entry) => entry.isIntersecting)) { return; }

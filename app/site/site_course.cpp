@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "app/host/lesson/catalogue.hpp"
@@ -31,8 +32,13 @@ public:
     CourseReader(fs::path folder, const fs::path& exercises) {
         read_.course.folder = std::move(folder);
         // of a chapter alone there are none: files of exercises are about several
-        read_.course.exercise_files =
-            exercise_files_in(exercises.empty() ? read_.course.folder / ".." / "exercises" : exercises);
+        const fs::path beside = fs::absolute(read_.course.folder) / ".." / "exercises";
+        std::error_code error;
+        if (!exercises.empty()) {
+            read_.course.exercise_files = exercise_files_in(exercises);
+        } else if (!fs::equivalent(beside, read_.course.folder, error)) {
+            read_.course.exercise_files = exercise_files_in(beside);
+        }
     }
 
     SiteCourseRead read(const std::function<void(double)>& progress) {
@@ -59,6 +65,10 @@ private:
         ExercisesRead read = read_exercise_file(file);
         read_.report += read.report();
         for (Exercise& exercise : read.exercises) {
+            if (!names_.insert(exercise.name).second) {
+                read_.report += file.string() + ": error: there are two exercises '" + exercise.name +
+                                "' in the course; expected each name once\n";
+            }
             exercises_[exercise.lesson].push_back(shown_exercise(std::move(exercise)));
         }
     }
@@ -120,6 +130,7 @@ private:
     }
 
     SiteCourseRead read_;
+    std::set<std::string> names_;                             ///< of exercises
     std::map<std::string, std::vector<Exercise>> exercises_;  ///< by lesson, until they are given to it
 };
 

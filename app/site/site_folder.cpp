@@ -1,11 +1,14 @@
 #include "app/site/site_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <stdexcept>
-#include <vector>
+#include <utility>
 
 #include "app/host/frames/frame_draft.hpp"
 #include "app/session/output/json.hpp"
@@ -18,44 +21,101 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kManifest = "site.json";
-constexpr const char* kDraft = "unfinished-site";
+constexpr const char* kDraft = ".unfinished-site";
+constexpr const char* kReplaced = ".replaced-site";
 constexpr const char* kFormat = "jointwise site";
 constexpr int kVersion = 1;
 
-/// Files and folders at the top of a site that was written before; none if there is no site.
+/// True for names that stay whatever is written: those of version control.
+bool is_hidden(const std::string& name) { return name.starts_with('.'); }
+
+/// True for the name of a part of a site, which leads nowhere else.
+bool is_part(const std::string& name) {
+    return !name.empty() && !is_hidden(name) && name != kManifest && fs::path(name).filename() == name;
+}
+
+/// Files and folders at the top of the site that a folder has; none if it has no manifest.
+/// @throws std::runtime_error if what stands there is no manifest of ours
 std::set<std::string> top_of_site_in(const fs::path& folder) {
-    std::ifstream in(folder / kManifest, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const Json manifest = Json::parse(text, nullptr, false);
-    std::set<std::string> names;
-    if (!manifest.is_object() || manifest.value("format", "") != kFormat || !manifest["top"].is_array()) {
-        return names;
+    const fs::path file = folder / kManifest;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(file, error))) { return {}; }
+    if (!fs::is_regular_file(file, error)) {
+        host::refuse(file, "is no file of a site; expected another folder");
     }
+    std::ifstream in(file, std::ios::binary);
+    const Json manifest = Json::parse(std::string{std::istreambuf_iterator<char>(in), {}}, nullptr, false);
+    const bool is_ours = manifest.is_object() && manifest.contains("format") &&
+                         manifest["format"] == kFormat && manifest.contains("version") &&
+                         manifest["version"].is_number_integer() && manifest.contains("top") &&
+                         manifest["top"].is_array();
+    if (!is_ours) {
+        host::refuse(file, "is no list of a site; expected an empty folder, or one with a site of before");
+    }
+    if (manifest["version"].get<int>() > kVersion) {
+        host::refuse(
+            file, "was written by a newer Jointwise; expected a site of version 1, or an empty folder");
+    }
+    std::set<std::string> names;
     for (const Json& name : manifest["top"]) {
-        // a name that leads elsewhere is none of ours
-        if (name.is_string() && fs::path(name.get<std::string>()).filename() == name.get<std::string>() &&
-            name != "." && name != "..") {
-            names.insert(name.get<std::string>());
-        }
+        if (name.is_string() && is_part(name.get<std::string>())) { names.insert(name.get<std::string>()); }
     }
     return names;
 }
 
-/// Names that stay whatever is written: those of version control.
-bool is_hidden(const std::string& name) { return name.starts_with('.'); }
+/// Renames that are undone together unless all of them have succeeded.
+class Renames {
+public:
+    ~Renames() {
+        std::error_code ignored;
+        for (auto done = done_.rbegin(); done != done_.rend(); ++done) {
+            fs::rename(done->second, done->first, ignored);
+        }
+    }
+    void move(const fs::path& from, const fs::path& to) {
+        fs::rename(from, to);
+        done_.emplace_back(from, to);
+    }
+    void keep() { done_.clear(); }
+
+private:
+    std::vector<std::pair<fs::path, fs::path>> done_;
+};
 
 }  // namespace
 
-SiteFolder::SiteFolder(fs::path folder) : folder_(std::move(folder)), draft_(folder_ / kDraft) {
+SiteFolder::SiteFolder(fs::path folder)
+    : folder_(std::move(folder)), draft_(folder_ / kDraft), replaced_(folder_ / kReplaced) {
     std::error_code error;
     is_new_ = fs::create_directories(folder_, error);
     if (error) { host::refuse(folder_, "cannot be made: " + error.message()); }
+    lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+        if (lock_ >= 0) { ::close(lock_); }
+        host::refuse(folder_, "is no folder that can be written now; does another run write a site into it?");
+    }
+    try {
+        begin();
+    } catch (...) {
+        ::close(lock_);
+        throw;
+    }
+}
+
+void SiteFolder::begin() {
     const std::set<std::string> ours = top_of_site_in(folder_);
     for (const std::string& name : host::names_in(folder_)) {
-        if (is_hidden(name) || name == kDraft || name == kManifest || ours.contains(name)) { continue; }
+        if (is_hidden(name) || name == kManifest || ours.contains(name)) { continue; }
         host::refuse(
             folder_ / name, "is no part of a site; expected an empty folder, or one with a site of before");
     }
+    // a run was killed while places were taken: the site of before comes back
+    for (const std::string& name : host::names_in(replaced_)) {
+        fs::remove_all(folder_ / name);
+        fs::rename(replaced_ / name, folder_ / name);
+    }
+    std::error_code error;
+    fs::remove_all(replaced_, error);
     fs::remove_all(draft_, error);
     fs::create_directory(draft_, error);
     if (error) { host::refuse(draft_, "cannot be made: " + error.message()); }
@@ -66,6 +126,7 @@ SiteFolder::~SiteFolder() {
     fs::remove_all(draft_, ignored);
     // made for a site that failed: it is empty
     if (is_new_) { fs::remove(folder_, ignored); }
+    ::close(lock_);
 }
 
 void SiteFolder::write(const std::string& path, std::string_view text) const {
@@ -79,20 +140,26 @@ void SiteFolder::write(const std::string& path, std::span<const std::uint8_t> by
 
 void SiteFolder::finish() {
     const std::vector<std::string> made = host::names_in(draft_);
-    Json manifest{{"format", kFormat}, {"version", kVersion}, {"top", made}};
     const std::set<std::string> before = top_of_site_in(folder_);
+    Json manifest{{"format", kFormat}, {"version", kVersion}, {"top", made}};
     // until everything is in its place both are ours
     Json both = manifest;
     for (const std::string& name : before) {
         if (std::ranges::find(made, name) == made.end()) { both["top"].push_back(name); }
     }
     render::write_file_atomically(folder_ / kManifest, json_document(both));
-    for (const std::string& name : before) { fs::remove_all(folder_ / name); }
-    for (const std::string& name : made) {
-        fs::remove_all(folder_ / name);
-        fs::rename(draft_ / name, folder_ / name);
+    fs::create_directory(replaced_);
+    Renames renames;
+    for (const std::string& name : before) {
+        if (fs::exists(fs::symlink_status(folder_ / name))) {
+            renames.move(folder_ / name, replaced_ / name);
+        }
     }
+    for (const std::string& name : made) { renames.move(draft_ / name, folder_ / name); }
+    renames.keep();
     render::write_file_atomically(folder_ / kManifest, json_document(manifest));
+    std::error_code ignored;
+    fs::remove_all(replaced_, ignored);
 }
 
 }  // namespace jw::site

@@ -9,8 +9,9 @@
 namespace jw::site {
 
 /// A folder with a site, which appears whole or not at all: it is written beside what is there and takes its
-/// place when it is complete. Files that the site has not written stay; where one of them stands in its way,
-/// nothing is written.
+/// place when it is complete. What is killed while places are taken is put back by the next run. Folders of
+/// the site are its own; a file beside them that is none of the site's keeps it from being written. Nobody
+/// else writes a site into the folder meanwhile.
 class SiteFolder {
 public:
     /// @throws std::runtime_error if the folder cannot be made, or if it has files of somebody else and no
@@ -30,9 +31,13 @@ public:
     void finish();
 
 private:
+    void begin();
+
     std::filesystem::path folder_;
     std::filesystem::path draft_;
-    bool is_new_ = false;  ///< the folder was not there before
+    std::filesystem::path replaced_;  ///< what was there before, while places are taken
+    int lock_ = -1;                   ///< the folder, open
+    bool is_new_ = false;             ///< the folder was not there before
 };
 
 }  // namespace jw::site

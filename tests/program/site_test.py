@@ -5,11 +5,13 @@ A small course with hostile titles and names, without the program of the page, o
 """
 
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as ET
 from html.parser import HTMLParser
 from pathlib import Path
@@ -19,7 +21,6 @@ import yaml
 
 program, root = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve()
 catalogue = root / "lessons" / "catalogue"
-HTML = "{http://www.w3.org/1999/xhtml}"
 MATH = "{http://www.w3.org/1998/Math/MathML}"
 HOSTILE = """<script>alert(1)</script> & "quotes" 'too' </title> $\\\\mathbf{s}_i < 1$ ]]>"""
 
@@ -87,7 +88,9 @@ class Page(HTMLParser):
 
 
 def pages_of(site):
-    return {p.relative_to(site).as_posix(): p for p in sorted(site.rglob("*.html")) if "live" not in p.relative_to(site).parts}
+    """Pages by their paths, without the program's and those of a run that was killed."""
+    pages = {p.relative_to(site): p for p in sorted(site.rglob("*.html"))}
+    return {path.as_posix(): p for path, p in pages.items() if path.parts[0] != "live" and not path.parts[0].startswith(".")}
 
 
 def check_pages(site):
@@ -95,8 +98,7 @@ def check_pages(site):
     pages = {name: Page(path.read_text()) for name, path in pages_of(site).items()}
     formulas = live = 0
     for name, path in pages_of(site).items():
-        text = path.read_text()
-        tree = ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", text))
+        tree = tree_of(path)
         formulas += len(list(tree.iter(f"{MATH}math")))
         page = pages[name]
         assert page.inline == [], (name, page.inline)
@@ -122,12 +124,16 @@ def path_in_url(name):
     return quote(name)
 
 
+def tree_of(path):
+    return ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", path.read_text()))
+
+
 def files_in(folder):
     return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
 
 
 def text_of(path):
-    return "".join(ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", path.read_text())).itertext())
+    return "".join(tree_of(path).itertext())
 
 
 with tempfile.TemporaryDirectory() as place:
@@ -157,7 +163,7 @@ with tempfile.TemporaryDirectory() as place:
     at, seen = "lessons/parallel/which-two-of-three.html", []
     while at:
         seen.append(at)
-        tree = ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", (out / at).read_text()))
+        tree = tree_of(out / at)
         following = [a.attrib["href"] for a in tree.iter("a") if a.attrib.get("rel") == "next"]
         at = unquote(urlsplit(urljoin(f"https://site/{path_in_url(at)}", following[0])).path).lstrip("/") if following else ""
     assert len(seen) == len(names) and seen[1] == "lessons/loops/four-bar.html", seen
@@ -165,7 +171,7 @@ with tempfile.TemporaryDirectory() as place:
     # claims are those that `check` proves
     checked = json.loads(run("check", lessons / "loops/four-bar.toml", "--format", "json").stdout)
     claims = [c for c in checked["lessons"][0]["claims"] if not c["moment"].startswith("try")]
-    rows = list(ET.fromstring(re.sub(r"^<!DOCTYPE html>\s*", "", (out / "lessons/loops/four-bar.html").read_text())).iter("tr"))[1:]
+    rows = list(tree_of(out / "lessons/loops/four-bar.html").iter("tr"))[1:]
     assert [["".join(cell.itertext()) for cell in row] for row in rows] == [[c["moment"], c["subject"], c["expected"]] for c in claims]
     # exercises, and the numbers of a rank
     text = text_of(out / "lessons/loops/four-bar.html")
@@ -220,7 +226,7 @@ with tempfile.TemporaryDirectory() as place:
     (stranger / "thesis.txt").write_text("mine\n")
     refused = [
         ([*common, "--out", stranger], "is no part of a site"),
-        ([*common, "--out", lessons / "out"], "which is read"),
+        ([*common, "--out", lessons / "out"], "lie in one another"),
         ([place / "nowhere", "--page", page, "--out", out], "is no folder"),
         ([stranger, "--page", page, "--out", out], "no lessons are below"),
         ([lessons, "--page", stranger, "--out", out], "./dev web"),
@@ -229,6 +235,44 @@ with tempfile.TemporaryDirectory() as place:
     ]
     for arguments, words in refused:
         assert words in run("site", *arguments, status=2).stderr, (arguments, words)
+    # from within, by a path that begins with what is not there
+    inside = subprocess.run([program, "site", ".", "--page", page, "--out", "public"], cwd=lessons, capture_output=True, text=True)
+    assert inside.returncode == 2 and "lie in one another" in inside.stderr and not (lessons / "public").exists(), inside
+    # a list of the site that somebody has changed, or that is none
+    manifest = (out / "site.json").read_text()
+    for text, words in [
+        ('{"format": "jointwise site"}', "is no list of a site"),
+        ('{"format": 5, "version": 1, "top": []}', "is no list of a site"),
+        ("mine", "is no list of a site"),
+        ('{"format": "jointwise site", "version": 2, "top": []}', "newer Jointwise"),
+    ]:
+        (out / "site.json").write_text(text)
+        assert words in run("site", *common, "--out", out, status=2).stderr, text
+    (out / "site.json").write_text(manifest.replace('"top": [', '"top": ["", ".git", "../page", "site.json",'))
+    run("site", *common, "--out", out)
+    assert (out / ".git/HEAD").exists() and page.is_dir()
+    check_pages(out)
+    # two at once: one writes, the other says why it does not
+    both = [subprocess.Popen([program, "site", *map(str, common), "--out", str(place / "both")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(2)]
+    said = [process.communicate()[1] for process in both]
+    codes = [process.returncode for process in both]
+    assert 0 in codes and all(code == 0 or "does another run write a site" in words for code, words in zip(codes, said)), (codes, said)
+    check_pages(place / "both")
+    # killed at any moment, the next run makes it whole
+    for delay in [0.05, 0.4, 1.0, 1.6]:
+        process = subprocess.Popen([program, "site", *map(str, common), "--out", str(place / "both")], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(delay)
+        process.kill()
+        process.wait()
+        check_pages(place / "both")
+    os.rename(place / "both/lessons", place / "both/.lessons")
+    (place / "both/.replaced-site").mkdir()
+    os.rename(place / "both/.lessons", place / "both/.replaced-site/lessons")
+    run("site", *common, "--out", place / "both")
+    check_pages(place / "both")
+    assert not (place / "both/.replaced-site").exists()
+    before = files_in(out)
+
     (lessons / "loops/bad.toml").write_text('format = 1\ntitle = "t"\ncolor = 3\n')
     assert "bad.toml:3:1: error" in run("site", *common, "--out", out, status=2).stderr
     wrong = (catalogue / "loops/four-bar.toml").read_text().replace("rank = 17", "rank = 16", 1)
