@@ -93,13 +93,6 @@ test("The figure of a lesson runs when it comes into view, and is led by the pag
   }, { saving: false, width: 390, height: 320 });
 });
 
-test("The figure shows the lessons of the site, and none of another course", async () => {
-  await visitPage("live/index.html", async (v, tab) => {
-    await v.ready();
-    equal(await tab.evaluate(() => window.jointwise.program.module.FS.analyzePath("/course/catalogue/loops/four-bar.toml").exists), true, "a lesson of the course");
-  });
-});
-
 test("Pages fit windows of four sizes, light and dark, and letters stand out from what is behind them", async () => {
   for (const path of ["index.html", "slides.html", LESSON, "lessons/jacobians/table-omega.html", "lessons/hard/cannot-close.html", "lessons/dynamics/andrews.html"]) {
     await visitPage(path, async (v, tab) => {

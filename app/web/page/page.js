@@ -221,7 +221,7 @@ function showWords(course) {
     const name = path.slice(course.lessons.length + 1, -".toml".length);
     choice.add(new Option(name, name));
   }
-  choice.addEventListener("change", () => { location.hash = `${choice.value}/1`; });
+  choice.addEventListener("change", () => { location.hash = `${encodeURIComponent(choice.value)}/1`; });
   document.querySelector("main").replaceChildren(notice);
 }
 
@@ -285,7 +285,10 @@ async function begin() {
       program.keepUnsaved();
       keepFolder(module.FS, "/kept");
       // fonts are read when the program begins
-      if (lacksLetters(state.language)) { location.reload(); }
+      if (lacksLetters(state.language)) {
+        letters.asked = true;
+        toast("The letters of this language are shown once the page is read again.");
+      }
     }, 200);
   });
   const measuring = new Measuring(program, loop);

@@ -2,7 +2,9 @@
 // together; the page of before goes on with those of before until it is closed.
 const VERSION = "@VERSION@";
 const FILES = ["@FILES@"];
-const CACHE = `jointwise-${VERSION}`;
+// other courses may be on the same host
+const OURS = `jointwise-program ${registration.scope} `;
+const CACHE = OURS + VERSION;
 
 self.addEventListener("install", (event) => {
   event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(["./", ...FILES.filter((f) => f !== "service_worker.js")])));
@@ -10,7 +12,7 @@ self.addEventListener("install", (event) => {
 
 self.addEventListener("activate", (event) => {
   event.waitUntil(caches.keys().then((names) =>
-    Promise.all(names.filter((n) => n.startsWith("jointwise-") && n !== CACHE).map((n) => caches.delete(n)))));
+    Promise.all(names.filter((n) => n.startsWith(OURS) && n !== CACHE).map((n) => caches.delete(n)))));
 });
 
 self.addEventListener("fetch", (event) => {
@@ -21,7 +23,7 @@ self.addEventListener("fetch", (event) => {
     if (kept) { return kept; }
     const answer = await fetch(event.request);
     // letters that only some languages need
-    if (answer.ok) { await cache.put(event.request, answer.clone()); }
+    if (answer.ok) { await cache.put(event.request, answer.clone()).catch(() => {}); }
     return answer;
   })());
 });
