@@ -13,7 +13,7 @@ struct PixelSize {
 /// @throws CommandError if it is no size, or not between the two
 PixelSize size_option(const std::string& text, PixelSize smallest, PixelSize largest);
 
-/// The same where pictures may stand upright: then the limits are turned.
+/// Size of a picture that may stand upright: then the limits are turned.
 PixelSize size_option_either_way(const std::string& text, PixelSize smallest, PixelSize largest);
 
 }  // namespace jw

@@ -6,34 +6,26 @@
 
 #include "app/session/encoding/xml_text.hpp"
 #include "app/session/story/timeline.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::film {
 
 namespace {
 
-/// One line of words: line ends of a lesson's file are those of its editor.
-std::string in_one_line(const std::string& text) {
-    std::string line;
-    for (const char c : math::plain_words(text)) {
-        const bool is_blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
-        if (is_blank && (line.empty() || line.back() == ' ')) { continue; }
-        line += is_blank ? ' ' : c;
-    }
-    if (line.ends_with(' ')) { line.pop_back(); }
-    return line;
-}
+/// Words in Unicode alone, in one line.
+std::string line_of(const std::string& words) { return in_one_line(math::plain_words(words)); }
 
 std::string text_of(const QuestionView& question) {
-    std::string text = in_one_line(question.ask);
+    std::string text = line_of(question.ask);
     if (!question.answered) {
         for (std::size_t k = 0; k < question.choices.size(); ++k) {
-            text += "\n" + std::to_string(k + 1) + ") " + in_one_line(question.choices[k]);
+            text += "\n" + std::to_string(k + 1) + ") " + line_of(question.choices[k]);
         }
         return text;
     }
-    return text + "\n" + in_one_line(question.answer) +
-           (question.why.empty() ? "" : "\n" + in_one_line(question.why));
+    return text + "\n" + line_of(question.answer) +
+           (question.why.empty() ? "" : "\n" + line_of(question.why));
 }
 
 std::string clock_text(double seconds) {
@@ -61,14 +53,14 @@ std::string caption_of(const View& view) {
     if (view.question) { return text_of(*view.question); }
     std::string text;
     for (const std::string& line :
-         {in_one_line(view.title), view.kind == Step::Kind::motion ? "" : in_one_line(view.sentence),
-          in_one_line(view.author_text)}) {
+         {line_of(view.title), view.kind == Step::Kind::motion ? "" : line_of(view.sentence),
+          line_of(view.author_text)}) {
         if (!line.empty()) { text += (text.empty() ? "" : "\n") + line; }
     }
     return text;
 }
 
-std::string caption_title(const Story& story) { return in_one_line(story.lesson().title); }
+std::string caption_title(const Story& story) { return line_of(story.lesson().title); }
 
 std::vector<Caption> captions_of(const Story& story, const std::vector<FilmPicture>& pictures) {
     std::vector<Caption> captions;
@@ -116,7 +108,7 @@ std::string webvtt(const std::vector<Caption>& captions) {
 }
 
 std::string ffmetadata(const std::string& title, const std::vector<Chapter>& chapters) {
-    std::string text = ";FFMETADATA1\ntitle=" + escaped(in_one_line(title)) + "\n";
+    std::string text = ";FFMETADATA1\ntitle=" + escaped(line_of(title)) + "\n";
     for (const Chapter& chapter : chapters) {
         text += "\n[CHAPTER]\nTIMEBASE=1/1000\nSTART=" + std::to_string(std::llround(1000.0 * chapter.from)) +
                 "\nEND=" + std::to_string(std::llround(1000.0 * chapter.to)) +

@@ -2,7 +2,6 @@
 
 #include "app/host/lesson/address.hpp"
 #include "app/session/encoding/html_words.hpp"
-#include "app/session/view/view.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/site/index_page.hpp"
 #include "app/site/lesson_parts.hpp"

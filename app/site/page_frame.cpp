@@ -6,6 +6,7 @@
 #include "app/session/encoding/percent.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw::site {
@@ -18,16 +19,6 @@ constexpr const char* kPolicy =
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string in_one_line(const std::string& text) {
-    std::string line;
-    for (const char c : text) {
-        if (is_blank(c) && (line.empty() || line.back() == ' ')) { continue; }
-        line += is_blank(c) ? ' ' : c;
-    }
-    if (line.ends_with(' ')) { line.pop_back(); }
-    return line;
-}
 
 /// Texts between blank lines, each in one line.
 std::vector<std::string> paragraphs_of(const std::string& text) {

@@ -23,7 +23,7 @@ std::string way_to_top(std::string_view path);
 
 /// Words with formulas between dollar signs, in one line of an editor or several, as HTML of one line.
 std::string words_html(const std::string& words);
-/// The same in paragraphs: a blank line begins the next.
+/// Words likewise, in paragraphs: a blank line begins the next.
 std::string paragraphs_html(const std::string& words);
 /// Words in Unicode alone, in one line.
 std::string words_plain(const std::string& words);

@@ -11,7 +11,7 @@
 
 namespace jw::site {
 
-/// Told each picture as a PNG and its path below the top of the site.
+/// Receiver of each picture as a PNG, and of its path below the top of the site.
 using TakePicture = std::function<void(const std::string& path, const std::vector<std::uint8_t>& png)>;
 
 /// Draws the pictures that the page of a lesson and its card show.

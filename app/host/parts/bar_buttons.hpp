@@ -27,7 +27,7 @@ void row_of_buttons(const LessonUi& ui, const panels::Box& row, bool steps);
 /// Label of the button that plays: "Play", "Pause", or "Pause 7 s" with the time until the next still.
 std::string play_label(bool plays, std::optional<double> seconds_left);
 
-/// "½ ×"
+/// Speed in few letters: "½ ×".
 std::string short_speed(double speed);
 
 }  // namespace jw::host

@@ -133,7 +133,8 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     if (!objection_.empty()) { note(ui, objection_); }
 }
 
-/// What is typed, and the buttons beside it. Where a choice leaves no room for them, its numbers are pressed.
+/// Field for an answer, and the buttons beside it. Where a choice leaves no room for them, its numbers are
+/// pressed.
 void Predictions::field(const LessonUi& ui, const QuestionView& question, const Step& step) {
     const float room = room_for_field(question);
     const bool is_typed = question.choices.empty() || room >= ui.px(kLeastField);

@@ -143,7 +143,8 @@ void right_buttons(const LessonUi& ui, const Box& box, float top) {
     command_button(ui, Command::help, "?", ui.px(26.0F));
 }
 
-/// Below the upper edge of the bar; buttons for fingers are as high as there is room in it.
+/// Place of the buttons below the upper edge of the bar; those for fingers are as high as there is room in
+/// it.
 float top_of_buttons(const Ui& ui, const Box& bar) {
     const float usual = ImGui::GetCursorPosY() + ui.px(4.0F);
     return std::round(std::min(usual, 0.5F * (bar.height - ImGui::GetFrameHeight())));

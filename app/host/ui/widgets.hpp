@@ -23,7 +23,7 @@ public:
 /// @param for_fingers  what can be pressed is higher, and further apart
 void set_style(ImGuiStyle& style, float scale, bool dark, bool for_fingers);
 
-/// Whether that is the present style.
+/// True if the present style is for fingers.
 bool is_for_fingers();
 
 /// A button for a command, with its keys as a tip. `label` may be short; the table's words are in the tip.
@@ -35,7 +35,7 @@ bool small_button(const char* label);
 
 /// Words about the item before while the pointer is on it, wrapped where the window is narrow.
 void tip_of_item(const std::string& text);
-/// The same for an item that carries out a command: what it does, and its keys.
+/// Words about an item that carries out a command: what it does, and its keys.
 void tip_of_command(Command command);
 
 /// A button that stays down while `on`.
@@ -52,7 +52,7 @@ void width_beside_label(const Ui& ui, const char* label, float most);
 
 /// Rest of a column that scrolls, below the cursor, at least so high.
 panels::Box rest_of_column(const Ui& ui, const panels::Box& column, float least);
-/// What was drawn there is part of what scrolls.
+/// Makes what was drawn at `place` part of what scrolls.
 void end_column_at(const panels::Box& place);
 
 /// Puts the next radio button or tick beside the last one, at a multiple of `step` from the left, where its

@@ -185,7 +185,8 @@ float total_of(const std::vector<float>& heights, float gap) {
     return total;
 }
 
-/// Where nothing more can be given up, the last ones have no place; the first that shows something stays.
+/// Takes the place of the last panels where nothing more can be given up; the first that shows something
+/// stays.
 void leave_out_last(std::vector<float>& heights, float gap, float room) {
     const auto shows = [](float height) { return height > 0.0F; };
     const auto first = std::ranges::find_if(heights, shows);

@@ -36,7 +36,7 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Told the results known so far, whenever there are new ones.
+/// Receiver of the results known so far, whenever there are new ones.
 using TellNews = std::function<void(const BenchJob::News&)>;
 /// Measures a lesson here and now, and tells what is known after every point; a failure is news, too.
 /// @throws Stopped if `stop` asks for it

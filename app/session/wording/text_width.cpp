@@ -53,4 +53,15 @@ std::string labelled(const std::string& label, const std::string& text, int widt
     return "  " + label + ' ' + wrapped(text, width - indent, indent) + '\n';
 }
 
+std::string in_one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        const bool is_blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+        if (is_blank && (line.empty() || line.back() == ' ')) { continue; }
+        line += is_blank ? ' ' : c;
+    }
+    if (line.ends_with(' ')) { line.pop_back(); }
+    return line;
+}
+
 }  // namespace jw

@@ -18,4 +18,7 @@ std::string wrapped(const std::string& text, int width, int indent);
 /// A line "  label text", in which what is wrapped begins under the text.
 std::string labelled(const std::string& label, const std::string& text, int width);
 
+/// Text in one line: those of a lesson's file are those of its author's editor.
+std::string in_one_line(const std::string& text);
+
 }  // namespace jw
