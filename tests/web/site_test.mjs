@@ -183,9 +183,13 @@ test("Pages that were visited are there without network, the figure too", async 
     await tab.evaluate(async () => { await navigator.serviceWorker.ready; });
     // the first visit of all is not seen by the service worker
     await tab.reload();
+    // of another course on the same host
+    const other = "jointwise-program https://example.org/other/live/ 0123456789abcdef";
+    await tab.evaluate((name) => caches.open(name), other);
     await tab.evaluate(() => document.querySelector("figure.live .screen a").click());
     const program = await programIn(tab);
     await program.frame.evaluate(async () => { await navigator.serviceWorker.ready; });
+    equal(await tab.evaluate((name) => caches.has(name), other), true, "the files of another course");
     await tab.setOfflineMode(true);
     await tab.reload();
     check((await tab.title()).startsWith("A four-bar"), await tab.title());
