@@ -225,6 +225,49 @@ function showWords(course) {
   document.querySelector("main").replaceChildren(notice);
 }
 
+/** What a person has chosen, where it is not what is usual here; kept for the next visit. */
+class Settings {
+  constructor(course) {
+    // in a page of a course the figure has less room than a window: its letters are a little larger there
+    const framed = window.parent !== window && canvas.clientWidth > canvas.clientHeight;
+    this.usual = {
+      dark: matchMedia("(prefers-color-scheme: dark)").matches,
+      text_scale: framed ? 1.25 : 1,
+      language: course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en"),
+    };
+    const kept = { ...this.usual, ...JSON.parse(localStorage.getItem("jointwise-settings") ?? "{}") };
+    [this.dark, this.textScale, this.language] = [kept.dark, kept.text_scale, kept.language];
+  }
+  keep(state) {
+    const chosen = Object.entries(this.usual).filter(([name, usual]) => state[name] !== usual).map(([name]) => [name, state[name]]);
+    localStorage.setItem("jointwise-settings", JSON.stringify(Object.fromEntries(chosen)));
+  }
+}
+
+function listenToButtons({ program, loop, address }) {
+  for (const button of document.querySelectorAll("button[data-key], button[data-text]")) {
+    button.addEventListener("click", () => {
+      if (button.dataset.key) {
+        program.key(button.dataset.key, 1);
+        program.key(button.dataset.key, 0);
+      } else { program.text(button.dataset.text.codePointAt(0)); }
+      loop.rouse();
+    });
+  }
+  $("link").addEventListener("click", async () => {
+    address.follow(program.state());
+    await copy(location.href);
+    toast("The link to what you see is in the clipboard.");
+  });
+  $("full").addEventListener("click", () => {
+    if (document.fullscreenElement) { document.exitFullscreen(); } else { document.documentElement.requestFullscreen(); }
+  });
+  $("describe").addEventListener("click", () => {
+    const unseen = $("story").classList.toggle("unseen");
+    $("describe").setAttribute("aria-expanded", String(!unseen));
+  });
+}
+
 async function begin() {
   const draws = Boolean(document.createElement("canvas").getContext("webgl2"));
   const fetched = fetchLessons();
@@ -247,22 +290,16 @@ async function begin() {
   restoreFolder(module.FS, "/kept");
   const program = programOf(module);
   const ratio = window.devicePixelRatio || 1;
-  const settings = JSON.parse(localStorage.getItem("jointwise-settings") ?? "{}");
-  const systemIsDark = matchMedia("(prefers-color-scheme: dark)").matches;
-  const dark = settings.dark ?? systemIsDark;
   canvas.width = Math.round(canvas.clientWidth * ratio);
   canvas.height = Math.round(canvas.clientHeight * ratio);
-  const usualLanguage = course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en");
-  const language = settings.language ?? usualLanguage;
-  await fetchLetters(module.FS, language);
-  // in a page of a course the figure has less room than a window: its letters are a little larger there
-  const usualText = window.parent !== window && canvas.clientWidth > canvas.clientHeight ? 1.25 : 1;
-  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.text_scale ?? usualText, dark ? 1 : 0, language, course.lessons);
+  const settings = new Settings(course);
+  await fetchLetters(module.FS, settings.language);
+  const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.textScale, settings.dark ? 1 : 0, settings.language, course.lessons);
   if (why) { return giveUp(why); }
   if (!draws) { showWords(course); }
 
   translate(program);
-  document.documentElement.lang = language;
+  document.documentElement.lang = settings.language;
 
   const story = new Story();
   const address = new Address(program, toast);
@@ -278,8 +315,7 @@ async function begin() {
       }
       story.tell(state);
       address.follow(state);
-      localStorage.setItem("jointwise-settings", JSON.stringify(
-        { dark: state.dark === systemIsDark ? undefined : state.dark, text_scale: state.text_scale === usualText ? undefined : state.text_scale, language: state.language === usualLanguage ? undefined : state.language }));
+      settings.keep(state);
       document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
       document.documentElement.classList.toggle("dark", state.dark);
       program.keepUnsaved();
@@ -299,27 +335,7 @@ async function begin() {
   }
   address.open(() => loop.rouse());
 
-  for (const button of document.querySelectorAll("button[data-key], button[data-text]")) {
-    button.addEventListener("click", () => {
-      if (button.dataset.key) {
-        program.key(button.dataset.key, 1);
-        program.key(button.dataset.key, 0);
-      } else { program.text(button.dataset.text.codePointAt(0)); }
-      loop.rouse();
-    });
-  }
-  $("link").addEventListener("click", async () => {
-    address.follow(program.state());
-    await copy(location.href);
-    toast("The link to what you see is in the clipboard.");
-  });
-  $("full").addEventListener("click", () => {
-    if (document.fullscreenElement) { document.exitFullscreen(); } else { document.documentElement.requestFullscreen(); }
-  });
-  $("describe").addEventListener("click", () => {
-    const unseen = $("story").classList.toggle("unseen");
-    $("describe").setAttribute("aria-expanded", String(!unseen));
-  });
+  listenToButtons({ program, loop, address });
   if (draws) {
     $("loading").hidden = true;
     const { Editor } = await import("./editor.js");
