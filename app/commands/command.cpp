@@ -7,6 +7,10 @@
 
 namespace jw {
 
+CommandError bad_input(const std::string& message) {
+    return CommandError(Exit::bad_input, "jointwise: error: " + message);
+}
+
 CommandError bad_option(const std::string& command, const std::string& message) {
     return CommandError(
         Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise " + command + " --help");

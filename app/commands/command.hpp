@@ -43,6 +43,8 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
+/// Error in what a command was given.
+CommandError bad_input(const std::string& message);
 /// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
 

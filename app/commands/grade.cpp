@@ -35,10 +35,6 @@ struct GradeOptions {
     bool again = false;
 };
 
-CommandError bad_grading(const std::string& message) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + message);
-}
-
 /// Answers may be anything, even a link or a pipe: they are there.
 bool is_submission(const fs::path& folder) {
     std::error_code error;
@@ -74,7 +70,7 @@ std::vector<fs::path> folders_in(const fs::path& folder, const Streams& streams)
             warn_of_archive(entry->path(), streams);
         }
     }
-    if (error) { throw bad_grading("cannot read the folder '" + folder.string() + "': " + error.message()); }
+    if (error) { throw bad_input("cannot read the folder '" + folder.string() + "': " + error.message()); }
     std::ranges::sort(inside);
     if (inside.empty()) { inside.push_back(folder); }
     return inside;
@@ -95,7 +91,7 @@ std::vector<fs::path> submissions_of(const std::vector<std::string>& names, cons
     std::set<fs::path> known;
     for (const fs::path& folder : found) {
         if (!known.insert(folder.filename()).second) {
-            throw bad_grading(
+            throw bad_input(
                 "two submissions are called '" + folder.filename().string() +
                 "'; expected different folders");
         }
@@ -113,7 +109,7 @@ public:
         if (folder_.empty()) { return; }
         fs::create_directories(folder_, error);
         if (error) {
-            throw bad_grading("cannot make the folder '" + folder_.string() + "': " + error.message());
+            throw bad_input("cannot make the folder '" + folder_.string() + "': " + error.message());
         }
     }
 
@@ -267,16 +263,16 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
         for (const fs::path& file : key.exercises) { files.push_back(file.string()); }
     }
     if (files.empty()) {
-        throw bad_grading("which exercises? Expected --exercises FILE, or exercises = [...] in the key");
+        throw bad_input("which exercises? Expected --exercises FILE, or exercises = [...] in the key");
     }
     const ExerciseSet set = exercises_of(files);
     const std::vector<fs::path> submissions = submissions_of(options.folders, streams);
     if (options.format == "gradescope" && submissions.size() != 1) {
-        throw bad_grading(
+        throw bad_input(
             "--format gradescope is for one submission; there are " + std::to_string(submissions.size()));
     }
     const ReadyCourse course = ready_course(key.secret, set.exercises);
-    if (!course.problem.empty()) { throw bad_grading("no variants can be drawn:\n" + course.problem); }
+    if (!course.problem.empty()) { throw bad_input("no variants can be drawn:\n" + course.problem); }
     const std::vector<Grade> grades = grade_all(course, submissions, options, streams);
     warn_of_twins(grades, streams);
     write_grades(grades, options.format, streams);

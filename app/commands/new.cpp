@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kTitleOfTemplate = "\"A new lesson\"";
 
-CommandError cannot_be_new(const std::string& what) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + what);
-}
-
 /// "slider-crank_2" -> "Slider crank 2"
 std::string title_of(const fs::path& file) {
     std::string title = file.stem().string();
@@ -39,11 +35,11 @@ fs::path file_of(const std::string& name) {
     const fs::path file = name.ends_with(".toml") ? name : name + ".toml";
     const bool nameless = name.empty() || name.ends_with('/') || file.stem() == ".toml";
     if (nameless || file.filename() == kCourseFile) {
-        throw cannot_be_new(in_quotes(name) + " cannot be the name of a lesson; expected one as 'my-lesson'");
+        throw bad_input(in_quotes(name) + " cannot be the name of a lesson; expected one as 'my-lesson'");
     }
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) {
-        throw cannot_be_new(
+        throw bad_input(
             in_quotes(file.string()) + " is there already, and stays as it is; expected another name");
     }
     return file;
@@ -56,12 +52,12 @@ Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
     text.replace(text.find(kTitleOfTemplate), kTitleOfTemplate.size(), writing::string_text(title_of(file)));
     // a name that no text file can hold is the only thing that can be wrong
     if (const ReadResult read = read_lesson(text, file.string()); !read.lesson) {
-        throw cannot_be_new(
+        throw bad_input(
             in_quotes(name) + " cannot be a title: " + read.diagnostics.front().message +
             "; expected a name of letters in UTF-8");
     }
     std::string error;
-    if (!write_lesson_file(file, text, error)) { throw cannot_be_new(error); }
+    if (!write_lesson_file(file, text, error)) { throw bad_input(error); }
     streams.err << file.string() << " is written; 'jointwise open " << file.string()
                 << "' shows it, 'jointwise check " << file.string() << "' proves its claims\n";
     return Exit::done;

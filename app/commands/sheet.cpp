@@ -28,17 +28,13 @@ struct SheetOptions {
     bool without_figures = false;
 };
 
-CommandError bad_sheet(const std::string& message) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + message);
-}
-
 std::vector<std::string> students_of(const SheetOptions& options) {
     const int ways =
         (options.student.empty() ? 0 : 1) + (options.roster.empty() ? 0 : 1) + (options.variants > 0 ? 1 : 0);
-    if (ways != 1) { throw bad_sheet("expected one of --student ID, --class FILE and --variants N"); }
+    if (ways != 1) { throw bad_input("expected one of --student ID, --class FILE and --variants N"); }
     if (!options.student.empty()) {
         const std::string fault = fault_of_student(options.student);
-        if (!fault.empty()) { throw bad_sheet(fault); }
+        if (!fault.empty()) { throw bad_input(fault); }
         return {options.student};
     }
     std::vector<std::string> students;
@@ -54,7 +50,7 @@ void write_text(const fs::path& path, const std::string& text) { render::write_f
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) { throw bad_sheet("cannot make the folder '" + folder.string() + "': " + error.message()); }
+    if (error) { throw bad_input("cannot make the folder '" + folder.string() + "': " + error.message()); }
 }
 
 /// For each exercise that asks for a program: one in every language, and its input.
@@ -112,7 +108,7 @@ Exit make_sheets(const SheetOptions& options, const Streams& streams) {
     const ExerciseSet set = exercises_of(options.files);
     const CourseKey key = key_of(options.key);
     const ReadyCourse course = ready_course(key.secret, set.exercises);
-    if (!course.problem.empty()) { throw bad_sheet("no variants can be drawn:\n" + course.problem); }
+    if (!course.problem.empty()) { throw bad_input("no variants can be drawn:\n" + course.problem); }
     std::unique_ptr<ExerciseFigures> figures;
     FigureOf figure;
     if (!options.without_figures) {

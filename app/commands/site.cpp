@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/outputs.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/site/live_page.hpp"
 #include "app/site/page_frame.hpp"
@@ -33,16 +32,12 @@ struct SiteSetup {
     std::string page;
 };
 
-CommandError bad_site(const std::string& message) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + message);
-}
-
 bool is_url(const std::string& text) { return text.starts_with("https://") || text.starts_with("http://"); }
 
 void check_folder(const std::string& what, const fs::path& folder) {
     std::error_code error;
     if (fs::is_directory(folder, error)) { return; }
-    throw bad_site(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
+    throw bad_input(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
 }
 
 /// True if a path, which need not be there, is a folder or below it, whatever links lead there.
@@ -57,20 +52,20 @@ void check_setup(const SiteSetup& setup) {
     check_folder("", setup.folder);
     if (!setup.exercises.empty()) { check_folder("--exercises ", setup.exercises); }
     if (lessons_below(setup.folder).empty()) {
-        throw bad_site(
+        throw bad_input(
             "no lessons are below " + in_quotes(setup.folder) + "; expected files of lessons, *.toml");
     }
     const std::string problem = site::problem_of_page(setup.page);
-    if (!problem.empty()) { throw bad_site("--page: " + problem); }
+    if (!problem.empty()) { throw bad_input("--page: " + problem); }
     std::error_code error;
     if (!setup.slides.empty() && !is_url(setup.slides) && !fs::is_regular_file(setup.slides, error)) {
-        throw bad_site(
+        throw bad_input(
             "--slides: there is no file " + in_quotes(setup.slides) + "; expected a PDF file or a URL");
     }
     for (const std::string& read : {setup.folder, setup.exercises, setup.page}) {
         if (read.empty()) { continue; }
         if (lies_in(setup.out, read) || lies_in(read, setup.out)) {
-            throw bad_site(
+            throw bad_input(
                 "--out: " + in_quotes(setup.out) + " and " + in_quotes(read) +
                 ", which is read, lie in one another; expected a folder elsewhere");
         }
