@@ -6,6 +6,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/site/lesson_page.hpp"
+#include "lessons/exercise/exercise_index.hpp"
 
 namespace jw::site {
 
@@ -24,7 +25,7 @@ std::string rank_html(const RankView& rank) {
            item(tr("columns"), std::to_string(rank.columns)) +
            item(tr("rank"), before + std::to_string(rank.rank)) +
            item(tr("freedoms"), std::to_string(rank.dof)) +
-           item(tr("redundant"), std::to_string(rank.rows - rank.rank)) + "</dl>\n";
+           item(tr("redundant"), std::to_string(rank.redundant())) + "</dl>\n";
 }
 
 std::string combinations_html(const RankView& rank) {
@@ -182,7 +183,7 @@ std::string lessons_folder_of(const SiteCourse& course) {
     const std::filesystem::path whole = std::filesystem::absolute(course.folder).lexically_normal();
     const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().generic_string();
     // beside it lie the exercises
-    return name.empty() || name == "exercises" ? "lessons" : name;
+    return name.empty() || name == kExercisesFolder ? "lessons" : name;
 }
 
 }  // namespace jw::site

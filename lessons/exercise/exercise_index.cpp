@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kExercisesFolder = "exercises";
 constexpr std::size_t kLargestIndexed = 2U << 20U;
 
 void append(std::vector<IndexedExercise>& all, const fs::path& file) {

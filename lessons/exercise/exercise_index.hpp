@@ -7,6 +7,9 @@
 /// Which exercises belong to which lessons, without reading the exercises themselves.
 namespace jw {
 
+/// Name of the folder of files of exercises, beside that of the lessons.
+inline constexpr const char* kExercisesFolder = "exercises";
+
 /// Where an exercise is found.
 struct IndexedExercise {
     std::filesystem::path file;

@@ -173,7 +173,19 @@ with tempfile.TemporaryDirectory() as place:
     claims = [c for c in checked["lessons"][0]["claims"] if not c["moment"].startswith("try")]
     rows = list(tree_of(out / "lessons/loops/four-bar.html").iter("tr"))[1:]
     assert [["".join(cell.itertext()) for cell in row] for row in rows] == [[c["moment"], c["subject"], c["expected"]] for c in claims]
-    # exercises, and the numbers of a rank
+    # the numbers of each station are those of the step that its link shows
+    steps = json.loads(run("step", lessons / "loops/four-bar.toml", "--format", "json").stdout)["steps"]
+    compared = 0
+    for station in tree_of(out / "lessons/loops/four-bar.html").iter("section"):
+        told = [item.text for item in station.findall("dl[@class='numbers']/div/dd")]
+        if not told:
+            continue
+        rank = steps[int(station.attrib["id"].removeprefix("step-")) - 1]["rank"]
+        grown = f'{rank["rank_before"]} → {rank["rank"]}' if rank["rank_before"] != rank["rank"] else str(rank["rank"])
+        assert told == [str(rank["rows"]), str(rank["columns"]), grown, str(rank["dof"]), str(rank["redundant"])], (told, rank)
+        compared += 1
+    assert compared == 5, compared
+    # exercises, and sentences
     text = text_of(out / "lessons/loops/four-bar.html")
     exercises = re.findall(r'\[\[exercise\]\]\nname = "([^"]+)"(?:(?!\[\[exercise)[\s\S])*?lesson = "loops/four-bar"', (place / "exercises/clinic.toml").read_text())
     ids = Page((out / "lessons/loops/four-bar.html").read_text()).ids

@@ -41,7 +41,7 @@ void verdict(const LessonUi& ui) {
     if (rank.differs_once_assembled()) {
         text = tr("{0}, rank {1} once assembled", text, *rank.once_assembled);
     }
-    if (rank.rows > rank.rank) { text = tr("{0}, {1} repeated", text, rank.rows - rank.rank); }
+    if (rank.redundant() > 0) { text = tr("{0}, {1} repeated", text, rank.redundant()); }
     ImGui::PushFont(ui.canvas.fonts().bold);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());

@@ -36,7 +36,7 @@ float width_of(const Canvas& canvas, const Figure& figure) {
 std::array<Figure, 6> figures_of(const RankView& rank) {
     const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
     const bool here = rank.differs_once_assembled();
-    const int redundant = rank.rows - rank.rank;
+    const int redundant = rank.redundant();
     // a growth that assembly takes back is none
     const std::string number = grown && !here
                                    ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)

@@ -10,6 +10,6 @@ namespace jw {
 std::string markup_text(std::string_view text);
 /// Words with formulas between dollar signs as HTML with MathML.
 std::string html_words(const std::string& words);
-/// The same as Markdown with formulas in LaTeX.
+/// Words likewise, as Markdown with formulas in LaTeX.
 std::string markdown_words(const std::string& words);
 }  // namespace jw

@@ -59,15 +59,14 @@ std::string newton_text(const View& view) {
 
 std::string rank_text(const View& view, int width) {
     const RankView& rank = view.rank;
-    std::string text =
-        "  " +
-        tr("{0}, {1} (r, ω′), rank {2}, {3}, {4}, mobility by counting {5}",
-           tr_count(rank.rows, "{0} equation", "{0} equations"),
-           tr_count(rank.columns, "{0} column", "{0} columns"), rank.rank,
-           tr_count(rank.dof, "{0} freedom", "{0} freedoms"),
-           tr_count(rank.rows - rank.rank, "{0} redundant equation", "{0} redundant equations"),
-           rank.mobility_by_counting) +
-        '\n';
+    std::string text = "  " +
+                       tr("{0}, {1} (r, ω′), rank {2}, {3}, {4}, mobility by counting {5}",
+                          tr_count(rank.rows, "{0} equation", "{0} equations"),
+                          tr_count(rank.columns, "{0} column", "{0} columns"), rank.rank,
+                          tr_count(rank.dof, "{0} freedom", "{0} freedoms"),
+                          tr_count(rank.redundant(), "{0} redundant equation", "{0} redundant equations"),
+                          rank.mobility_by_counting) +
+                       '\n';
     if (!rank.singular_values.empty()) {
         std::string values;
         for (const double s : rank.singular_values) {

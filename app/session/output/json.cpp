@@ -142,7 +142,7 @@ Json json_of(const View& view, const Step& step) {
           {"rank_once_assembled", view.rank.once_assembled ? Json(*view.rank.once_assembled) : Json()},
           {"rank_before", view.rank.rank_before < 0 ? Json() : Json(view.rank.rank_before)},
           {"dof", view.rank.dof},
-          {"redundant", view.rank.rows - view.rank.rank},
+          {"redundant", view.rank.redundant()},
           {"mobility_by_counting", view.rank.mobility_by_counting},
           {"singular_values", view.rank.has_spectrum ? Json(view.rank.singular_values) : Json()},
           {"threshold", number(view.rank.threshold)},

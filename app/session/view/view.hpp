@@ -56,6 +56,7 @@ struct RankView {
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
     std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
 
+    int redundant() const { return rows - rank; }
     /// True if the rank of the pose is not the one that the equations have once they hold.
     bool differs_once_assembled() const { return once_assembled && *once_assembled != rank; }
 };
