@@ -2,17 +2,11 @@
 #include <stdexcept>
 
 #include "app/commands/command_help.hpp"
+#include "app/session/wording/text_width.hpp"
 
 namespace jw {
 
 namespace {
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-        text.replace(at, what.size(), by);
-    }
-    return text;
-}
 
 std::string joined(const std::vector<std::string>& words, const std::string& between = " ") {
     std::string text;

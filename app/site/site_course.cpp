@@ -23,16 +23,12 @@ namespace {
 // a source that names more slides than a lecture has is a mistake of its author
 constexpr int kMostSlides = 1000;
 
-std::string name_below(const fs::path& file, const fs::path& folder) {
-    return file.lexically_relative(folder).replace_extension().generic_string();
-}
-
 class CourseReader {
 public:
     CourseReader(fs::path folder, const fs::path& exercises) {
         read_.course.folder = std::move(folder);
         // of a chapter alone there are none: files of exercises are about several
-        const fs::path beside = fs::absolute(read_.course.folder) / ".." / "exercises";
+        const fs::path beside = fs::absolute(read_.course.folder) / ".." / kExercisesFolder;
         std::error_code error;
         if (!exercises.empty()) {
             read_.course.exercise_files = exercise_files_in(exercises);
@@ -81,7 +77,7 @@ private:
         }
         SiteLesson lesson;
         lesson.file = entry.file;
-        lesson.name = name_below(entry.file, read_.course.folder);
+        lesson.name = host::name_below(entry.file, read_.course.folder);
         lesson.address = host::name_in_addresses(entry.file, read_.course.folder);
         lesson.lesson = shown_lesson(*read.lesson);
         lesson.searchable = searchable_of(lesson.lesson, entry.file);

@@ -41,10 +41,6 @@ CatalogueEntry entry_of(const fs::path& path) {
     return entry;
 }
 
-std::string name_below(const fs::path& file, const fs::path& folder) {
-    return file.lexically_relative(folder).replace_extension().generic_string();
-}
-
 }  // namespace
 
 std::vector<CatalogueEntry> catalogue_of(
@@ -74,6 +70,10 @@ std::vector<CatalogueEntry> catalogue_of(
         entry.exercises = exercises_of_lesson(exercises, lesson_name(entry.path));
     }
     return entries;
+}
+
+std::string name_below(const fs::path& file, const fs::path& folder) {
+    return file.lexically_relative(folder).replace_extension().generic_string();
 }
 
 std::string name_in_addresses(const fs::path& lesson, const fs::path& folder) {

@@ -30,6 +30,8 @@ std::vector<CatalogueEntry> catalogue_of(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
     const std::vector<std::filesystem::path>& unsaved = {});
 
+/// Name of a lesson below a folder: "loops/four-bar".
+std::string name_below(const std::filesystem::path& lesson, const std::filesystem::path& folder);
 /// Name of a lesson in addresses: "four-bar"; "loops/four-bar" where several of the lessons below `folder`
 /// have files of this name; "mine.toml" where it is none of them.
 std::string name_in_addresses(const std::filesystem::path& lesson, const std::filesystem::path& folder);

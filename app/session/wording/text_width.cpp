@@ -64,4 +64,11 @@ std::string in_one_line(const std::string& text) {
     return line;
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
+        text.replace(at, what.size(), by);
+    }
+    return text;
+}
+
 }  // namespace jw

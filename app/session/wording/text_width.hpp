@@ -21,4 +21,7 @@ std::string labelled(const std::string& label, const std::string& text, int widt
 /// Text in one line: those of a lesson's file are those of its author's editor.
 std::string in_one_line(const std::string& text);
 
+/// Text in which `by` stands wherever `what`, which is not empty, stood.
+std::string replaced(std::string text, const std::string& what, const std::string& by);
+
 }  // namespace jw
