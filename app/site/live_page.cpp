@@ -1,19 +1,22 @@
 #include "app/site/live_page.hpp"
 
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "app/host/frames/frame_draft.hpp"
+#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "app/site/lesson_parts.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/course.hpp"
 #include "lessons/diagnostics.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
+#include "lessons/file_text.hpp"
 
 namespace jw::site {
 
@@ -26,9 +29,9 @@ constexpr const char* kWorkerFile = "service_worker.js";
 constexpr const char* kIndexFile = "index.html";
 // where the page keeps a course
 const fs::path kCourse = "/course";
-constexpr const char* kExercises = "exercises";
 constexpr std::string_view kVersionBefore = "const VERSION = \"";
 constexpr std::size_t kVersionDigits = 16;
+constexpr std::size_t kMostBytes = 1U << 30U;  // slides are the largest
 
 void write(const fs::path& file, const std::string& text) {
     std::ofstream out(file, std::ios::binary);
@@ -72,17 +75,9 @@ std::vector<CourseFile> files_of(const SiteCourse& course) {
     add_orders(course.folder, lessons, files);
     if (!course.exercise_files.empty()) {
         // with the scenes that they name
-        add_folder(course.exercise_files.front().parent_path(), kExercises, files);
+        add_folder(course.exercise_files.front().parent_path(), kExercisesFolder, files);
     }
     return files;
-}
-
-std::string replaced(std::string text, const std::string& before, const std::string& after) {
-    for (std::size_t at = text.find(before); at != std::string::npos;
-         at = text.find(before, at + after.size())) {
-        text.replace(at, before.size(), after);
-    }
-    return text;
 }
 
 /// Version of a page; empty if it has none.
@@ -95,10 +90,9 @@ std::string version_in(const std::string& worker) {
 }  // namespace
 
 std::string file_text(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in) { host::refuse(file, "cannot be read"); }
-    return text;
+    FileText read = read_file_text(file, kMostBytes);
+    if (!read.problem.empty()) { host::refuse(file, "cannot be read: " + read.problem); }
+    return std::move(read.text);
 }
 
 std::string problem_of_page(const fs::path& folder) {
@@ -151,7 +145,7 @@ void write_course_files(const SiteCourse& course, const fs::path& into) {
         fs::create_directories((into / file.place).parent_path());
         copy_readable(file.file, into / file.place);
     }
-    for (const fs::path& file : exercise_files_in(into / kExercises)) {
+    for (const fs::path& file : exercise_files_in(into / kExercisesFolder)) {
         const ExercisesRead read = read_exercise_file(file);
         if (read.exercises.empty() && !read.diagnostics.empty()) {
             throw std::runtime_error(

@@ -1,17 +1,13 @@
 #include "app/site/site_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <utility>
 
 #include "app/host/frames/frame_draft.hpp"
+#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
+#include "lessons/file_text.hpp"
 #include "render/atomic_file.hpp"
 
 namespace jw::site {
@@ -25,6 +21,7 @@ constexpr const char* kDraft = ".unfinished-site";
 constexpr const char* kReplaced = ".replaced-site";
 constexpr const char* kFormat = "jointwise site";
 constexpr int kVersion = 1;
+constexpr std::size_t kMostBytes = 1U << 20U;  // of the manifest
 
 /// True for names that stay whatever is written: those of version control.
 bool is_hidden(const std::string& name) { return name.starts_with('.'); }
@@ -43,8 +40,7 @@ std::set<std::string> top_of_site_in(const fs::path& folder) {
     if (!fs::is_regular_file(file, error)) {
         host::refuse(file, "is no file of a site; expected another folder");
     }
-    std::ifstream in(file, std::ios::binary);
-    const Json manifest = Json::parse(std::string{std::istreambuf_iterator<char>(in), {}}, nullptr, false);
+    const Json manifest = Json::parse(read_file_text(file, kMostBytes).text, nullptr, false);
     const bool is_ours = manifest.is_object() && manifest.contains("format") &&
                          manifest["format"] == kFormat && manifest.contains("version") &&
                          manifest["version"].is_number_integer() && manifest.contains("top") &&
@@ -89,20 +85,10 @@ SiteFolder::SiteFolder(fs::path folder)
     std::error_code error;
     is_new_ = fs::create_directories(folder_, error);
     if (error) { host::refuse(folder_, "cannot be made: " + error.message()); }
-    lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-        if (lock_ >= 0) { ::close(lock_); }
-        host::refuse(folder_, "is no folder that can be written now; does another run write a site into it?");
-    }
-    try {
-        begin();
-    } catch (...) {
-        ::close(lock_);
-        throw;
-    }
-}
-
-void SiteFolder::begin() {
+    lock_.take(
+        folder_, host::FolderLock::Kind::alone,
+        "is not free; does another run write a site into it? Wait until it has ended, or give another "
+        "folder");
     const std::set<std::string> ours = top_of_site_in(folder_);
     for (const std::string& name : host::names_in(folder_)) {
         if (is_hidden(name) || name == kManifest || ours.contains(name)) { continue; }
@@ -114,7 +100,6 @@ void SiteFolder::begin() {
         fs::remove_all(folder_ / name);
         fs::rename(replaced_ / name, folder_ / name);
     }
-    std::error_code error;
     fs::remove_all(replaced_, error);
     fs::remove_all(draft_, error);
     fs::create_directory(draft_, error);
@@ -126,7 +111,6 @@ SiteFolder::~SiteFolder() {
     fs::remove_all(draft_, ignored);
     // made for a site that failed: it is empty
     if (is_new_) { fs::remove(folder_, ignored); }
-    ::close(lock_);
 }
 
 void SiteFolder::write(const std::string& path, std::string_view text) const {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/host/frames/folder_lock.hpp"
+
 namespace jw::site {
 
 /// A folder with a site, which appears whole or not at all: it is written beside what is there and takes its
@@ -31,13 +33,11 @@ public:
     void finish();
 
 private:
-    void begin();
-
     std::filesystem::path folder_;
     std::filesystem::path draft_;
     std::filesystem::path replaced_;  ///< what was there before, while places are taken
-    int lock_ = -1;                   ///< the folder, open
-    bool is_new_ = false;             ///< the folder was not there before
+    host::FolderLock lock_;
+    bool is_new_ = false;  ///< the folder was not there before
 };
 
 }  // namespace jw::site

@@ -73,9 +73,9 @@ constexpr std::array<std::string_view, 11> kFilm{
     "app/film/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/",
     "Eigen/",    "fcntl.h",          "spawn.h",      "sys/",  "unistd.h"};
 // pages around the lessons: pictures are frames, places are addresses
-constexpr std::array<std::string_view, 11> kSite{
-    "app/site/", "app/host/frames/", "app/host/lesson/", "app/session/", "core/",   "lessons/",
-    "render/",   "Eigen/",           "fcntl.h",          "sys/file.h",   "unistd.h"};
+constexpr std::array<std::string_view, 8> kSite{
+    "app/site/", "app/host/frames/", "app/host/lesson/", "app/session/",
+    "core/",     "lessons/",         "render/",          "Eigen/"};
 // the page: the interface, and the browser around it
 constexpr std::array<std::string_view, 7> kWeb{"app/web/", "app/host/", "app/session/", "lessons/",
                                                "render/",  "imgui.h",   "emscripten/"};

@@ -1,21 +1,16 @@
 #include "app/host/frames/frame_draft.hpp"
 
-#include <fcntl.h>
 #include <sha256.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
+#include "app/host/frames/refuse.hpp"
 #include "render/atomic_file.hpp"
 #include "render/png_chunks.hpp"
 
@@ -26,9 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRun = "run.json";
-// two seconds: on a busy machine a killed process needs part of one
-constexpr int kLockTries = 100;
-constexpr std::chrono::milliseconds kLockPause{20};
 
 std::vector<std::uint8_t> bytes_of(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -69,10 +61,6 @@ bool is_ours(const std::string& name) {
 
 }  // namespace
 
-void refuse(const fs::path& path, const std::string& why) {
-    throw std::runtime_error("'" + path.string() + "' " + why);
-}
-
 std::string frame_name(int number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "frame_%05d.png", number);
@@ -109,27 +97,12 @@ std::string sha256_of(const fs::path& file) {
 
 FrameDraft::~FrameDraft() {
     if (is_own_) { clear(); }
-    unlock();
 }
 
-void FrameDraft::lock(bool for_all) {
-    unlock();
-    lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ < 0) { return; }
-    // processes of a run that was killed keep their lock until the system has taken them apart
-    for (int tries = 0; tries < kLockTries; ++tries) {
-        // where the file system knows no locks, nobody is kept out
-        if (::flock(lock_, (for_all ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0 || errno != EWOULDBLOCK) { return; }
-        std::this_thread::sleep_for(kLockPause);
-    }
-    unlock();
-    refuse(
-        folder_,
+void FrameDraft::lock(FolderLock::Kind kind) {
+    lock_.take(
+        folder_, kind,
         "is what another run draws into at this moment; wait until it has ended, or give another folder");
-}
-
-void FrameDraft::unlock() {
-    if (lock_ >= 0) { ::close(std::exchange(lock_, -1)); }
 }
 
 void FrameDraft::clear() {
@@ -141,7 +114,7 @@ void FrameDraft::clear() {
         }
         fs::remove(folder_, ignored);
     }
-    unlock();
+    lock_.let_go();
 }
 
 void FrameDraft::create(const Json& run) {
@@ -152,13 +125,13 @@ void FrameDraft::create(const Json& run) {
             error ? "cannot be made a folder: " + error.message()
                   : "is in the way, with files of somebody else; expected a folder for pictures alone");
     }
-    lock(true);
+    lock(FolderLock::Kind::alone);
     is_begun_ = is_own_ = true;
     render::write_file_atomically(folder_ / kRun, json_document(run));
 }
 
 void FrameDraft::begin(const Json& run) {
-    lock(true);
+    lock(FolderLock::Kind::alone);
     clear();
     create(run);
 }
@@ -179,7 +152,7 @@ void FrameDraft::go_on(const Json& run) {
         create(run);
         return;
     }
-    lock(true);
+    lock(FolderLock::Kind::alone);
     check_run(run);
     is_begun_ = true;
     // of writers that are no more
@@ -195,7 +168,7 @@ void FrameDraft::join(const Json& run, Joined as) {
     std::error_code error;
     fs::create_directory(folder_, error);
     if (!fs::is_directory(folder_)) { refuse(folder_, "cannot be made a folder: " + error.message()); }
-    if (as == Joined::shard) { lock(false); }
+    if (as == Joined::shard) { lock(FolderLock::Kind::shared); }
     is_begun_ = true;
     if (!fs::exists(folder_ / kRun)) {
         // the first of several that begin at the same time tells what all of them must depend on

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/host/frames/folder_lock.hpp"
 #include "app/session/output/json.hpp"
 
 namespace jw::host {
@@ -54,19 +55,15 @@ public:
 private:
     /// Keeps others out of the folder until it is cleared or this ends.
     /// @throws std::runtime_error if somebody draws into it
-    void lock(bool for_all);
-    void unlock();
+    void lock(FolderLock::Kind kind);
     void check_run(const Json& run) const;
     void create(const Json& run);
 
     std::filesystem::path folder_;
     bool is_begun_ = false;
     bool is_own_ = false;
-    int lock_ = -1;  ///< the folder, open; -1: not locked
+    FolderLock lock_;
 };
-
-/// @throws std::runtime_error "'PATH' WHY"
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why);
 
 /// Names in a folder, sorted; none if it cannot be read.
 std::vector<std::string> names_in(const std::filesystem::path& folder);

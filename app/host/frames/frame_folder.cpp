@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
 #include "render/atomic_file.hpp"
 
