@@ -15,15 +15,19 @@ namespace jw {
 
 struct BenchJob::Running {
     int number = 0;
-    News news;
-    std::uint64_t version = 0;
 };
 
 namespace {
 
-/// Results and versions of the jobs, by their numbers: of the one that measures, at most.
-std::map<int, std::pair<BenchJob::News*, std::uint64_t*>>& measuring() {
-    static std::map<int, std::pair<BenchJob::News*, std::uint64_t*>> all;
+/// Results of a job, as far as they have come.
+struct Measured {
+    BenchJob::News news;
+    std::uint64_t version = 0;
+};
+
+/// Results of the jobs that somebody waits for, by their numbers.
+std::map<int, Measured>& results() {
+    static std::map<int, Measured> all;
     return all;
 }
 
@@ -79,17 +83,17 @@ BenchJob::BenchJob(Lesson lesson, std::optional<Reference>, BenchPlan plan)
     : running_(std::make_unique<Running>()) {
     static int last = 0;
     running_->number = ++last;
-    measuring()[running_->number] = {&running_->news, &running_->version};
+    results()[running_->number] = {};
     web::begin_measuring(running_->number, lesson_text(lesson), std::string(entry_of(plan.treatment).name));
 }
 
 BenchJob::~BenchJob() {
-    measuring().erase(running_->number);
+    results().erase(running_->number);
     web::end_measuring(running_->number);
 }
 
-std::uint64_t BenchJob::version() const { return running_->version; }
-BenchJob::News BenchJob::news() const { return running_->news; }
+std::uint64_t BenchJob::version() const { return results().at(running_->number).version; }
+BenchJob::News BenchJob::news() const { return results().at(running_->number).news; }
 
 }  // namespace jw
 
@@ -97,11 +101,11 @@ extern "C" {
 
 /// Takes over what another copy of the program has measured.
 EMSCRIPTEN_KEEPALIVE void jw_measured(int number, const char* news) {
-    const auto found = jw::measuring().find(number);
-    if (found == jw::measuring().end()) { return; }
-    *found->second.first = jw::news_of_text(news);
-    ++*found->second.second;
-    if (found->second.first->done) { jw::web::end_measuring(number); }
+    const auto found = jw::results().find(number);
+    if (found == jw::results().end()) { return; }
+    found->second.news = jw::news_of_text(news);
+    ++found->second.version;
+    if (found->second.news.done) { jw::web::end_measuring(number); }
 }
 
 /// Measures a lesson here and now, and tells the page around.
