@@ -38,6 +38,13 @@ export class Visit {
     await visit.tab.setViewport({ width, height, hasTouch: touch, deviceScaleFactor: ratio });
     return visit;
   }
+  /** From the next page on the browser shows no WebGL 2. */
+  hideWebgl() {
+    return this.tab.evaluateOnNewDocument(() => {
+      const get = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+    });
+  }
   async open(hash = "") {
     await this.tab.goto(this.address + hash);
     await this.ready();

@@ -49,11 +49,8 @@ test("Scripts of events lead the page and the program to the same states", async
   const names = readdirSync(join(root, "lessons/catalogue"), { recursive: true }).filter((f) => f.endsWith(".toml") && basename(f) !== "course.toml").sort();
   const v = await Visit.begin(browser, await served("build/web/page"));
   // each begins without the settings of the one before; nothing is drawn, as in the program of the scripts
-  await v.tab.evaluateOnNewDocument(() => {
-    localStorage.clear();
-    const get = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
-  });
+  await v.tab.evaluateOnNewDocument(() => localStorage.clear());
+  await v.hideWebgl();
   let states = 0;
   const seen = new Set();
   for (const [k, file] of names.entries()) {
