@@ -1,7 +1,14 @@
 #pragma once
 
 #if __has_include(<sys/platform/x86.h>)
+// glibc writes C there: in C++, clang has no _Bool
+#if defined(__clang__)
+#define _Bool bool
+#endif
 #include <sys/platform/x86.h>
+#if defined(__clang__)
+#undef _Bool
+#endif
 #endif
 
 #include <type_traits>
