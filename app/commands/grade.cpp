@@ -278,7 +278,7 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
     write_grades(grades, options.format, streams);
     if (!options.out.empty()) {
         const fs::path out = options.out;
-        const std::vector<SlideLesson> lessons = lessons_of_slides(catalogue_folder(), {});
+        const std::vector<SlideLesson> lessons = lessons_of_slides(catalogue_folder());
         render::write_file_atomically(
             out / "class.html", class_report_html(grades, set.title, {lessons, set.exercises}));
         render::write_file_atomically(out / "grades.csv", grades_csv(grades));

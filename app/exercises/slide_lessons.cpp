@@ -1,6 +1,7 @@
 #include "app/exercises/slide_lessons.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/course.hpp"
@@ -26,14 +27,17 @@ bool has_slide(const SlideLesson& lesson, const SlideRange& wanted) {
 
 }  // namespace
 
-std::vector<SlideLesson> lessons_of_slides(const fs::path& lessons_folder, const std::stop_token& stop) {
+std::optional<SlideLesson> slide_lesson_in(const fs::path& file) {
+    const ReadResult read = read_lesson_file(file);
+    if (!read.lesson) { return {}; }
+    const Lesson lesson = shown_lesson(*read.lesson);
+    return SlideLesson{file, lesson.title, lesson.text, lesson.summary, slides_in(lesson.source)};
+}
+
+std::vector<SlideLesson> lessons_of_slides(const fs::path& lessons_folder) {
     std::vector<SlideLesson> found;
     for (const CourseLessons::Entry& entry : course_lessons(lessons_folder).lessons) {
-        if (stop.stop_requested()) { break; }
-        const ReadResult read = read_lesson_file(entry.file);
-        if (!read.lesson) { continue; }
-        const Lesson lesson = shown_lesson(*read.lesson);
-        found.push_back({entry.file, lesson.title, lesson.text, lesson.summary, slides_in(lesson.source)});
+        if (auto lesson = slide_lesson_in(entry.file)) { found.push_back(std::move(*lesson)); }
     }
     return found;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <stop_token>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +18,10 @@ struct SlideLesson {
     std::string summary;
     std::vector<SlideRange> slides;
 };
+/// A lesson's; nothing if its file has mistakes.
+std::optional<SlideLesson> slide_lesson_in(const std::filesystem::path& file);
 /// The lessons of a course in their order.
-std::vector<SlideLesson> lessons_of_slides(
-    const std::filesystem::path& lessons_folder, const std::stop_token& stop);
+std::vector<SlideLesson> lessons_of_slides(const std::filesystem::path& lessons_folder);
 
 /// The lesson to look at for "slide 5": the one about the fewest other slides, the first of those;
 /// nullptr if there is none.

@@ -21,7 +21,6 @@ constexpr int kMostDraws = 400;
 /// Answers of mistakes are so many tolerances apart.
 constexpr double kTolerancesApart = 10.0;
 constexpr std::size_t kMostChoices = 4;
-constexpr const char* kStopped = "nobody waits for this exercise any more";
 
 Message by_author(const std::string& words) { return {"{0}", {words}}; }
 
@@ -167,30 +166,52 @@ void show(Task& task) {
 
 }  // namespace
 
-TaskMaker::TaskMaker(const Exercise& exercise, const std::stop_token& stop) : exercise_(&exercise) {
+TaskMaker::TaskMaker(const Exercise& exercise) : TaskMaker(exercise, Unlearned()) {
+    while (learn()) {}
+}
+
+TaskMaker TaskMaker::unlearned(const Exercise& exercise) { return {exercise, Unlearned()}; }
+
+TaskMaker::TaskMaker(const Exercise& exercise, Unlearned) : exercise_(&exercise) {
     problem_ = unknown_mistake(exercise);
     if (!exercise.formula.empty()) { plan_ = std::make_shared<const FormulaPlan>(formula_plan(exercise)); }
-    if (problem_.empty() && is_computed(exercise)) { find_groups(stop); }
+    is_learned_ = !problem_.empty() || !is_computed(exercise);
     for (const Exercise& alternative : exercise.alternatives) {
-        alternatives_.emplace_back(alternative, stop);
-        if (problem_.empty()) { problem_ = alternatives_.back().problem(); }
+        alternatives_.push_back(unlearned(alternative));
     }
 }
 
-void TaskMaker::find_groups(const std::stop_token& stop) {
-    std::vector<Asked> samples;
-    for (int k = 0; k < kMostSampleDraws && static_cast<int>(samples.size()) < kSamples; ++k) {
-        if (stop.stop_requested()) { break; }
-        const VariantDraw draw =
-            drawn_variant(*exercise_, seed_of("sample", std::to_string(k), exercise_->name), plan_);
-        problem_ = draw.problem;
-        if (!draw.variant) { continue; }
+bool TaskMaker::learn() {
+    if (!is_learned_) {
+        is_learned_ = !draw_sample();
+        if (is_learned_) { find_groups(); }
+        return true;
+    }
+    const auto more = std::ranges::find_if(alternatives_, [](TaskMaker& maker) { return maker.learn(); });
+    if (more != alternatives_.end()) { return true; }
+    for (const TaskMaker& alternative : alternatives_) {
+        if (problem_.empty()) { problem_ = alternative.problem(); }
+    }
+    return false;
+}
+
+/// @return true while more of them are needed
+bool TaskMaker::draw_sample() {
+    const VariantDraw draw =
+        drawn_variant(*exercise_, seed_of("sample", std::to_string(samples_drawn_), exercise_->name), plan_);
+    ++samples_drawn_;
+    problem_ = draw.problem;
+    if (draw.variant) {
         Asked asked = asked_in(*draw.variant);
         problem_ = asked.problem;
-        if (asked.problem.empty()) { samples.push_back(std::move(asked)); }
+        if (asked.problem.empty()) { samples_.push_back(std::move(asked)); }
     }
-    if (stop.stop_requested()) { problem_ = kStopped; }
-    if (samples.empty() || stop.stop_requested()) { return; }
+    return samples_drawn_ < kMostSampleDraws && static_cast<int>(samples_.size()) < kSamples;
+}
+
+void TaskMaker::find_groups() {
+    const std::vector<Asked> samples = std::move(samples_);
+    if (samples.empty()) { return; }
     problem_.clear();
     const std::size_t count = samples.front().mistakes.size();
     const auto always_same = [&](auto a, auto b) {
@@ -263,42 +284,47 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
     return true;
 }
 
-Task TaskMaker::make(std::uint64_t seed, const std::stop_token& stop) const {
-    Task task;
-    task.variant.exercise = exercise_;
-    task.problem = problem_;
-    if (!problem_.empty()) { return task; }
+/// The maker of the exercise or of one of its alternatives.
+const TaskMaker& TaskMaker::chosen_by(std::uint64_t seed) const {
     // numbers are drawn from the seed itself
     const int chosen = Random(seed ^ 0x2545F4914F6CDD1DULL).below(static_cast<int>(alternatives_.size()) + 1);
-    if (chosen > 0) { return alternatives_[static_cast<std::size_t>(chosen) - 1].make(seed, stop); }
-    Random random(seed);
-    std::string why;
-    for (int k = 0; k < kMostDraws; ++k) {
-        if (stop.stop_requested()) {
-            task.problem = kStopped;
-            return task;
-        }
-        VariantDraw draw = drawn_variant(*exercise_, k == 0 ? seed : random.next(), plan_);
-        if (!draw.variant) {
-            task.problem = draw.problem;
-            return task;
-        }
-        task.variant = std::move(*draw.variant);
-        task.draws = k + 1;
-        if (!is_computed(*exercise_)) {
-            show(task);
-            return task;
-        }
-        task.asked = asked_in(task.variant);
-        if (accept(task, why)) {
-            show(task);
-            return task;
-        }
-        if (exercise_->vary.empty()) { break; }
+    return chosen > 0 ? alternatives_[static_cast<std::size_t>(chosen) - 1] : *this;
+}
+
+Task TaskMaker::make(std::uint64_t seed) const {
+    TaskDraft draft(*this, seed);
+    while (draft.draw()) {}
+    return draft.task();
+}
+
+TaskDraft::TaskDraft(const TaskMaker& maker, std::uint64_t seed)
+    : maker_(maker.problem_.empty() ? &maker.chosen_by(seed) : &maker), seed_(seed), random_(seed) {
+    task_.variant.exercise = maker_->exercise_;
+    task_.problem = maker_->problem_;
+    task_.draws = 0;
+}
+
+bool TaskDraft::draw() {
+    const Exercise& exercise = *maker_->exercise_;
+    if (!task_.problem.empty()) { return false; }
+    VariantDraw draw = drawn_variant(exercise, std::exchange(seed_, random_.next()), maker_->plan_);
+    if (!draw.variant) {
+        task_.problem = draw.problem;
+        return false;
     }
-    task.problem =
-        "no variant can be accepted after " + std::to_string(task.draws) + " draws; of the last one: " + why;
-    return task;
+    task_.variant = std::move(*draw.variant);
+    ++task_.draws;
+    if (is_computed(exercise)) {
+        task_.asked = asked_in(task_.variant);
+        if (!maker_->accept(task_, why_)) {
+            if (!exercise.vary.empty() && task_.draws < kMostDraws) { return true; }
+            task_.problem = "no variant can be accepted after " + std::to_string(task_.draws) +
+                            " draws; of the last one: " + why_;
+            return false;
+        }
+    }
+    show(task_);
+    return false;
 }
 
 }  // namespace jw

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <stop_token>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/exercises/asked.hpp"
+#include "app/exercises/random.hpp"
 
 /// Exercises as students get them.
 namespace jw {
@@ -25,26 +27,55 @@ struct Task {
 /// Makes the tasks of one exercise. `exercise` must outlive it and its tasks.
 class TaskMaker {
 public:
-    /// @param stop  who no longer wants tasks asks for this: the maker then has a problem
-    explicit TaskMaker(const Exercise& exercise, const std::stop_token& stop = {});
+    explicit TaskMaker(const Exercise& exercise);
+    /// One that does not tell its mistakes apart until `learn` has nothing more to do.
+    static TaskMaker unlearned(const Exercise& exercise);
+    /// Draws one of the variants by which mistakes are told apart. @return true while there is more to do
+    bool learn();
 
-    /// Task of a seed, always the same: of the exercise or of one of its alternatives. It has a problem where
-    /// it was stopped.
-    Task make(std::uint64_t seed, const std::stop_token& stop = {}) const;
+    /// Task of a seed, always the same: of the exercise or of one of its alternatives.
+    Task make(std::uint64_t seed) const;
     /// Why no task can be made; empty otherwise.
     const std::string& problem() const { return problem_; }
 
 private:
-    void find_groups(const std::stop_token& stop);
+    friend class TaskDraft;
+    struct Unlearned {};
+    TaskMaker(const Exercise& exercise, Unlearned);
+
+    bool draw_sample();
+    void find_groups();
     bool accept(Task& task, std::string& why) const;
+    const TaskMaker& chosen_by(std::uint64_t seed) const;
 
     const Exercise* exercise_;
     std::shared_ptr<const FormulaPlan> plan_;
+    std::vector<Asked> samples_;
+    int samples_drawn_ = 0;
+    bool is_learned_ = false;
     /// For each mistake the first one that always gives the same answer; −1: it is none here, since its
     /// answer is the right one, or has another shape.
     std::vector<int> leader_;
     std::string problem_;
     std::vector<TaskMaker> alternatives_;
+};
+
+/// A task in the making: variants are drawn until one is good.
+class TaskDraft {
+public:
+    /// `maker` must outlive it, and have learned.
+    TaskDraft(const TaskMaker& maker, std::uint64_t seed);
+    /// Draws one variant. @return true while there is more to do
+    bool draw();
+    /// The task, or one that has a problem, once there is nothing more to do.
+    const Task& task() const { return task_; }
+
+private:
+    const TaskMaker* maker_;
+    std::uint64_t seed_;  ///< of the next variant
+    Random random_;
+    Task task_;
+    std::string why_;  ///< the last variant was no good one
 };
 
 }  // namespace jw

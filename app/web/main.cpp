@@ -18,6 +18,9 @@ namespace {
 
 using jw::host::InputEvent;
 
+// [s] for what is computed beside a picture
+constexpr double kBeside = 0.016;
+
 std::unique_ptr<jw::web::Page> page;
 /// Answer of the function called last: valid until the next one.
 std::string answer;
@@ -66,7 +69,7 @@ EMSCRIPTEN_KEEPALIVE const char* jw_begin(
 EMSCRIPTEN_KEEPALIVE double jw_frame(double seconds) {
     try {
         const double due = page->frame(seconds);
-        return jw::run_waiting_work() ? 0.0 : due;
+        return jw::run_waiting_work(kBeside) ? 0.0 : due;
     } catch (const std::exception& error) {
         jw::web::log(error.what());
         return 1.0;

@@ -1,5 +1,8 @@
 #include "app/exercises/practice/lesson_exercises.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
@@ -31,19 +34,21 @@ std::string record_key(const fs::path& file, const std::string& name) {
     return lesson_name(file) + "/" + name;
 }
 
-LessonExercises exercises_to_practise(
-    const fs::path& lesson_file, const fs::path& lessons_folder, const std::stop_token& stop) {
-    const std::string lesson = lesson_name(lesson_file);
-    std::vector<fs::path> files{lesson_file};
-    const std::vector<fs::path> beside = exercise_files_of(lessons_folder);
-    files.insert(files.end(), beside.begin(), beside.end());
-    LessonExercises found;
-    for (const fs::path& file : files) {
-        // reading a file costs more than looking which lessons it names
-        const bool has_some = !exercises_of_lesson(exercises_named_in(file), lesson).empty();
-        if (has_some && !stop.stop_requested()) { add_exercises_of(file, lesson, found); }
+LessonExercisesReader::LessonExercisesReader(const fs::path& lesson_file, const fs::path& lessons_folder)
+    : lesson_(lesson_name(lesson_file)), files_(exercise_files_of(lessons_folder)) {
+    std::ranges::reverse(files_);
+    files_.push_back(lesson_file);
+}
+
+bool LessonExercisesReader::read() {
+    if (files_.empty()) { return false; }
+    const fs::path file = std::move(files_.back());
+    files_.pop_back();
+    // reading a file costs more than looking which lessons it names
+    if (!exercises_of_lesson(exercises_named_in(file), lesson_).empty()) {
+        add_exercises_of(file, lesson_, found_);
     }
-    return found;
+    return true;
 }
 
 }  // namespace jw

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,10 +24,21 @@ struct LessonExercises {
 /// Key of an exercise's record.
 std::string record_key(const std::filesystem::path& file, const std::string& name);
 
-/// Reads the exercises of a lesson: those within it, and those of the course that name it.
-/// @param lessons_folder  of the course
-LessonExercises exercises_to_practise(
-    const std::filesystem::path& lesson_file, const std::filesystem::path& lessons_folder,
-    const std::stop_token& stop);
+/// Reads the exercises of a lesson file by file: those within it, and those of the course that name it.
+class LessonExercisesReader {
+public:
+    /// @param lessons_folder  of the course
+    LessonExercisesReader(
+        const std::filesystem::path& lesson_file, const std::filesystem::path& lessons_folder);
+
+    /// Reads the next file. @return false if there is none
+    bool read();
+    const LessonExercises& found() const { return found_; }
+
+private:
+    std::string lesson_;
+    std::vector<std::filesystem::path> files_;  ///< to be read, the last one first
+    LessonExercises found_;
+};
 
 }  // namespace jw

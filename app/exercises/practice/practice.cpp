@@ -7,6 +7,7 @@
 #include "app/exercises/random.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
+#include "lessons/course.hpp"
 
 namespace jw {
 
@@ -32,6 +33,63 @@ bool is_judged_at_once(ExerciseKind kind) {
 
 }  // namespace
 
+/// Reads the exercises of a lesson, and which lessons explain slides, file by file.
+class Practice::Reading {
+public:
+    /// @param slides_of  folder of the course; empty: its slides are known
+    Reading(
+        const std::filesystem::path& lesson, const std::filesystem::path& lessons,
+        std::filesystem::path slides_of)
+        : exercises_(lesson, lessons), slides_of_(std::move(slides_of)) {}
+
+    std::optional<Found> advance() {
+        if (exercises_.read()) { return {}; }
+        found_.with_slides = !slides_of_.empty() && !exercises_.found().exercises.empty();
+        if (found_.with_slides && !lessons_) { lessons_ = course_lessons(slides_of_).lessons; }
+        if (lessons_ && next_ < lessons_->size()) {
+            auto lesson = slide_lesson_in((*lessons_)[next_++].file);
+            if (lesson) { found_.slides.push_back(std::move(*lesson)); }
+            return {};
+        }
+        found_.exercises = exercises_.found();
+        return std::move(found_);
+    }
+
+private:
+    LessonExercisesReader exercises_;
+    std::filesystem::path slides_of_;
+    std::optional<std::vector<CourseLessons::Entry>> lessons_;
+    std::size_t next_ = 0;
+    Found found_;
+};
+
+/// Makes a task, variant by variant.
+class Practice::Making {
+public:
+    /// @param maker  made before; nullptr: none was
+    Making(
+        std::shared_ptr<const Exercise> exercise, std::shared_ptr<const TaskMaker> maker, std::uint64_t seed)
+        : exercise_(std::move(exercise)), maker_(std::move(maker)), seed_(seed) {}
+
+    std::optional<Drawn> advance() {
+        if (!maker_) {
+            if (!learning_) { learning_ = std::make_shared<TaskMaker>(TaskMaker::unlearned(*exercise_)); }
+            if (learning_->learn()) { return {}; }
+            maker_ = std::move(learning_);
+        }
+        if (!draft_) { draft_.emplace(*maker_, seed_); }
+        if (draft_->draw()) { return {}; }
+        return Drawn{maker_, draft_->task()};
+    }
+
+private:
+    std::shared_ptr<const Exercise> exercise_;  ///< lives as long as somebody works with it
+    std::shared_ptr<TaskMaker> learning_;
+    std::shared_ptr<const TaskMaker> maker_;
+    std::optional<TaskDraft> draft_;
+    std::uint64_t seed_;
+};
+
 Practice::Practice(PracticeSetup setup) : setup_(std::move(setup)), progress_(setup_.progress) {}
 
 Practice::~Practice() {
@@ -51,15 +109,10 @@ void Practice::open(const std::filesystem::path& lesson_file) {
 
 void Practice::begin_reading() {
     if (unread_.empty()) { return; }
+    const std::filesystem::path slides_of = slides_.empty() ? setup_.lessons : std::filesystem::path();
     reading_ = std::make_unique<Background<Found>>(
-        [lesson_file = std::exchange(unread_, {}), folder = setup_.lessons,
-         with_slides = slides_.empty()](const std::stop_token& stop) {
-            Found found;
-            found.exercises = exercises_to_practise(lesson_file, folder, stop);
-            found.with_slides = with_slides && !found.exercises.exercises.empty();
-            if (found.with_slides) { found.slides = lessons_of_slides(folder, stop); }
-            return found;
-        });
+        [reading = std::make_shared<Reading>(std::exchange(unread_, {}), setup_.lessons, slides_of)](
+            const std::stop_token&) { return reading->advance(); });
 }
 
 void Practice::offer(std::vector<PracticeExercise> exercises) {
@@ -189,13 +242,8 @@ void Practice::draw() { draw_with(seed_of("practice", std::to_string(record().va
 void Practice::draw_with(std::uint64_t seed) {
     forget_task();
     seed_ = seed;
-    // the exercise lives as long as somebody works with it
-    drawing_ = std::make_unique<Background<Drawn>>(
-        [exercise = held_, maker = maker_, seed](const std::stop_token& stop) mutable {
-            if (!maker) { maker = std::make_shared<const TaskMaker>(*exercise, stop); }
-            Task task = maker->make(seed, stop);
-            return Drawn{std::move(maker), std::move(task)};
-        });
+    drawing_ = std::make_unique<Background<Drawn>>([making = std::make_shared<Making>(held_, maker_, seed)](
+                                                       const std::stop_token&) { return making->advance(); });
 }
 
 void Practice::draw_anew() {

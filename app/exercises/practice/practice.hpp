@@ -110,6 +110,9 @@ private:
         Task task;
     };
 
+    class Reading;
+    class Making;
+
     void draw();
     void draw_with(std::uint64_t seed);
     void forget_task();

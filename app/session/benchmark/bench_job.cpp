@@ -15,6 +15,7 @@ struct BenchJob::Running {
                   measure_prices(
                       lesson, std::move(reference), plan, [this](const News& told) { take(told); }, stop);
               } catch (const Stopped&) {}  // nobody waits for it
+              return false;
           }) {}
 
     void take(const News& told) {

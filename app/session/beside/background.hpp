@@ -30,10 +30,12 @@ public:
 template <class Result>
 class Background : public BackgroundWork {
 public:
-    using Work = std::function<Result(const std::stop_token&)>;
+    /// Does a piece of the work, as `Worker::Piece`. @return nothing while there is more to do
+    using Piece = std::function<std::optional<Result>(const std::stop_token&)>;
 
-    explicit Background(Work work)
-        : worker_([this, work = std::move(work)](const std::stop_token& stop) { run(work, stop); }) {}
+    explicit Background(Piece piece)
+        : worker_(
+              [this, piece = std::move(piece)](const std::stop_token& stop) { return go_on(piece, stop); }) {}
 
     bool is_done() const override {
         const std::scoped_lock lock(mutex_);
@@ -43,21 +45,23 @@ public:
     void wait() override { worker_.wait(); }
 
     /// Result, once it is done.
-    /// @throws what the work threw
+    /// @throws what the work threw; std::bad_optional_access if it was stopped before
     Result take() {
         wait();
         if (failure_) { std::rethrow_exception(failure_); }
-        return std::move(*result_);
+        return std::move(result_).value();
     }
 
 private:
-    void run(const Work& work, const std::stop_token& stop) {
+    /// @return true while there is more to do
+    bool go_on(const Piece& piece, const std::stop_token& stop) {
         try {
-            Result found = work(stop);
-            result_ = std::move(found);
+            if (!stop.stop_requested()) { result_ = piece(stop); }
         } catch (...) { failure_ = std::current_exception(); }
+        if (!result_ && !failure_ && !stop.stop_requested()) { return true; }
         const std::scoped_lock lock(mutex_);
         done_ = true;
+        return false;
     }
 
     mutable std::mutex mutex_;

@@ -7,29 +7,31 @@
 /// Work beside whatever else goes on. The one place that knows threads; a page in a browser has none.
 namespace jw {
 
-/// A function that runs beside whatever else goes on: in a thread of its own, or, where there are no threads,
-/// in `run_waiting_work`. It must not throw. Destroyed, it is told to stop and waited for.
+/// Work that is done beside whatever else goes on: in a thread of its own, or, where there are no threads,
+/// piece by piece in `run_waiting_work`. Destroyed, it is told to stop and waited for.
 class Worker {
 public:
-    using Work = std::function<void(const std::stop_token&)>;
+    /// Does a piece of the work, some milliseconds long where somebody may wait for the next picture. It must
+    /// not throw. @return true while there is more to do
+    using Piece = std::function<bool(const std::stop_token&)>;
 
-    explicit Worker(Work work);
+    explicit Worker(Piece piece);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// Tells the function to stop; one that has not begun never begins.
     void request_stop();
-    /// Returns when the function has ended.
+    /// Returns when all is done.
     void wait();
 
 private:
+    friend bool run_waiting_work(double seconds);
     struct Running;
     std::unique_ptr<Running> running_;
 };
 
-/// Runs one of the functions that wait because there are no threads, to its end.
-/// @return false if none waits
-bool run_waiting_work();
+/// Does what waits because there are no threads: one piece, and more until so many seconds have passed.
+/// @return false if nothing waited
+bool run_waiting_work(double seconds);
 
 }  // namespace jw

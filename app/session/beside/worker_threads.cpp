@@ -8,9 +8,11 @@ struct Worker::Running {
     std::jthread thread;
 };
 
-Worker::Worker(Work work)
-    : running_(std::make_unique<Running>(
-          Running{std::jthread([work = std::move(work)](const std::stop_token& stop) { work(stop); })})) {}
+Worker::Worker(Piece piece)
+    : running_(
+          std::make_unique<Running>(Running{std::jthread([piece = std::move(piece)](std::stop_token stop) {
+              while (piece(stop)) {}
+          })})) {}
 
 Worker::~Worker() = default;
 
@@ -20,6 +22,6 @@ void Worker::wait() {
     if (running_->thread.joinable()) { running_->thread.join(); }
 }
 
-bool run_waiting_work() { return false; }
+bool run_waiting_work(double) { return false; }
 
 }  // namespace jw

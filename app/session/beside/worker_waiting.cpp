@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <utility>
 
@@ -7,15 +8,15 @@
 namespace jw {
 
 struct Worker::Running {
-    Work work;
+    Piece piece;  ///< nothing once all is done
     std::stop_source source;
 
-    void run();
+    void advance();
 };
 
 namespace {
 
-/// The functions that wait, the oldest first.
+/// Those with something left to do, the oldest first.
 std::deque<Worker*>& waiting() {
     static std::deque<Worker*> all;
     return all;
@@ -23,30 +24,35 @@ std::deque<Worker*>& waiting() {
 
 }  // namespace
 
-void Worker::Running::run() {
-    if (const Work ready = std::exchange(work, {})) { ready(source.get_token()); }
+void Worker::Running::advance() {
+    if (!piece(source.get_token())) { piece = {}; }
 }
 
-Worker::Worker(Work work) : running_(std::make_unique<Running>(Running{std::move(work), {}})) {
+Worker::Worker(Piece piece) : running_(std::make_unique<Running>(Running{std::move(piece), {}})) {
     waiting().push_back(this);
 }
 
 Worker::~Worker() { std::erase(waiting(), this); }
 
-void Worker::request_stop() {
-    running_->source.request_stop();
-    running_->work = {};
-}
+void Worker::request_stop() { running_->source.request_stop(); }
 
 void Worker::wait() {
+    while (running_->piece) { running_->advance(); }
     std::erase(waiting(), this);
-    running_->run();
 }
 
-bool run_waiting_work() {
-    if (waiting().empty()) { return false; }
-    waiting().front()->wait();
-    return true;
+bool run_waiting_work(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    bool is_any_done = false;
+    while (!waiting().empty() && (!is_any_done || Clock::now() < end)) {
+        Worker& first = *waiting().front();
+        first.running_->advance();
+        if (!first.running_->piece) { waiting().pop_front(); }
+        is_any_done = true;
+    }
+    return is_any_done;
 }
 
 }  // namespace jw
