@@ -125,6 +125,8 @@ EMSCRIPTEN_KEEPALIVE const char* jw_state() {
 EMSCRIPTEN_KEEPALIVE int jw_is_scene(double x, double y) {
     return page->host().layout().scene.contains(x, y) ? 1 : 0;
 }
+/// Pixel of the canvas where somebody types, "120 300"; empty if nobody does.
+EMSCRIPTEN_KEEPALIVE const char* jw_typing_place() { return answered(page->typing_place()); }
 EMSCRIPTEN_KEEPALIVE const char* jw_words() { return answered(jw::web::words_of_page()); }
 EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address()); }
 /// @return what is wrong with the address; empty if it is shown

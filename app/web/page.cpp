@@ -1,6 +1,7 @@
 #include "app/web/page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <limits>
 
@@ -52,10 +53,14 @@ void use_clipboard() {
     io.GetClipboardTextFn = [](void*) { return last.c_str(); };
 }
 
+/// Pixel of the canvas where the letter that is typed next will stand.
+std::array<int, 2> next_letter{};
+
 }  // namespace
 
 Page::Page(const PageSetup& setup) : canvas_(setup.canvas), host_(host_setup(setup)) {
     use_clipboard();
+    ImGui::GetIO().ImeSetInputScreenPosFn = [](int x, int y) { next_letter = {x, y}; };
     if (!canvas_.empty()) { restore_context(); }
 }
 
@@ -107,6 +112,11 @@ void Page::follow(const fs::path& file) {
 }
 
 std::string Page::state() const { return host::state_text(host_); }
+
+std::string Page::typing_place() const {
+    if (!ImGui::GetIO().WantTextInput) { return {}; }
+    return std::to_string(next_letter[0]) + ' ' + std::to_string(next_letter[1]);
+}
 
 std::string mistakes_of(const std::string& text, const std::string& file_name) {
     Json list = Json::array();

@@ -53,6 +53,8 @@ public:
     void follow(const std::filesystem::path& file);
     /// State of the interface (app/host/host_state.hpp).
     std::string state() const;
+    /// Pixel of the canvas where somebody types, "120 300"; empty if nobody does.
+    std::string typing_place() const;
 
 private:
     void give_downloads() const;

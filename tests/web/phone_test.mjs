@@ -4,17 +4,38 @@ import { browser, check, equal, noFaults, served, test } from "./suite.mjs";
 
 const address = await served("build/web/page");
 
+/** A finger on the screen. */
+class Finger {
+  static async on(v) {
+    const finger = new Finger();
+    finger.v = v;
+    finger.client = await v.tab.createCDPSession();
+    return finger;
+  }
+  send(type, ...points) {
+    return this.client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  }
+  async tap(x, y) {
+    await this.send("touchStart", [x, y]);
+    await this.send("touchEnd");
+    await this.v.tab.waitForFunction(() => !window.jointwise.loop.asked);
+    await this.v.rest();
+  }
+  async drag(x, from, to) {
+    await this.send("touchStart", [x, from]);
+    for (let y = from; Math.abs(y - to) >= 5; y += 5 * Math.sign(to - from)) { await this.send("touchMove", [x, y]); }
+    await this.send("touchEnd");
+    await this.v.rest();
+  }
+}
+
+const phone = { touch: true, width: 390, height: 664, ratio: 3 };
+
 test("On phones and tablets most of the screen is the lesson, held upright and turned, and everything is as large as a finger", async () => {
-  const v = await Visit.begin(browser, address, { touch: true, width: 390, height: 664, ratio: 3 });
+  const v = await Visit.begin(browser, address, phone);
   await v.open("#four-bar/12");
   await v.rest();
-  const client = await v.tab.createCDPSession();
-  const tap = async (x, y) => {
-    await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y, id: 0 }] });
-    await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-    await v.tab.waitForFunction(() => !window.jointwise.loop.asked);
-    await v.rest();
-  };
+  const finger = await Finger.on(v);
   for (const [width, height] of [[390, 664], [844, 390], [820, 1180]]) {
     await v.tab.setViewport({ width, height, hasTouch: true, deviceScaleFactor: 3 });
     await v.rest();
@@ -38,19 +59,62 @@ test("On phones and tablets most of the screen is the lesson, held upright and t
   await v.rest();
   // in the row of buttons at its foot
   const step = (await v.state()).step;
-  await tap(252, 638);
+  await finger.tap(252, 638);
   equal((await v.state()).step, step + 1, "step after a tap on >");
-  await tap(77, 638);
+  await finger.tap(77, 638);
   equal((await v.state()).step, step, "step after a tap on <");
   // a panel follows the finger
-  const column = (y) => client.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: 200, y, id: 0 }] });
   const before = await v.picture();
-  await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x: 200, y: 560, id: 0 }] });
-  for (let y = 555; y >= 460; y -= 5) { await column(y); }
-  await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-  await v.rest();
+  await finger.drag(200, 560, 460);
   check(await v.picture() !== before, "a finger does not scroll the column");
   equal((await v.state()).step, step, "step after scrolling");
+  noFaults(v);
+  await v.close();
+});
+
+test("On a phone whoever taps a text field gets the keyboard of the screen, and what it writes is in the picture", async () => {
+  const v = await Visit.begin(browser, address, phone);
+  await v.open("#");
+  await v.rest();
+  const finger = await Finger.on(v);
+  const has = () => v.tab.evaluate(() => document.activeElement.id);
+  // beside the field nothing comes up
+  await finger.tap(200, 60);
+  equal(await has(), "canvas", "what has the keyboard");
+  await finger.tap(200, 106);
+  equal(await has(), "typing", "what has the keyboard after a tap on the search");
+  const field = await v.tab.evaluate(() => document.getElementById("typing").getBoundingClientRect().toJSON());
+  check(Math.abs(field.y - 100) < 20, `the field is at ${field.y}, and the search at 106`);
+  // as keyboards that finish words do: what is composed changes until it is done
+  await v.tab.keyboard.type("no ");
+  for (let k = 0; k < 3; ++k) { await v.tab.keyboard.press("Backspace"); }
+  for (const text of ["B", "Bent", "Bennett"]) { await finger.client.send("Input.imeSetComposition", { text, selectionStart: text.length, selectionEnd: text.length }); }
+  await finger.client.send("Input.insertText", { text: "Bennett" });
+  await v.rest();
+  await v.tab.keyboard.press("Enter");
+  await v.rest();
+  check((await v.state()).title.includes("Bennett"), `the lesson found is ${(await v.state()).title}`);
+  equal(await has(), "canvas", "what has the keyboard in a lesson");
+  noFaults(v);
+  await v.close();
+});
+
+test("On a phone an exercise is answered, and judged", async () => {
+  const v = await Visit.begin(browser, address, phone);
+  await v.open("#newton-raphson?exercise=rocker-angle");
+  const tried = () => v.tab.evaluate(() => {
+    const { FS } = window.jointwise.program.module;
+    return FS.analyzePath("/kept/progress.json").exists ? FS.readFile("/kept/progress.json", { encoding: "utf8" }) : "";
+  });
+  await v.rest();
+  const finger = await Finger.on(v);
+  await finger.drag(200, 560, 100);
+  await finger.tap(200, 530);
+  equal(await tried(), "", "what was answered before");
+  await v.tab.keyboard.type("82,5");
+  await v.tab.keyboard.press("Enter");
+  await v.rest();
+  check((await tried()).includes("rocker-angle"), `what was answered is ${await tried()}`);
   noFaults(v);
   await v.close();
 });

@@ -21,10 +21,11 @@ function placeOf(canvas, event) {
 
 /** Fingers: one turns the picture or scrolls a panel, two shift and zoom, one that rests picks up. */
 class Fingers {
-  constructor(canvas, program, loop) {
+  constructor(canvas, program, loop, keyboard) {
     this.canvas = canvas;
     this.program = program;
     this.loop = loop;
+    this.keyboard = keyboard;
     this.down = new Map();
     this.held = -1;
     this.scrolls = false;
@@ -94,15 +95,17 @@ class Fingers {
   }
   end(event) {
     if (!this.down.delete(event.pointerId)) { return; }
-    if (this.rests) { this.press(0); }
+    const taps = this.rests;
+    if (taps) { this.press(0); }
     this.rests = false;
     this.release();
+    if (taps) { this.keyboard.followTap(); }
     if (this.down.size === 0) { setTimeout(() => { this.program.leave(); this.loop.rouse(); }, 50); }
   }
 }
 
-function listenToPointers(canvas, program, loop) {
-  const fingers = new Fingers(canvas, program, loop);
+function listenToPointers(canvas, program, loop, keyboard) {
+  const fingers = new Fingers(canvas, program, loop, keyboard);
   const on = (name, act) => canvas.addEventListener(name, (event) => { act(event); loop.rouse(); });
   on("pointerdown", (event) => {
     canvas.focus({ preventScroll: true });
@@ -126,6 +129,8 @@ function listenToPointers(canvas, program, loop) {
   });
   on("pointerleave", (event) => { if (event.pointerType !== "touch") { program.leave(); } });
   on("contextmenu", (event) => event.preventDefault());
+  // browsers tell a tap once more as a click of a mouse, which would take the keyboard from the field that has it
+  canvas.addEventListener("mousedown", (event) => event.preventDefault());
   canvas.addEventListener("wheel", (event) => {
     // with Ctrl the browser zooms the page
     if (event.ctrlKey) { return; }
@@ -136,11 +141,13 @@ function listenToPointers(canvas, program, loop) {
   }, { passive: false });
 }
 
-function listenToKeys(canvas, program, loop) {
-  canvas.addEventListener("keydown", (event) => {
+/** @param target  what has the keyboard @param writes  letters change its text, and come from there */
+export function listenToKeys(target, program, loop, writes = false) {
+  target.addEventListener("keydown", (event) => {
     if (BROWSERS_KEYS.has(event.key) || event.altKey || event.isComposing) { return; }
     const chord = event.ctrlKey || event.metaKey;
     const letter = [...event.key].length === 1 ? event.key : "";
+    if (writes && !chord && (letter || event.key === "Backspace")) { return; }
     if (chord && letter && !"zyosacvx".includes(letter.toLowerCase())) { return; }
     let used = false;
     // of letters the program wants what was typed; with Ctrl, which key it was
@@ -152,18 +159,18 @@ function listenToKeys(canvas, program, loop) {
     if (used && event.key !== "Control" && event.key !== "Meta" && !(chord && letter === "v")) { event.preventDefault(); }
     loop.rouse();
   });
-  canvas.addEventListener("keyup", (event) => {
+  target.addEventListener("keyup", (event) => {
     program.key([...event.key].length === 1 ? event.key.toLowerCase() : event.key, 0);
     loop.rouse();
   });
-  // keys that are held while the canvas loses the keyboard would stay down
-  canvas.addEventListener("blur", () => {
+  // keys that are held while it loses the keyboard would stay down
+  target.addEventListener("blur", () => {
     program.leave();
     loop.rouse();
   });
 }
 
-export function listen(canvas, program, loop) {
-  listenToPointers(canvas, program, loop);
+export function listen(canvas, program, loop, keyboard) {
+  listenToPointers(canvas, program, loop, keyboard);
   listenToKeys(canvas, program, loop);
 }

@@ -1,6 +1,7 @@
 // The page around the program: canvas, input, files, address. What is drawn and computed is in jointwise.wasm.
 import createJointwise from "./jointwise.js";
 import { listen } from "./input.js";
+import { ScreenKeyboard } from "./screen_keyboard.js";
 import { Address } from "./address.js";
 import { keepFolder, restoreFolder, writeFiles } from "./kept.js";
 
@@ -58,6 +59,7 @@ function programOf(module) {
     key: wrap("jw_key", "number", "string", "number"),
     text: wrap("jw_text", null, "number"),
     leave: wrap("jw_leave", null),
+    typingPlace: wrap("jw_typing_place", "string"),
     isScene: wrap("jw_is_scene", "number", "number", "number"),
     open: wrap("jw_open", "number", "string", "string", "string"),
     words: wrap("jw_words", "string"),
@@ -304,7 +306,9 @@ async function begin() {
   const story = new Story();
   const address = new Address(program, toast);
   let timer = null;
+  let keyboard = null;
   const loop = new Loop(program, () => {
+    keyboard?.followPicture();
     // what is about the step waits until it has been shown for a moment
     timer ??= setTimeout(() => {
       timer = null;
@@ -329,7 +333,8 @@ async function begin() {
   });
   const measuring = new Measuring(program, loop);
   if (draws) {
-    listen(canvas, program, loop);
+    keyboard = new ScreenKeyboard($("typing"), canvas, program, loop);
+    listen(canvas, program, loop, keyboard);
     fitCanvas(program, loop);
     surviveLostContext(program, loop);
   }
