@@ -110,7 +110,8 @@ private:
                 node.below = read_argument("after '_'", inner_alphabet(alphabet));
             } else if (take("^")) {
                 if (std::exchange(upper, true)) { fail(at, "a second superscript of the same sign"); }
-                Row above = read_argument("after '^'", inner_alphabet(alphabet));
+                const Alphabet style = begins_name() ? Alphabet::upright : inner_alphabet(alphabet);
+                Row above = read_argument("after '^'", style);
                 set_upright(above);
                 std::ranges::move(above, std::back_inserter(node.above));
             } else {
@@ -119,7 +120,15 @@ private:
         }
     }
 
-    /// A transpose and names like (p1,2) are upright, however they are typed.
+    /// True before {(, with which names like (p1,2) begin: all that is in them is upright.
+    bool begins_name() {
+        const std::size_t at = at_;
+        const bool begins = take("{") && next_token() == "(";
+        at_ = at;
+        return begins;
+    }
+
+    /// A transpose and the letters of names are upright, however they are typed.
     static void set_upright(Row& above) {
         const bool name = !above.empty() && is_sign(above.front(), "(");
         for (Node& node : above) {
