@@ -22,16 +22,21 @@ void load(Function& function, const char* name, GlLoader loader, std::string& mi
 GlFunctions load_gl_functions(GlLoader loader) {
     GlFunctions gl;
     std::string missing;
+    const auto check = [&missing] {
+        if (missing.empty()) { return; }
+        throw std::runtime_error("the graphics driver lacks parts of OpenGL 3.3: " + missing);
+    };
 #define JW_LOAD(type, name) load(gl.name, "gl" #name, loader, missing);
     JW_GL_FUNCTIONS(JW_LOAD)
-#undef JW_LOAD
-    if (!missing.empty()) {
-        throw std::runtime_error("the graphics driver lacks parts of OpenGL 3.3: " + missing);
-    }
+    check();
     const auto* const version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
     if (version != nullptr && std::string_view(version).starts_with("OpenGL ES")) {
         gl.profile = GlProfile::es_30;
+        return gl;
     }
+    JW_GL_33_FUNCTIONS(JW_LOAD)
+#undef JW_LOAD
+    check();
     return gl;
 }
 

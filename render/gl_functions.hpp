@@ -83,10 +83,13 @@ namespace jw::render {
     X(PFNGLVERTEXATTRIBDIVISORPROC,            VertexAttribDivisor)    \
     X(PFNGLVERTEXATTRIBPOINTERPROC,            VertexAttribPointer)    \
     X(PFNGLVIEWPORTPROC,                       Viewport)
+/// The same of those that OpenGL ES 3.0 does not have: null there.
+#define JW_GL_33_FUNCTIONS(X)                                          \
+    X(PFNGLTEXIMAGE2DMULTISAMPLEPROC,          TexImage2DMultisample)
 // clang-format on
 
 /// Kinds of OpenGL that the pictures are drawn with. They differ in how shaders begin (gl_objects.cpp) and in
-/// how samples are averaged (render_targets.cpp); depth can be read from the first alone.
+/// how samples are averaged (sample_mean.cpp, render_targets.cpp); depth can be read from the first alone.
 enum class GlProfile {
     core_33,  ///< OpenGL 3.3 core
     es_30,    ///< OpenGL ES 3.0, which WebGL 2 is
@@ -96,6 +99,7 @@ struct GlFunctions {
     GlProfile profile = GlProfile::core_33;
 #define JW_DECLARE(type, name) type name = nullptr;
     JW_GL_FUNCTIONS(JW_DECLARE)
+    JW_GL_33_FUNCTIONS(JW_DECLARE)
 #undef JW_DECLARE
 };
 

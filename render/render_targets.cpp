@@ -96,21 +96,36 @@ FrameSize checked_size(const GlFunctions& gl, int width, int height, bool double
     return size;
 }
 
+std::optional<SampleMean> made_mean(const GlFunctions& gl, const FrameSize& size, int samples) {
+    std::optional<SampleMean> mean;
+    if (SampleMean::is_possible(gl, samples)) {
+        mean.emplace(gl, size.width * size.pixel_ratio, size.height * size.pixel_ratio, samples);
+    }
+    return mean;
+}
+
 }  // namespace
 
 RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int samples)
     : gl_(gl),
       samples_(supported_samples(gl, samples)),
       size_(checked_size(gl, width, height, samples > 1 && samples_ == 1)),
+      mean_(made_mean(gl, size_, samples_)),
       bodies_(make_target(samples_ > 1 ? samples_ : 0, Depth::with)),
       scene_(make_target(0, Depth::without)),
       flat_(make_target(0, Depth::without)) {}
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
     take_gl_errors(gl_);  // of calls before: not the fault of this one
-    Target target{make_framebuffer(gl_), make_renderbuffer(gl_), {}};
+    Target target{make_framebuffer(gl_), {}, {}};
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-    attach(target.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples);
+    if (samples > 0 && mean_) {
+        gl_.FramebufferTexture2D(
+            GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, mean_->texture().name(), 0);
+    } else {
+        target.colour = make_renderbuffer(gl_);
+        attach(target.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples);
+    }
     if (depth == Depth::with) {
         target.depth = make_renderbuffer(gl_);
         attach(target.depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, samples);
@@ -144,6 +159,10 @@ void RenderTargets::begin_3d(const Colour& paper) {
 void RenderTargets::begin_bodies() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, bodies_.framebuffer.name()); }
 
 void RenderTargets::end_bodies(const DeviceRect& part) const {
+    if (mean_) {
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, scene_.framebuffer.name());
+        return mean_->draw(part);
+    }
     gl_.Disable(GL_SCISSOR_TEST);
     const Target* resolved = &bodies_;
     if (gl_.profile == GlProfile::es_30) {

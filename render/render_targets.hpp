@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/device_rect.hpp"
 #include "render/gl_objects.hpp"
 #include "render/image.hpp"
+#include "render/sample_mean.hpp"
 
 namespace jw::render {
 
@@ -72,6 +74,7 @@ private:
     const GlFunctions& gl_;
     int samples_;
     FrameSize size_;
+    std::optional<SampleMean> mean_;  // of the bodies; nothing: the driver averages, or there is one sample
     Target bodies_;
     Target scene_;
     Target flat_;

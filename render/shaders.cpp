@@ -251,6 +251,20 @@ void main() { pixel = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
 )";
 }
 
+std::string sample_mean_fragment() {
+    return R"(
+uniform sampler2DMS picture;
+uniform int samples;
+out vec4 pixel;
+
+void main() {
+    pixel = vec4(0.0);
+    for (int n = 0; n < samples; ++n) { pixel += texelFetch(picture, ivec2(gl_FragCoord.xy), n); }
+    pixel /= float(samples);
+}
+)";
+}
+
 std::string line_vertex() {
     return R"(
 layout(location = 0) in vec3 from;

@@ -17,6 +17,7 @@ std::string ground_shadow_fragment();  ///< with ground_vertex: shadow alone, to
 std::string backdrop_vertex();         ///< fills the viewport at the farthest depth
 std::string sky_fragment();            ///< with backdrop_vertex
 std::string copy_fragment();           ///< with backdrop_vertex: a texture, pixel by pixel
+std::string sample_mean_fragment();    ///< with backdrop_vertex: means of a multisampled one
 std::string line_vertex();
 std::string line_fragment();
 std::string body_id_fragment();  ///< with body_vertex: the id as colour
