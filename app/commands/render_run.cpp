@@ -1,5 +1,6 @@
 #include "app/commands/render_run.hpp"
 
+#include <future>
 #include <thread>
 
 #include "app/film/draw_pictures.hpp"
@@ -187,8 +188,10 @@ private:
 
     static Json drawn_with() {
         Json with = Json::object();
-        const render::Offscreen surface(1, 1, 1);
-        for (const auto& [name, version] : host::environment(surface.renderer())) { with[name] = version; }
+        // read while Mesa is loaded
+        std::future<host::Environment> fonts = std::async(std::launch::async, host::font_environment);
+        const std::string renderer = render::Offscreen(1, 1, 1).renderer();
+        for (const auto& [name, version] : host::environment(renderer, fonts.get())) { with[name] = version; }
         return with;
     }
 

@@ -25,6 +25,7 @@ Camera::Camera(const Lesson& lesson, const SnapshotSize& size, const ShotChoice&
     facts_.reserve(shots_.size());
     for (const Shot& shot : shots_) { lists.push_back(&facts_.emplace_back(facts(shot))); }
     set_tolerances(lists, natural_scale(story_));
+    painter_.wait_for_fonts();
 }
 
 std::vector<Fact> Camera::facts(const Shot& shot) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 #include "render/font_face.hpp"
 #include "render/font_file.hpp"
@@ -39,16 +40,21 @@ std::string without_register_width(std::string renderer) {
 
 }  // namespace
 
-Environment environment(const std::string& renderer) {
-    Environment found{
-        {"jointwise", JW_VERSION},
-        {kLookName, std::to_string(render::kLook)},
-        {"FreeType", render::freetype_version()},
-        {"renderer", without_register_width(renderer)}};
+Environment font_environment() {
+    Environment fonts;
     for (const render::FontFile& font : render::kFontFiles) {
         const std::filesystem::path path = render::path_of_font(font);
-        found[font.name] = path.empty() ? "missing" : hash_of(render::read_font_file(path));
+        fonts[font.name] = path.empty() ? "missing" : hash_of(render::read_font_file(path));
     }
+    return fonts;
+}
+
+Environment environment(const std::string& renderer, Environment fonts) {
+    Environment found = std::move(fonts);
+    found["jointwise"] = JW_VERSION;
+    found[kLookName] = std::to_string(render::kLook);
+    found["FreeType"] = render::freetype_version();
+    found["renderer"] = without_register_width(renderer);
     return found;
 }
 

@@ -9,10 +9,13 @@ namespace jw::host {
 /// versions.
 using Environment = std::map<std::string, std::string>;
 
-/// Environment of this process: versions of the program and of FreeType, renderer with LLVM and Mesa,
-/// and the fonts by what is in their files.
+/// Fonts by what is in their files, which takes ten milliseconds to read.
+Environment font_environment();
+
+/// Environment of this process: versions of the program and of FreeType, renderer with LLVM and Mesa, fonts.
 /// @param renderer  as OpenGL names it
-Environment environment(const std::string& renderer);
+/// @param fonts     a `font_environment`
+Environment environment(const std::string& renderer, Environment fonts = font_environment());
 
 /// Differences between two environments, in words: "renderer: llvmpipe (LLVM 14) before, llvmpipe (LLVM 15)
 /// now"; empty if nothing does.

@@ -33,7 +33,8 @@ std::u32string characters_of(const Story& story) {
     return panels::characters_of(story.lesson()) + panels::characters_of_messages();
 }
 
-/// Letters, drawn while GL is made ready on this thread: either takes a third of the time to a first picture.
+/// Letters, made ready while this thread draws the first scene: either takes a third of the time to a first
+/// picture.
 std::future<render::Fonts> fonts_for(
     int width, int height, const FrameLook& look, const std::u32string& characters) {
     return std::async(
@@ -56,14 +57,19 @@ float FrameLook::scale(int width, int height) const {
 }
 
 struct FramePainter::Surface {
+    struct Panels {
+        Panels(const render::Fonts& loaded, const render::GlFunctions& gl) : fonts(loaded), backend(gl) {}
+
+        render::Fonts fonts;
+        render::ImguiBackend backend;
+    };
+
     Surface(int width, int height, const FrameLook& look, const std::u32string& characters)
         : context(width, height),
           loading(fonts_for(width, height, look, characters)),
           offscreen(std::in_place, width, height),
           functions(&offscreen->gl()),
           scene(offscreen->gl()),
-          fonts(loading.get()),
-          panels(offscreen->gl()),
           layout(layout_for(width, height, look)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : context(width, height),
@@ -71,9 +77,14 @@ struct FramePainter::Surface {
           targets(std::in_place, gl, width, height),
           functions(&gl),
           scene(gl),
-          fonts(loading.get()),
-          panels(gl),
           layout(layout_for(width, height, {})) {}
+
+    /// Draws panels, once the letters are there. The context of ImGui must be current.
+    /// @throws std::runtime_error if a font is missing
+    Panels& panels() {
+        if (!made_panels) { made_panels.emplace(loading.get(), *functions); }
+        return *made_panels;
+    }
 
     void begin_3d(const render::Colour& paper) {
         offscreen ? offscreen->begin_3d(paper) : targets->begin_3d(paper);
@@ -89,7 +100,7 @@ struct FramePainter::Surface {
     }
 
     PanelContext context;
-    // into the context above, which nobody else uses before they are there
+    // into the context above, which nobody else uses before they are there: see `compose_camera`
     std::future<render::Fonts> loading;
     // destroyed from the last to the first: what holds GL objects goes before their context
     std::optional<render::Offscreen> offscreen;
@@ -98,8 +109,7 @@ struct FramePainter::Surface {
     render::SceneRenderer scene;
     std::optional<render::IdBuffer> ids;  // made when layers are asked for
     std::uint64_t layers_drawn = 0;
-    render::Fonts fonts;
-    render::ImguiBackend panels;
+    std::optional<Panels> made_panels;
     panels::FrameLayout layout;
     render::Camera camera;
 };
@@ -122,8 +132,18 @@ FramePainter::FramePainter(const Story& story, int width, int height, const rend
 FramePainter::~FramePainter() = default;
 
 void FramePainter::compose_camera() {
+    // ImGui has one current context for all threads: another one comes back when the letters are there
+    if (surface_->context.is_above_another()) { surface_->panels(); }
     surface_->context.leave();
     surface_->camera = camera_of(*story_, style_, surface_->layout.scene, surface_->layout.scene_safe);
+}
+
+void FramePainter::wait_for_fonts() {
+    Surface& s = *surface_;
+    s.context.enter();
+    s.make_current();
+    s.panels();
+    s.context.leave();
 }
 
 const render::Camera& FramePainter::camera() const { return surface_->camera; }
@@ -174,17 +194,18 @@ void FramePainter::draw_scene(const Picture& picture) {
 
 void FramePainter::draw_panels(const View& view, const Picture& picture, const Emphasis& lit) {
     Surface& s = *surface_;
+    Surface::Panels& ready = s.panels();
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
     const panels::Canvas canvas =
-        panels::Canvas(ImGui::GetBackgroundDrawList(), s.fonts).pointed(lit, nowhere).in(look_.tone);
+        panels::Canvas(ImGui::GetBackgroundDrawList(), ready.fonts).pointed(lit, nowhere).in(look_.tone);
     if (look_.has_panels) {
         panels::draw_frame(canvas, view, picture, s.camera, s.layout);
     } else {
         panels::draw_annotations(canvas, picture, s.camera, s.layout.scene);
     }
     ImGui::Render();
-    s.panels.draw(*ImGui::GetDrawData(), s.size());
+    ready.backend.draw(*ImGui::GetDrawData(), s.size());
 }
 
 render::Image FramePainter::paint(
@@ -227,9 +248,10 @@ std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::Ve
     file.fill({}, s.size().width, s.size().height, render::palette::kPaper);
     file.image(solid, {scene.x, scene.y}, scene.width, scene.height);
     s.context.enter();
-    VectorStrokes strokes(file, s.fonts);
+    const render::Fonts& fonts = s.panels().fonts;
+    VectorStrokes strokes(file, fonts);
     std::vector<panels::HotSpot> nowhere;
-    const panels::Canvas canvas(strokes, s.fonts);
+    const panels::Canvas canvas(strokes, fonts);
     panels::draw_frame(canvas.pointed(lit_at(view), nowhere), view, shown, s.camera, s.layout);
     s.context.leave();
     return file.finish();

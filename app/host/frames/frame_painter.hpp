@@ -34,14 +34,19 @@ using OnPaintStage = std::function<void(PaintStage)>;
 /// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
 class FramePainter {
 public:
-    /// `story` must outlive this. Width and height in pixels.
-    /// @throws std::runtime_error if OSMesa or a font is missing
+    /// `story` must outlive this. Width and height in pixels. Fonts are read in a thread, until the first
+    /// panels are drawn.
+    /// @throws std::runtime_error if OSMesa is missing; the first picture does if a font is
     FramePainter(const Story& story, int width, int height, const FrameLook& look = {});
     /// Paints in an existing context, which must be current here, in `paint` and at destruction.
     FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl);
     ~FramePainter();
     FramePainter(const FramePainter&) = delete;
     FramePainter& operator=(const FramePainter&) = delete;
+
+    /// Waits for the fonts, for those who write something before the first picture.
+    /// @throws std::runtime_error if one is missing
+    void wait_for_fonts();
 
     render::Image paint(const View& view);
 

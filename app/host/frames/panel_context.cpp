@@ -19,7 +19,10 @@ PanelContext::~PanelContext() {
     leave();
 }
 
-void PanelContext::enter() const { ImGui::SetCurrentContext(context_); }
+void PanelContext::enter() const {
+    // a thread that makes letters may read which one is current
+    if (ImGui::GetCurrentContext() != context_) { ImGui::SetCurrentContext(context_); }
+}
 
 void PanelContext::leave() const {
     if (before_ != nullptr) { ImGui::SetCurrentContext(before_); }

@@ -15,6 +15,9 @@ public:
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
+    /// True if another one was current when this was made.
+    bool is_above_another() const { return before_ != nullptr; }
+
     void enter() const;
     void leave() const;
 
