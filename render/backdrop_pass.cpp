@@ -4,6 +4,15 @@
 
 namespace jw::render {
 
+namespace {
+
+/// The viewport as far as it is in the buffers.
+DeviceRect shown_rect(const BackdropView& view) {
+    return common_part(device_rect(view.viewport, view.frame, view.part), device_rect(view.part, view.frame));
+}
+
+}  // namespace
+
 BackdropPass::BackdropPass(const GlFunctions& gl)
     : gl_(gl),
       sky_(gl, "sky", shaders::backdrop_vertex(), shaders::sky_fragment()),
@@ -23,32 +32,33 @@ BackdropPass::Layer BackdropPass::make_layer() const {
     return layer;
 }
 
-/// Whole frames, not viewports: so a pixel has the coordinates, and to the bit the colour, that it would have
-/// if it were drawn into the frame itself.
-void BackdropPass::resize(const FrameSize& frame) {
-    if (size_ == frame) { return; }
+/// As large as the buffers of the frame, not as the viewport: so a pixel has the coordinates, and to the bit
+/// the colour, that it would have if it were drawn into the frame itself.
+void BackdropPass::resize(const BackdropView& wanted) {
+    const DeviceRect size = device_rect(wanted.part, wanted.frame);
+    if (size_ == size) { return; }
     for (const Layer* layer : {&lit_, &shown_}) {
         gl_.BindTexture(GL_TEXTURE_2D, layer->texture.name());
         gl_.TexImage2D(
-            GL_TEXTURE_2D, 0, GL_RGBA8, frame.width * frame.pixel_ratio, frame.height * frame.pixel_ratio, 0,
-            GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     }
-    size_ = frame;
+    size_ = size;
 }
 
 void BackdropPass::draw(const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows) {
-    const DeviceRect whole = device_rect(wanted.viewport, wanted.frame);
+    const DeviceRect rect = device_rect(wanted.viewport, wanted.frame, wanted.part);
+    const DeviceRect whole = shown_rect(wanted);
     const bool lit_changed = view_ != wanted;
     if (lit_changed || shadows_ != shadows.version()) {
         // an error on the way leaves nothing that passes for painted
         view_.reset();
         gl_.ActiveTexture(GL_TEXTURE0);
-        gl_.Viewport(whole.x, whole.y, whole.width, whole.height);
+        gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
         gl_.Enable(GL_SCISSOR_TEST);
         gl_.Scissor(whole.x, whole.y, whole.width, whole.height);
         gl_.Disable(GL_DEPTH_TEST);
         if (lit_changed) {
-            resize(wanted.frame);
+            resize(wanted);
             paint_lit(wanted, view);
         }
         paint_shown(wanted, view, shadows, lit_changed);
@@ -71,7 +81,7 @@ void BackdropPass::paint_lit(const BackdropView& wanted, const SceneView& view) 
 
 void BackdropPass::paint_shown(
     const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed) {
-    const DeviceRect whole = device_rect(wanted.viewport, wanted.frame);
+    const DeviceRect whole = shown_rect(wanted);
     const BoundFramebuffer bound(gl_, shown_.framebuffer);
     copy_part(gl_, lit_.framebuffer, lit_changed ? whole : shaded_);
     shaded_ = {};
@@ -80,7 +90,7 @@ void BackdropPass::paint_shown(
     const std::optional<Parallelogram> part =
         shadow_on_plane(shadow, ShadowMap::kBorder, wanted.ground->point, wanted.ground->normal);
     const Rect seen = part ? seen_part(bounds_of(*part), view.camera, wanted.viewport) : wanted.viewport;
-    shaded_ = common_part(whole, device_rect(seen, wanted.frame));
+    shaded_ = common_part(whole, device_rect(seen, wanted.frame, wanted.part));
     shadows.bind();
     ground_.draw_shadow(view, *wanted.ground, shadow, part, wanted.tone);
 }

@@ -22,6 +22,7 @@ struct BackdropView {
     Matrix4d clip_from_world;
     Rect viewport;
     FrameSize frame;
+    FramePart part;  ///< that is drawn
     Tone tone = Tone::light;
     Backdrop backdrop = Backdrop::sky;
     Colour paper;
@@ -56,7 +57,7 @@ private:
     };
 
     Layer make_layer() const;
-    void resize(const FrameSize& frame);
+    void resize(const BackdropView& wanted);
     void paint_lit(const BackdropView& wanted, const SceneView& view);
     void paint_shown(
         const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed);
@@ -70,7 +71,7 @@ private:
     GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
     Layer lit_;                    // without shadows
     Layer shown_;
-    FrameSize size_;                    // of both
+    DeviceRect size_{};                 // of both
     std::optional<BackdropView> view_;  // that both show
     std::uint64_t shadows_ = 0;         // version of the shadows in `shown_`
     DeviceRect shaded_{};               // part of `shown_` that differs from `lit_`

@@ -13,6 +13,17 @@ DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
         pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
 }
 
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart& part) {
+    DeviceRect seen = device_rect(rect, frame);
+    seen.x -= part.x * frame.pixel_ratio;
+    seen.y -= (frame.height - part.y - part.height) * frame.pixel_ratio;
+    return seen;
+}
+
+DeviceRect device_rect(const FramePart& part, const FrameSize& frame) {
+    return {0, 0, part.width * frame.pixel_ratio, part.height * frame.pixel_ratio};
+}
+
 DeviceRect common_part(const DeviceRect& a, const DeviceRect& b) {
     const int left = std::max(a.x, b.x);
     const int bottom = std::max(a.y, b.y);

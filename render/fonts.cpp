@@ -20,6 +20,7 @@ namespace {
 
 /// Width for letters of a scale. The height follows, and is 16384 at the most.
 int atlas_width(float scale, AtlasSize size) {
+    if (scale > 6.0F) { return 16384; }
     if (scale > 3.0F) { return 8192; }
     return size == AtlasSize::small && scale > 1.5F ? 4096 : 2048;
 }

@@ -12,4 +12,15 @@ struct FrameSize {
     bool operator==(const FrameSize&) const = default;
 };
 
+/// Part of a frame that is drawn into buffers of its own size: all of it as a rule, one of several tiles
+/// where it is larger than what buffers are made for. Pixels of the picture, from its upper left corner.
+struct FramePart {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    bool operator==(const FramePart&) const = default;
+};
+
 }  // namespace jw::render

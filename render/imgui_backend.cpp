@@ -150,6 +150,15 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
     gl_.BindVertexArray(0);
 }
 
+void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame, const FramePart& part) const {
+    // of the lists a copy has pointers alone
+    ImDrawData shifted = data;
+    shifted.DisplayPos.x += static_cast<float>(part.x);
+    shifted.DisplayPos.y += static_cast<float>(part.y);
+    shifted.DisplaySize = {static_cast<float>(part.width), static_cast<float>(part.height)};
+    draw(shifted, {part.width, part.height, frame.pixel_ratio});
+}
+
 void ImguiBackend::set_state(const ImDrawData& data, const FrameSize& frame) const {
     gl_.Viewport(0, 0, frame.width * frame.pixel_ratio, frame.height * frame.pixel_ratio);
     gl_.Enable(GL_BLEND);

@@ -24,6 +24,9 @@ public:
     /// @throws std::invalid_argument if the data have a framebuffer scale other than 1
     void draw(const ImDrawData& data, const FrameSize& frame) const;
 
+    /// Draws a part of the frame, for which buffers of its size are bound. @throws as `draw`
+    void draw(const ImDrawData& data, const FrameSize& frame, const FramePart& part) const;
+
 private:
     void set_state(const ImDrawData& data, const FrameSize& frame) const;
 

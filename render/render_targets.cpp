@@ -110,10 +110,27 @@ RenderTargets::RenderTargets(const GlFunctions& gl, int width, int height, int s
     : gl_(gl),
       samples_(supported_samples(gl, samples)),
       size_(checked_size(gl, width, height, samples > 1 && samples_ == 1)),
+      part_{0, 0, width, height},
       mean_(made_mean(gl, size_, samples_)),
       bodies_(make_target(samples_ > 1 ? samples_ : 0, Depth::with)),
       scene_(make_target(0, Depth::without)),
       flat_(make_target(0, Depth::without)) {}
+
+void RenderTargets::show_part(int x, int y, int frame_width, int frame_height) {
+    std::array<GLint, 2> most{};
+    gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, most.data());
+    if (frame_width * size_.pixel_ratio > most[0] || frame_height * size_.pixel_ratio > most[1]) {
+        throw std::runtime_error(
+            "a picture of " + std::to_string(frame_width) + " x " + std::to_string(frame_height) +
+            " pixels cannot be drawn; the graphics driver draws up to " +
+            std::to_string(most[0] / size_.pixel_ratio) + " x " +
+            std::to_string(most[1] / size_.pixel_ratio));
+    }
+    size_.width = frame_width;
+    size_.height = frame_height;
+    part_.x = x;
+    part_.y = y;
+}
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
     take_gl_errors(gl_);  // of calls before: not the fault of this one
@@ -189,7 +206,7 @@ Image RenderTargets::read(bool is_opaque) {
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, device_width(), device_height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
     throw_on_gl_error(gl_, "drawing the picture");
-    return picture_of(rgba_, size_, is_opaque);
+    return picture_of(rgba_, {part_.width, part_.height, size_.pixel_ratio}, is_opaque);
 }
 
 void RenderTargets::blit_to_window() const {
@@ -198,7 +215,7 @@ void RenderTargets::blit_to_window() const {
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     // at double size, linear sampling falls between four device pixels: their mean, as in `read`
     gl_.BlitFramebuffer(
-        0, 0, device_width(), device_height(), 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+        0, 0, device_width(), device_height(), 0, 0, part_.width, part_.height, GL_COLOR_BUFFER_BIT,
         size_.pixel_ratio == 1 ? GL_NEAREST : GL_LINEAR);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }

@@ -27,7 +27,15 @@ public:
     /// @throws std::runtime_error if the size is out of the driver's range.
     RenderTargets(const GlFunctions& gl, int width, int height, int samples = 4);
 
+    /// The frame that is drawn, all of it.
     FrameSize size() const { return size_; }
+
+    /// Part of the frame that is drawn: as large as the buffers.
+    const FramePart& part() const { return part_; }
+
+    /// Draws from now on a part of a larger frame; it begins at a corner and is as large as the buffers.
+    /// @throws std::runtime_error if the frame is larger than the driver's viewports
+    void show_part(int x, int y, int frame_width, int frame_height);
 
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const { return samples_; }
@@ -68,12 +76,13 @@ private:
 
     Target make_target(int samples, Depth depth) const;
     void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
-    GLsizei device_width() const { return size_.width * size_.pixel_ratio; }
-    GLsizei device_height() const { return size_.height * size_.pixel_ratio; }
+    GLsizei device_width() const { return part_.width * size_.pixel_ratio; }
+    GLsizei device_height() const { return part_.height * size_.pixel_ratio; }
 
     const GlFunctions& gl_;
     int samples_;
     FrameSize size_;
+    FramePart part_;
     std::optional<SampleMean> mean_;  // of the bodies; nothing: the driver averages, or there is one sample
     Target bodies_;
     Target scene_;

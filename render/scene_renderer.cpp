@@ -83,16 +83,18 @@ void SceneRenderer::draw(
     const Scene& scene, const Camera& camera, const Rect& viewport, const RenderTargets& targets, Tone tone,
     Backdrop backdrop) const {
     const FrameSize frame = targets.size();
-    const DeviceRect rect = device_rect(viewport, frame);
-    if (rect.empty()) { return; }
+    const DeviceRect rect = device_rect(viewport, frame, targets.part());
+    const DeviceRect shown = common_part(rect, device_rect(targets.part(), frame));
+    if (shown.empty()) { return; }
     const Pass pass(scene, camera, viewport, frame, tone);
     shadow_map_.update(meshes_, pass.lists.bodies, pass.shadow);
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     backdrop_.draw(
-        {pass.clip_from_world, viewport, frame, tone, backdrop, targets.paper(), scene.ground}, pass,
-        shadow_map_);
+        {pass.clip_from_world, viewport, frame, targets.part(), tone, backdrop, targets.paper(),
+         scene.ground},
+        pass, shadow_map_);
 
-    const DeviceRect part = common_part(rect, device_rect(pass.reached(frame), frame));
+    const DeviceRect part = common_part(shown, device_rect(pass.reached(frame), frame, targets.part()));
     if (part.empty()) { return; }
     targets.begin_bodies();
     gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
