@@ -12,7 +12,7 @@ namespace jw::film {
 namespace {
 
 constexpr double kMostPictures = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
-constexpr float kLargestLetters = 6.0F;     // as in the largest frame
+constexpr float kLargestLetters = 9.0F;     // of a frame of 11520x6480; two thirds of the largest texture
 constexpr double kLargestText = 1.5;        // as in the window
 
 int step_named(const std::string& option, const std::string& name, const Story& story) {

@@ -9,13 +9,13 @@
 /// options other names.
 namespace jw::film {
 
-// below this the panels have no room; above it the letters do not fit into one texture
+// below this the panels have no room; above it no film has a format
 inline constexpr int kSmallestWidth = 960;
 inline constexpr int kSmallestHeight = 540;
 inline constexpr int kSmallestWidthAlone = 320;  // without panels
 inline constexpr int kSmallestHeightAlone = 180;
-inline constexpr int kLargestWidth = 7680;
-inline constexpr int kLargestHeight = 4320;
+inline constexpr int kLargestWidth = 15360;
+inline constexpr int kLargestHeight = 8640;
 inline constexpr double kMostFps = 240.0;
 
 /// Names of options in messages: those of the program, unless others are given.

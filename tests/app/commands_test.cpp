@@ -132,11 +132,12 @@ TEST_CASE("bad usage is status 2 and says what was expected", "[app][commands]")
          "jointwise: error: --step is so small that there would be more than a million rows\n"
          "hint: jointwise solve --help\n"},
         {{"render", crank, "--out", folder.path("frames"), "--size", "big"},
-         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, or "
+         "jointwise: error: --size 'big'; expected WIDTHxHEIGHT in pixels from 960x540 to 15360x8640, or "
          "turned, "
          "for example 1920x1080\n"},
-        {{"render", crank, "--out", folder.path("frames"), "--size", "15360x8640"},
-         "jointwise: error: --size '15360x8640'; expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320, "
+        {{"render", crank, "--out", folder.path("frames"), "--size", "30720x17280"},
+         "jointwise: error: --size '30720x17280'; expected WIDTHxHEIGHT in pixels from 960x540 to "
+         "15360x8640, "
          "or "
          "turned, for example 1920x1080\n"},
         {{"render", crank, "--out", folder.path("frames"), "--fps", "nan"},

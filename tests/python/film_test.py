@@ -61,7 +61,7 @@ class Films(unittest.TestCase):
         for options, words in (
             ({"from_": "nowhere"}, r"from_ 'nowhere'; expected a step from 1 to \d+, the name of a joint or driver"),
             ({"from_": "5", "to": "2"}, "to '2' is step 2, before step 5 of from_"),
-            ({"width": 100}, "expected WIDTHxHEIGHT in pixels from 960x540 to 7680x4320"),
+            ({"width": 100}, "expected WIDTHxHEIGHT in pixels from 960x540 to 15360x8640"),
             ({"text": 2.0}, "text above 1.5 leaves the panels no room"),
             ({"transparent": True}, "panels are opaque"),
             ({"camera": [0, 0, 0]}, "the direction in which the eye is"),

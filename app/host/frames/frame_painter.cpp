@@ -1,8 +1,11 @@
 #include "app/host/frames/frame_painter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <future>
 #include <optional>
+#include <utility>
 
 #include <imgui.h>
 
@@ -48,6 +51,37 @@ panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
                            : panels::layout_without_panels(frame, scale);
 }
 
+/// The first tile of a frame; all are as large.
+render::FramePart tile_of(int width, int height, int largest_width) {
+    const int wide = std::min(width, largest_width);
+    const std::int64_t pixels = std::int64_t{largest_width} * largest_width * 9 / 16;
+    return {0, 0, wide, static_cast<int>(std::min<std::int64_t>(height, pixels / wide))};
+}
+
+/// Puts a tile where it belongs into a picture, which is made as large as the frame for the first one.
+void put(
+    const render::Image& part, const render::FramePart& tile, const render::FrameSize& frame,
+    render::Image& image) {
+    const auto pixels = [](int count) { return static_cast<std::size_t>(count); };
+    if (image.rgb.empty()) {
+        const std::size_t all = pixels(frame.width) * pixels(frame.height);
+        image = {frame.width, frame.height, std::vector<std::uint8_t>(3 * all)};
+        if (!part.alpha.empty()) { image.alpha.resize(all); }
+    }
+    const auto copy = [&](const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to,
+                          int channels) {
+        const std::size_t row = pixels(channels * tile.width);
+        for (int y = 0; y < tile.height; ++y) {
+            const std::size_t at = pixels(tile.y + y) * pixels(frame.width) + pixels(tile.x);
+            std::copy_n(
+                from.begin() + static_cast<std::ptrdiff_t>(pixels(y) * row), row,
+                to.begin() + static_cast<std::ptrdiff_t>(pixels(channels) * at));
+        }
+    };
+    copy(part.rgb, image.rgb, 3);
+    if (!part.alpha.empty()) { copy(part.alpha, image.alpha, 1); }
+}
+
 }  // namespace
 
 float FrameLook::scale(int width, int height) const {
@@ -67,13 +101,17 @@ struct FramePainter::Surface {
     Surface(int width, int height, const FrameLook& look, const std::u32string& characters)
         : context(width, height),
           loading(fonts_for(width, height, look, characters)),
-          offscreen(std::in_place, width, height),
+          frame{width, height, 1},
+          tile(tile_of(width, height, look.tile_width)),
+          offscreen(std::in_place, tile.width, tile.height),
           functions(&offscreen->gl()),
           scene(offscreen->gl()),
           layout(layout_for(width, height, look)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : context(width, height),
           loading(fonts_for(width, height, {}, characters)),
+          frame{width, height, 1},
+          tile{0, 0, width, height},
           targets(std::in_place, gl, width, height),
           functions(&gl),
           scene(gl),
@@ -89,12 +127,23 @@ struct FramePainter::Surface {
     void begin_3d(const render::Colour& paper) {
         offscreen ? offscreen->begin_3d(paper) : targets->begin_3d(paper);
     }
-    const render::RenderTargets& drawn_into() const { return offscreen ? offscreen->targets() : *targets; }
+    render::RenderTargets& drawn_into() { return offscreen ? offscreen->targets() : *targets; }
     void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
     render::Image read(bool is_opaque) {
         return offscreen ? offscreen->read(is_opaque) : targets->read(is_opaque);
     }
-    render::FrameSize size() const { return offscreen ? offscreen->size() : targets->size(); }
+    /// Tiles that cover the frame, all of them as large as the buffers: the last ones overlap those before.
+    std::vector<render::FramePart> tiles() const {
+        std::vector<render::FramePart> all;
+        for (int y = 0; y < frame.height; y += tile.height) {
+            for (int x = 0; x < frame.width; x += tile.width) {
+                all.push_back(tile);
+                all.back().x = std::min(x, frame.width - tile.width);
+                all.back().y = std::min(y, frame.height - tile.height);
+            }
+        }
+        return all;
+    }
     void make_current() const {
         if (offscreen) { offscreen->make_current(); }
     }
@@ -102,6 +151,8 @@ struct FramePainter::Surface {
     PanelContext context;
     // into the context above, which nobody else uses before they are there: see `compose_camera`
     std::future<render::Fonts> loading;
+    render::FrameSize frame;
+    render::FramePart tile;  // as large as each
     // destroyed from the last to the first: what holds GL objects goes before their context
     std::optional<render::Offscreen> offscreen;
     std::optional<render::RenderTargets> targets;
@@ -192,20 +243,20 @@ void FramePainter::draw_scene(const Picture& picture) {
     s.scene.draw(scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone, render::Backdrop::paper);
 }
 
-void FramePainter::draw_panels(const View& view, const Picture& picture, const Emphasis& lit) {
+/// The panels as draw data of ImGui.
+void FramePainter::lay_out_panels(const View& view, const Picture& picture, const Emphasis& lit) {
     Surface& s = *surface_;
-    Surface::Panels& ready = s.panels();
+    const render::Fonts& fonts = s.panels().fonts;
     ImGui::NewFrame();
     std::vector<panels::HotSpot> nowhere;
     const panels::Canvas canvas =
-        panels::Canvas(ImGui::GetBackgroundDrawList(), ready.fonts).pointed(lit, nowhere).in(look_.tone);
+        panels::Canvas(ImGui::GetBackgroundDrawList(), fonts).pointed(lit, nowhere).in(look_.tone);
     if (look_.has_panels) {
         panels::draw_frame(canvas, view, picture, s.camera, s.layout);
     } else {
         panels::draw_annotations(canvas, picture, s.camera, s.layout.scene);
     }
     ImGui::Render();
-    ready.backend.draw(*ImGui::GetDrawData(), s.size());
 }
 
 render::Image FramePainter::paint(
@@ -218,16 +269,29 @@ render::Image FramePainter::paint(
     };
     s.context.enter();
     s.make_current();
-    if (ended) { s.scene.draw_shadows(picture.scene, s.camera, s.layout.scene, s.size()); }
+    if (ended) { s.scene.draw_shadows(picture.scene, s.camera, s.layout.scene, s.frame); }
     end(PaintStage::shadow);
-    draw_scene(picture);
-    s.begin_2d();
-    end(PaintStage::scene);
-    draw_panels(view, picture, lit);
-    end(PaintStage::panels);
+    render::Image image;
+    for (const render::FramePart& tile : s.tiles()) {
+        const bool is_first = image.rgb.empty();
+        s.drawn_into().show_part(tile.x, tile.y, s.frame.width, s.frame.height);
+        draw_scene(picture);
+        s.begin_2d();
+        end(PaintStage::scene);
+        // letters are there when the first scene is
+        if (is_first) { lay_out_panels(view, picture, lit); }
+        s.panels().backend.draw(*ImGui::GetDrawData(), s.drawn_into().size(), tile);
+        end(PaintStage::panels);
+        render::Image part = s.read(look_.is_opaque);
+        const bool is_all = part.width == s.frame.width && part.height == s.frame.height;
+        if (is_all) {
+            image = std::move(part);
+        } else {
+            put(part, tile, s.frame, image);
+        }
+        end(PaintStage::read);
+    }
     s.context.leave();
-    render::Image image = s.read(look_.is_opaque);
-    end(PaintStage::read);
     return image;
 }
 
@@ -244,8 +308,8 @@ std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::Ve
     large.begin_2d();
     const render::Image solid = large.read();
 
-    render::VectorPicture file(format, s.size().width, s.size().height);
-    file.fill({}, s.size().width, s.size().height, render::palette::kPaper);
+    render::VectorPicture file(format, s.frame.width, s.frame.height);
+    file.fill({}, s.frame.width, s.frame.height, render::palette::kPaper);
     file.image(solid, {scene.x, scene.y}, scene.width, scene.height);
     s.context.enter();
     const render::Fonts& fonts = s.panels().fonts;
@@ -264,8 +328,7 @@ render::PictureLayers FramePainter::layers(const Picture& picture) {
     s.make_current();
     if (!s.ids) { s.ids.emplace(*s.functions, s.scene.meshes()); }
     s.ids->update(
-        picture.scene, s.camera, s.layout.scene, s.size(), ++s.layers_drawn,
-        render::SceneView::Details::full);
+        picture.scene, s.camera, s.layout.scene, s.frame, ++s.layers_drawn, render::SceneView::Details::full);
     return s.ids->read_layers();
 }
 

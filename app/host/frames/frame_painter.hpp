@@ -6,6 +6,7 @@
 
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
+#include "render/frame_size.hpp"
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
 #include "render/palette.hpp"
@@ -20,6 +21,9 @@ struct FrameLook {
     double text = 1.0;       ///< size of text beside the usual one
     bool has_panels = true;  ///< false: the 3D picture and its names alone
     bool is_opaque = true;   ///< false: what is behind bodies and names shines through; without panels only
+    /// Largest width of what is drawn at once [pixels], which has no more pixels than one of this width and
+    /// 9/16 of it in height. Larger frames are drawn tile by tile, in less memory.
+    int tile_width = 4096;
 
     /// Size of letters in a frame, 1 as at 1280x720.
     float scale(int width, int height) const;
@@ -70,7 +74,7 @@ private:
     struct Surface;
     void compose_camera();
     void draw_scene(const Picture& picture);
-    void draw_panels(const View& view, const Picture& picture, const Emphasis& lit);
+    void lay_out_panels(const View& view, const Picture& picture, const Emphasis& lit);
     render::Image paint(
         const View& view, const Picture& picture, const Emphasis& lit, const OnPaintStage& ended);
     Emphasis lit_at(const View& view) const;
