@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace jw::render {
 
@@ -32,7 +33,10 @@ void settle_mesa() {
             std::string("Mesa cannot draw with ") + kWidth + '=' + std::getenv(kWidth) +
             "; set it to 128 or 256, or unset it");
     }
-    ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    constexpr const char* kNoCache = "MESA_SHADER_CACHE_DISABLE";
+    const char* const before = std::getenv(kNoCache);
+    // set once: by now other threads may read the environment
+    if (before == nullptr || std::string_view(before) != "true") { ::setenv(kNoCache, "true", 1); }
 }
 
 }  // namespace jw::render

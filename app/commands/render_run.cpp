@@ -10,6 +10,7 @@
 #include "app/session/output/pace.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "render/mesa_settings.hpp"
 #include "render/offscreen.hpp"
 
 namespace jw {
@@ -189,6 +190,7 @@ private:
     static Json drawn_with() {
         Json with = Json::object();
         // read while Mesa is loaded
+        render::settle_mesa();
         std::future<host::Environment> fonts = std::async(std::launch::async, host::font_environment);
         const std::string renderer = render::Offscreen(1, 1, 1).renderer();
         for (const auto& [name, version] : host::environment(renderer, fonts.get())) { with[name] = version; }

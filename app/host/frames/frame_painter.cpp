@@ -19,6 +19,7 @@
 #include "render/fonts.hpp"
 #include "render/id_buffer.hpp"
 #include "render/imgui_backend.hpp"
+#include "render/mesa_settings.hpp"
 #include "render/offscreen.hpp"
 #include "render/render_targets.hpp"
 #include "render/scene_renderer.hpp"
@@ -42,6 +43,13 @@ std::future<render::Fonts> fonts_for(
     int width, int height, const FrameLook& look, const std::u32string& characters) {
     return std::async(
         [scale = look.scale(width, height), characters] { return render::load_fonts(scale, characters); });
+}
+
+/// Letters likewise, before Mesa is loaded, which the environment is changed for: the thread reads it.
+std::future<render::Fonts> fonts_before_mesa(
+    int width, int height, const FrameLook& look, const std::u32string& characters) {
+    render::settle_mesa();
+    return fonts_for(width, height, look, characters);
 }
 
 panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
@@ -100,7 +108,7 @@ struct FramePainter::Surface {
 
     Surface(int width, int height, const FrameLook& look, const std::u32string& characters)
         : context(width, height),
-          loading(fonts_for(width, height, look, characters)),
+          loading(fonts_before_mesa(width, height, look, characters)),
           frame{width, height, 1},
           tile(tile_of(width, height, look.tile_width)),
           offscreen(std::in_place, tile.width, tile.height),
