@@ -140,8 +140,9 @@ void SiteFolder::finish() {
         }
     }
     for (const std::string& name : made) { renames.move(draft_ / name, folder_ / name); }
-    renames.keep();
+    // while everything can go back: there may be no room for the list
     render::write_file_atomically(folder_ / kManifest, json_document(manifest));
+    renames.keep();
     std::error_code ignored;
     fs::remove_all(replaced_, ignored);
 }
