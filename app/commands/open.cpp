@@ -10,9 +10,11 @@
 #include "app/commands/outputs.hpp"
 #include "app/commands/size_option.hpp"
 #include "app/exercises/grading/grade.hpp"
+#include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/host/lesson/destination.hpp"
 #include "app/host/screen.hpp"
 #include "app/session/story/timeline.hpp"
+#include "app/session/wording/messages.hpp"
 #include "app/window.hpp"
 #include "lessons/catalogue.hpp"
 #include "lessons/diagnostics.hpp"
@@ -77,6 +79,18 @@ bool is_address(const std::string& text) {
            !std::filesystem::exists(text, error);
 }
 
+/// @param name  empty: none is wanted
+/// @throws std::runtime_error if the lesson has no such exercise
+void check_exercise(const std::filesystem::path& lesson, const std::string& name) {
+    if (name.empty()) { return; }
+    LessonExercisesReader reader(lesson, catalogue_folder());
+    while (reader.read()) {}
+    const auto is_it = [&](const PracticeExercise& offered) { return offered.exercise->name == name; };
+    if (std::ranges::none_of(reader.found().exercises, is_it)) {
+        throw std::runtime_error(tr("the lesson has no exercise '{0}'", name));
+    }
+}
+
 /// The address in the place of FILE, with what other options add to it; all of it can be shown.
 /// @param others  lessons outside the catalogue
 host::Address address_in(
@@ -90,6 +104,7 @@ host::Address address_in(
         host::tab_of(address);
         const auto file = host::lesson_at_address(address.lesson, catalogue_folder(), others);
         host::destination_of(lesson_of(file, streams), address);
+        check_exercise(file, address.exercise);
         return address;
     } catch (const CommandError&) { throw; } catch (const std::runtime_error& error) {
         throw CommandError(

@@ -46,7 +46,7 @@ bool Host::go_to(const Address& address) {
         notice_.blame("");
         return true;
     } catch (const std::exception& error) {
-        notice_.blame(tr("This address leads nowhere: {0}", error.what()));
+        notice_.blame_address(error.what());
         return false;
     }
 }

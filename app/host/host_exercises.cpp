@@ -66,9 +66,7 @@ void Host::begin_wanted_exercise() {
     if (wanted_exercise_.empty() || state_.tab != Tab::exercises || !shows_lesson()) { return; }
     if (desk_.practice().is_busy()) { return; }
     const std::string name = std::exchange(wanted_exercise_, {});
-    if (!choose_exercise(name)) {
-        notice_.blame(tr("This address leads nowhere: {0}", tr("the lesson has no exercise '{0}'", name)));
-    }
+    if (!choose_exercise(name)) { notice_.blame_address(tr("the lesson has no exercise '{0}'", name)); }
     rouse();
 }
 

@@ -45,6 +45,11 @@ void Notice::say(const std::string& message) {
     seconds_left_ = kNoticeSeconds;
 }
 
+void Notice::blame_address(const std::string& why) {
+    mistakes_ = tr("This address leads nowhere: {0}", why);
+    are_of_file_ = false;
+}
+
 bool Notice::advance(double seconds) {
     if (text_.empty()) { return false; }
     seconds_left_ -= seconds;
@@ -63,7 +68,9 @@ void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
     if (!text_.empty()) { bottom = draw_sheet(canvas, scene, bottom, text_, false); }
     if (mistakes_.empty()) { return; }
     const std::string kept =
-        has_lesson ? tr("The file has mistakes; the last good lesson stays.") + std::string("\n") : "";
+        has_lesson && are_of_file_
+            ? tr("The file has mistakes; the last good lesson stays.") + std::string("\n")
+            : "";
     draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
 }
 

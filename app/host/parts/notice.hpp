@@ -16,7 +16,12 @@ public:
     /// @return true if it went out
     bool advance(double seconds);
     /// Mistakes in place of those before; empty: there are none any more.
-    void blame(const std::string& mistakes) { mistakes_ = mistakes; }
+    void blame(const std::string& mistakes) {
+        mistakes_ = mistakes;
+        are_of_file_ = true;
+    }
+    /// Shows why an address leads nowhere, in the place of mistakes.
+    void blame_address(const std::string& why);
 
     const std::string& text() const { return text_; }
     /// Time until the message disappears [s]; infinity if there is none.
@@ -31,6 +36,7 @@ private:
     std::string text_;
     double seconds_left_ = 0.0;
     std::string mistakes_;
+    bool are_of_file_ = true;
 };
 
 /// Draws the badge that says that the pose is not one of the lesson.
