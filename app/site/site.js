@@ -82,6 +82,7 @@ function showFound(field, told) {
   for (const card of document.querySelectorAll("[data-lesson]")) { card.hidden = !all && !names.has(card.dataset.lesson); }
   for (const chapter of document.querySelectorAll("section.chapter")) {
     chapter.hidden = !all && !chapter.querySelector("[data-lesson]:not([hidden])");
+    for (const link of document.querySelectorAll(`a[href="#${chapter.id}"]`)) { (link.closest("li") ?? link).hidden = chapter.hidden; }
   }
   const count = names.size;
   told.textContent = all ? "" : count === 0 ? told.dataset.none : count === 1 ? told.dataset.one : told.dataset.several.replace("#", count);
@@ -103,7 +104,11 @@ if (search) {
     showFound(field, told);
   };
   field.addEventListener("input", show);
-  search.addEventListener("submit", (event) => event.preventDefault());
+  search.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const first = document.querySelector("[data-lesson]:not([hidden])");
+    (first?.matches("a") ? first : first?.querySelector("a"))?.focus();
+  });
   search.hidden = false;
   // what was searched for is there again after the way back from a lesson
   if (field.value) { show(); }

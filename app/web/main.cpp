@@ -100,6 +100,7 @@ EMSCRIPTEN_KEEPALIVE int jw_key(const char* name, int down) {
     return key == jw::host::Key::none ? 0 : 1;
 }
 EMSCRIPTEN_KEEPALIVE void jw_text(unsigned character) { page->host().push(InputEvent::typed(character)); }
+EMSCRIPTEN_KEEPALIVE void jw_set_clipboard(const char* text) { page->set_clipboard(text); }
 EMSCRIPTEN_KEEPALIVE void jw_leave() { page->host().push(InputEvent::leave()); }
 
 /// Opens a lesson file. @param experiments  one a line @return 0 if it has mistakes, which are shown

@@ -43,14 +43,15 @@ host::HostSetup host_setup(const PageSetup& setup) {
     return wanted;
 }
 
+std::string clipboard;
+
 void use_clipboard() {
-    static std::string last;
     ImGuiIO& io = ImGui::GetIO();
     io.SetClipboardTextFn = [](void*, const char* text) {
-        last = text;
-        copy(last);
+        clipboard = text;
+        copy(clipboard);
     };
-    io.GetClipboardTextFn = [](void*) { return last.c_str(); };
+    io.GetClipboardTextFn = [](void*) { return clipboard.c_str(); };
 }
 
 /// Pixel of the canvas where the letter that is typed next will stand.
@@ -112,6 +113,8 @@ void Page::follow(const fs::path& file) {
 }
 
 std::string Page::state() const { return host::state_text(host_); }
+
+void Page::set_clipboard(const std::string& text) { clipboard = text; }
 
 std::string Page::typing_place() const {
     if (!ImGui::GetIO().WantTextInput) { return {}; }

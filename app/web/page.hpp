@@ -53,6 +53,8 @@ public:
     void follow(const std::filesystem::path& file);
     /// State of the interface (app/host/host_state.hpp).
     std::string state() const;
+    /// Text that Ctrl+V puts in from now on: of what other programs copy, pages hear only when it is pasted.
+    void set_clipboard(const std::string& text);
     /// Pixel of the canvas where somebody types, "120 300"; empty if nobody does.
     std::string typing_place() const;
 

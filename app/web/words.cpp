@@ -29,6 +29,8 @@ constexpr std::array kWords{
     tr_later("The browser does not let this page write into the clipboard."),
     tr_later("The letters of this language are shown once the page is read again."),
     tr_later("The graphics card was taken away; waiting for it."),
+    tr_later(
+        "The browser keeps nothing more: its storage is full or forbidden. Save what you need as a file."),
     tr_later("The list of lessons is shown. Arrows choose, Enter opens."),
 };
 

@@ -4,6 +4,9 @@ const FOLDER = "/kept/edited";
 // [ms] after the last key until the text is read
 const PAUSE = 300;
 
+/** The text of a lesson as it was left with mistakes in it: no lesson, so its name does not end like one. */
+const draftOf = (path) => `${path}.draft`;
+
 export class Editor {
   constructor({ program, loop, download, toast }) {
     Object.assign(this, { program, loop, download, toast });
@@ -32,9 +35,13 @@ export class Editor {
   show() {
     const state = this.program.state();
     if (!state.shows_lesson) { return this.toast("Open a lesson first, or drop a file on the page."); }
-    this.path = `${FOLDER}/${state.file.split("/").pop()}`;
-    this.saved = this.program.lessonSource();
-    this.reveal(this.saved);
+    const own = `${FOLDER}/${state.file.split("/").pop()}`;
+    const before = this.textOf(draftOf(own)) ?? (state.file === own ? undefined : this.textOf(own));
+    const source = this.program.lessonSource();
+    const goesOn = before !== undefined && before !== source && confirm("This lesson was edited before, and the text was kept. Go on with that text?");
+    this.path = before === undefined || before === source || goesOn || state.file === own ? own : this.freePath(own);
+    this.saved = source;
+    this.reveal(goesOn ? before : source);
   }
   /** Loads the editor when it is first wanted. Of two texts that wait for it the last one is shown. */
   async reveal(text) {
@@ -67,11 +74,24 @@ export class Editor {
     const mistakes = JSON.parse(this.program.check(text, this.path.split("/").pop()));
     this.editor.mark(mistakes);
     $("mistakes").textContent = mistakes.map((m) => `${m.line}:${m.column}: ${m.message}`).join("\n");
-    if (write && !mistakes.some((m) => m.severity === "error")) {
+    const isWrong = mistakes.some((m) => m.severity === "error");
+    if (write && !isWrong) {
       this.FS.writeFile(this.path, text);
       this.program.follow(this.path);
     }
+    // one with mistakes is kept, too, beside the last good one
+    const draft = draftOf(this.path);
+    if (write && isWrong) { this.FS.writeFile(draft, text); } else if (write && this.textOf(draft) !== undefined) { this.FS.unlink(draft); }
     this.loop.rouse();
+  }
+  /** A file's; undefined if it is not there. */
+  textOf(path) { return this.FS.analyzePath(path).exists ? this.FS.readFile(path, { encoding: "utf8" }) : undefined; }
+  /** The path, or one with a number that no text of before has. */
+  freePath(path) {
+    let free = path;
+    const isTaken = (name) => this.textOf(name) !== undefined || this.textOf(draftOf(name)) !== undefined;
+    for (let k = 2; isTaken(free); ++k) { free = path.replace(/(\.toml)?$/, `-${k}$1`); }
+    return free;
   }
   save() {
     this.download(this.path, new TextEncoder().encode(this.editor.text));
@@ -83,7 +103,9 @@ export class Editor {
     if (file.size > 1_000_000) { return this.toast(`${file.name} has ${Math.round(file.size / 1e6)} MB: this is no lesson.`); }
     const text = await file.text();
     // a name of one's own in the folder: nothing above it can be reached
-    this.path = `${FOLDER}/${file.name.replace(/[^\p{L}\p{N}._ -]/gu, "_").replace(/^\.+/, "_")}`;
+    const path = `${FOLDER}/${file.name.replace(/[^\p{L}\p{N}._ -]/gu, "_").replace(/^\.+/, "_")}`;
+    if (file.name === "course.toml") { return this.toast("course.toml has the order of a course, and is no lesson."); }
+    this.path = this.textOf(path) === text ? path : this.freePath(path);
     this.FS.writeFile(this.path, text);
     this.saved = text;
     this.program.open(this.path, "", "");

@@ -12,6 +12,7 @@ const FINGER_NOTCH = 55;
 const CLOSER_PER_NOTCH = 0.9;
 const BUTTONS = [0, 2, 1];
 // keys that stay the browser's: leaving the canvas, reading the page again
+const IS_MAC = navigator.platform.startsWith("Mac");
 const BROWSERS_KEYS = new Set(["Tab", "F5", "F11", "F12"]);
 
 function placeOf(canvas, event) {
@@ -144,9 +145,13 @@ function listenToPointers(canvas, program, loop, keyboard) {
 /** @param target  what has the keyboard @param writes  letters change its text, and come from there */
 export function listenToKeys(target, program, loop, writes = false) {
   target.addEventListener("keydown", (event) => {
-    if (BROWSERS_KEYS.has(event.key) || event.altKey || event.isComposing) { return; }
+    if (BROWSERS_KEYS.has(event.key) || event.isComposing) { return; }
     const chord = event.ctrlKey || event.metaKey;
     const letter = [...event.key].length === 1 ? event.key : "";
+    // with Option a Mac types signs, brackets on many keyboards; elsewhere Alt is the browser's
+    if (event.altKey && !(letter && IS_MAC)) { return; }
+    // the browser pastes: the event of that has the text
+    if (chord && letter.toLowerCase() === "v") { return; }
     if (writes && !chord && (letter || event.key === "Backspace")) { return; }
     if (chord && letter && !"zyosacvx".includes(letter.toLowerCase())) { return; }
     let used = false;
@@ -156,15 +161,22 @@ export function listenToKeys(target, program, loop, writes = false) {
       program.text(event.key.codePointAt(0));
       used = true;
     }
-    if (used && event.key !== "Control" && event.key !== "Meta" && !(chord && letter === "v")) { event.preventDefault(); }
+    if (used && event.key !== "Control" && event.key !== "Meta") { event.preventDefault(); }
     loop.rouse();
   });
   target.addEventListener("keyup", (event) => {
     program.key([...event.key].length === 1 ? event.key.toLowerCase() : event.key, 0);
     loop.rouse();
   });
+  target.addEventListener("paste", (event) => {
+    event.preventDefault();
+    program.setClipboard(event.clipboardData.getData("text/plain"));
+    for (const [key, down] of [["Control", 1], ["v", 1], ["v", 0], ["Control", 0]]) { program.key(key, down); }
+    loop.rouse();
+  });
   // keys that are held while it loses the keyboard would stay down
-  target.addEventListener("blur", () => {
+  target.addEventListener("blur", (event) => {
+    if (event.relatedTarget?.closest("#stage")) { return; }
     program.leave();
     loop.rouse();
   });

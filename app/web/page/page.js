@@ -3,10 +3,11 @@ import createJointwise from "./jointwise.js";
 import { listen } from "./input.js";
 import { ScreenKeyboard } from "./screen_keyboard.js";
 import { Address } from "./address.js";
-import { keepFolder, restoreFolder, writeFiles } from "./kept.js";
+import { keepFolder, restoreFolder, store, stored, writeFiles } from "./kept.js";
 
 const $ = (id) => document.getElementById(id);
 const canvas = $("canvas");
+const GRAPHICS = "Firefox, Chromium and Safari of the last years have WebGL 2; it may be switched off in the settings, or by the driver of the graphics card.";
 
 /** Words of the page in the language of the program, by the English ones. */
 let words = {};
@@ -19,11 +20,11 @@ export function toast(text) {
 }
 
 /** A message in place of the program: never a blank page. */
-function giveUp(why) {
+function giveUp(why, help = "") {
   const words = document.createElement("div");
   words.className = "missing";
-  words.innerHTML = "<h1>Jointwise cannot draw here</h1><p></p><p>Firefox, Chromium and Safari of the last years have WebGL 2; it may be switched off in the settings, or by the driver of the graphics card.</p>";
-  words.querySelector("p").textContent = why;
+  words.innerHTML = "<h1>Jointwise cannot begin here</h1><p></p><p></p>";
+  [words.children[1].textContent, words.children[2].textContent] = [why, help];
   document.querySelector("main").replaceChildren(words);
 }
 
@@ -59,6 +60,7 @@ function programOf(module) {
     key: wrap("jw_key", "number", "string", "number"),
     text: wrap("jw_text", null, "number"),
     leave: wrap("jw_leave", null),
+    setClipboard: wrap("jw_set_clipboard", null, "string"),
     typingPlace: wrap("jw_typing_place", "string"),
     isScene: wrap("jw_is_scene", "number", "number", "number"),
     open: wrap("jw_open", "number", "string", "string", "string"),
@@ -140,7 +142,7 @@ function surviveLostContext(program, loop) {
   });
   canvas.addEventListener("webglcontextrestored", () => {
     const why = program.restoreContext();
-    if (why) { return giveUp(why); }
+    if (why) { return giveUp(why, GRAPHICS); }
     loop.rouse();
   });
 }
@@ -209,7 +211,7 @@ function showWords(course) {
   const notice = document.createElement("section");
   notice.className = "missing";
   notice.innerHTML = "<h1>This browser shows no WebGL 2</h1><p>The steps of the lessons stand below as words; the buttons above lead through them. " +
-    "Firefox, Chromium and Safari of the last years have WebGL 2; it may be switched off in the settings, or by the driver of the graphics card.</p>" +
+    `${GRAPHICS}</p>` +
     "<p id=\"pictures\"></p><p><label>Lesson <select></select></label></p>";
   if (course.site) {
     const link = document.createElement("a");
@@ -237,12 +239,12 @@ class Settings {
       text_scale: framed ? 1.25 : 1,
       language: course.language ?? (navigator.language.startsWith("zh") ? "zh-Hant" : "en"),
     };
-    const kept = { ...this.usual, ...JSON.parse(localStorage.getItem("jointwise-settings") ?? "{}") };
+    const kept = { ...this.usual, ...stored("jointwise-settings") };
     [this.dark, this.textScale, this.language] = [kept.dark, kept.text_scale, kept.language];
   }
   keep(state) {
     const chosen = Object.entries(this.usual).filter(([name, usual]) => state[name] !== usual).map(([name]) => [name, state[name]]);
-    localStorage.setItem("jointwise-settings", JSON.stringify(Object.fromEntries(chosen)));
+    store("jointwise-settings", JSON.stringify(Object.fromEntries(chosen)));
   }
 }
 
@@ -297,7 +299,7 @@ async function begin() {
   const settings = new Settings(course);
   await fetchLetters(module.FS, settings.language);
   const why = program.begin(draws ? "#canvas" : "", canvas.width, canvas.height, ratio, settings.textScale, settings.dark ? 1 : 0, settings.language, course.lessons);
-  if (why) { return giveUp(why); }
+  if (why) { return giveUp(why, GRAPHICS); }
   if (!draws) { showWords(course); }
 
   translate(program);
@@ -306,6 +308,7 @@ async function begin() {
   const story = new Story();
   const address = new Address(program, toast);
   let timer = null;
+  let lossTold = false;
   let keyboard = null;
   const loop = new Loop(program, () => {
     keyboard?.followPicture();
@@ -323,7 +326,10 @@ async function begin() {
       document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
       document.documentElement.classList.toggle("dark", state.dark);
       program.keepUnsaved();
-      keepFolder(module.FS, "/kept");
+      if (!keepFolder(module.FS, "/kept") && !lossTold) {
+        lossTold = true;
+        toast("The browser keeps nothing more: its storage is full or forbidden. Save what you need as a file.");
+      }
       // fonts are read when the program begins
       if (lacksLetters(state.language)) {
         letters.asked = true;
@@ -338,6 +344,8 @@ async function begin() {
     fitCanvas(program, loop);
     surviveLostContext(program, loop);
   }
+  // a page around leads the keyboard into this one, and then it is the program's
+  window.addEventListener("focus", () => { if (document.activeElement === document.body) { canvas.focus({ preventScroll: true }); } });
   address.open(() => loop.rouse());
 
   listenToButtons({ program, loop, address });

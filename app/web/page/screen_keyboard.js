@@ -1,4 +1,4 @@
-// The keyboard on the screen of phones and tablets: browsers bring it up for fields of the page, never for a canvas.
+// Typing: browsers bring up the keyboard of a screen, and compose letters, for fields of the page, never for a canvas.
 import { listenToKeys } from "./input.js";
 
 // stands in the field: Backspace is told only where there is something to take away
@@ -14,41 +14,58 @@ export class ScreenKeyboard {
     this.program = program;
     this.loop = loop;
     listenToKeys(field, program, loop, true);
-    field.addEventListener("input", (event) => this.take(event.isComposing));
-    field.addEventListener("compositionend", () => this.take(false));
+    field.addEventListener("input", (event) => this.take(event));
+    field.addEventListener("compositionend", (event) => this.take(event));
+    // where it stood the page would have room for it, also when the picture has become smaller
+    field.addEventListener("blur", () => this.put(0, 0));
     this.fill();
   }
   fill() {
     this.field.value = this.before = FILLING;
     this.field.setSelectionRange(FILLING.length, FILLING.length);
   }
+  put(x, y) { Object.assign(this.field.style, { left: `${x}px`, top: `${y}px` }); }
+  press(...keys) {
+    for (const key of keys) { this.program.key(key, 1); }
+    for (const key of keys.reverse()) { this.program.key(key, 0); }
+  }
   /** Hands on what has changed. Words that are being composed change to their end. */
-  take(composes) {
+  take({ inputType = "", isComposing = false }) {
     const [before, now] = [[...this.before], [...this.field.value]];
-    let same = 0;
-    while (same < before.length && same < now.length && before[same] === now[same]) { ++same; }
-    for (let k = same; k < before.length; ++k) {
-      this.program.key("Backspace", 1);
-      this.program.key("Backspace", 0);
+    if (/^delete(Word|SoftLine|HardLine)/.test(inputType)) {
+      // of words the filling knows nothing
+      this.press("Control", "Backspace");
+      isComposing = false;
+    } else {
+      let same = 0;
+      while (same < before.length && same < now.length && before[same] === now[same]) { ++same; }
+      for (let k = same; k < before.length; ++k) { this.press("Backspace"); }
+      for (const letter of now.slice(same)) { this.program.text(letter.codePointAt(0)); }
     }
-    for (const letter of now.slice(same)) { this.program.text(letter.codePointAt(0)); }
     this.before = this.field.value;
-    if (!composes) { this.fill(); }
+    if (!isComposing) { this.fill(); }
     this.loop.rouse();
   }
   /** Brings the keyboard up if a finger has tapped a text field. Browsers allow that in the event of the tap alone. */
   followTap() {
     for (let k = 0; k < PICTURES; ++k) { this.loop.turn(); }
-    const place = this.program.typingPlace();
-    if (!place) { return; }
-    // where it is, since browsers move the page until the field is seen above their keyboard
-    const [x, y] = place.split(" ").map((pixels) => pixels * this.canvas.clientWidth / this.canvas.width);
-    Object.assign(this.field.style, { left: `${x}px`, top: `${y}px` });
-    this.fill();
-    this.field.focus({ preventScroll: false });
+    if (document.activeElement !== this.field) { return; }
+    // one that was put away comes up for a field that gets the keyboard anew
+    this.field.blur();
+    this.followPicture();
   }
-  /** Puts it away where nobody types any more. */
+  /** Has the keyboard of the page as long as somebody types in the picture. */
   followPicture() {
-    if (document.activeElement === this.field && !this.program.typingPlace()) { this.canvas.focus({ preventScroll: true }); }
+    const active = document.activeElement;
+    const place = this.program.typingPlace();
+    if (!place) {
+      if (active === this.field) { this.canvas.focus({ preventScroll: true }); }
+      return;
+    }
+    // where it is, since browsers move the page until the field is seen above their keyboard
+    this.put(...place.split(" ").map((pixels) => pixels * this.canvas.clientWidth / this.canvas.width));
+    if (active !== this.canvas && active !== document.body) { return; }
+    this.fill();
+    this.field.focus({ preventScroll: true });
   }
 }
