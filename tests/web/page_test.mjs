@@ -274,7 +274,7 @@ test("Edited text is there after the page is read again, and closing it asks fir
     await v.tab.keyboard.press("Home");
     await v.tab.keyboard.up("Control");
     await v.tab.keyboard.type("# a note of mine\n");
-    await v.tab.waitForFunction(() => localStorage.getItem("jointwise-files")?.includes("a note of mine"), { timeout: 20000 });
+    await v.tab.waitForFunction(() => localStorage.getItem("jointwise-file:/kept/edited/four-bar.toml")?.includes("a note of mine"), { timeout: 20000 });
     const asked = [];
     v.tab.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
     await v.tab.reload();
