@@ -50,6 +50,16 @@ TEST_CASE("open refuses an address that leads nowhere, with what was expected", 
     CHECK(refused("#four-bar?tab=plot").find("no tab 'plot'") != std::string::npos);
 }
 
+TEST_CASE("open refuses an address with an exercise that its lesson does not have", "[app][commands]") {
+    CHECK(
+        refused("#four-bar?exercise=nope") ==
+        "jointwise: error: address '#four-bar?exercise=nope': the lesson has no exercise 'nope'\n");
+    const Folder folder;
+    const std::string picture = folder.path("window.png");
+    CHECK(run({"open", "#newton-raphson?exercise=rocker-angle", "--picture", picture}).status == 0);
+    CHECK(std::filesystem::exists(picture));
+}
+
 TEST_CASE("A file that is called like an address is a file", "[app][commands]") {
     const Folder folder;
     const std::string odd = folder.file("#four-bar", bytes_of(lesson_path("loops/four-bar.toml")));
