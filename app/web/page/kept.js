@@ -2,7 +2,7 @@
 // of the same page keep theirs there, too.
 
 const KEY = "jointwise-file:";
-// all files in one text, as versions up to 0.19 kept them
+// all files in one text, as pages of before kept them
 const OLD_KEY = "jointwise-files";
 /** Texts as they stand in the storage, by their paths. */
 const kept = new Map();
