@@ -4,15 +4,6 @@
 
 namespace jw::render {
 
-namespace {
-
-/// The viewport as far as it is in the buffers.
-DeviceRect shown_rect(const BackdropView& view) {
-    return common_part(device_rect(view.viewport, view.frame, view.part), device_rect(view.part, view.frame));
-}
-
-}  // namespace
-
 BackdropPass::BackdropPass(const GlFunctions& gl)
     : gl_(gl),
       sky_(gl, "sky", shaders::backdrop_vertex(), shaders::sky_fragment()),
@@ -47,7 +38,7 @@ void BackdropPass::resize(const BackdropView& wanted) {
 
 void BackdropPass::draw(const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows) {
     const DeviceRect rect = device_rect(wanted.viewport, wanted.frame, wanted.part);
-    const DeviceRect whole = shown_rect(wanted);
+    const DeviceRect whole = shown_rect(wanted.viewport, wanted.frame, wanted.part);
     const bool lit_changed = view_ != wanted;
     if (lit_changed || shadows_ != shadows.version()) {
         // an error on the way leaves nothing that passes for painted
@@ -81,7 +72,7 @@ void BackdropPass::paint_lit(const BackdropView& wanted, const SceneView& view) 
 
 void BackdropPass::paint_shown(
     const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed) {
-    const DeviceRect whole = shown_rect(wanted);
+    const DeviceRect whole = shown_rect(wanted.viewport, wanted.frame, wanted.part);
     const BoundFramebuffer bound(gl_, shown_.framebuffer);
     copy_part(gl_, lit_.framebuffer, lit_changed ? whole : shaded_);
     shaded_ = {};

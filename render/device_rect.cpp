@@ -24,6 +24,10 @@ DeviceRect device_rect(const FramePart& part, const FrameSize& frame) {
     return {0, 0, part.width * frame.pixel_ratio, part.height * frame.pixel_ratio};
 }
 
+DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part) {
+    return common_part(device_rect(rect, frame, part), device_rect(part, frame));
+}
+
 DeviceRect common_part(const DeviceRect& a, const DeviceRect& b) {
     const int left = std::max(a.x, b.x);
     const int bottom = std::max(a.y, b.y);

@@ -22,6 +22,9 @@ DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart
 /// All pixels of the buffers of a part.
 DeviceRect device_rect(const FramePart& part, const FrameSize& frame);
 
+/// A rectangle of the frame as far as it is in the buffers of a part.
+DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
+
 /// Empty where the two do not meet.
 DeviceRect common_part(const DeviceRect& a, const DeviceRect& b);
 

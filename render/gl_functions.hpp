@@ -83,7 +83,7 @@ namespace jw::render {
     X(PFNGLVERTEXATTRIBDIVISORPROC,            VertexAttribDivisor)    \
     X(PFNGLVERTEXATTRIBPOINTERPROC,            VertexAttribPointer)    \
     X(PFNGLVIEWPORTPROC,                       Viewport)
-/// The same of those that OpenGL ES 3.0 does not have: null there.
+/// Functions of OpenGL 3.3 that OpenGL ES 3.0 does not have: null there.
 #define JW_GL_33_FUNCTIONS(X)                                          \
     X(PFNGLTEXIMAGE2DMULTISAMPLEPROC,          TexImage2DMultisample)
 // clang-format on

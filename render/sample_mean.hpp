@@ -10,12 +10,12 @@ namespace jw::render {
 /// start. OpenGL 3.3 only.
 class SampleMean {
 public:
-    /// Part of the driver that OpenGL ES 3.0 lacks is here.
+    /// True if there are several samples, and a driver of OpenGL 3.3.
     static bool is_possible(const GlFunctions& gl, int samples);
 
     SampleMean(const GlFunctions& gl, int width, int height, int samples);
 
-    /// What is drawn into to be averaged: a framebuffer takes it as colour.
+    /// Multisampled texture that bodies are drawn into: the colour of their framebuffer.
     const GlTexture& texture() const { return texture_; }
 
     /// Draws the means of a part into the framebuffer that is bound, of the same size. Uses texture unit 0.

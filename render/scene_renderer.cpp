@@ -84,7 +84,7 @@ void SceneRenderer::draw(
     Backdrop backdrop) const {
     const FrameSize frame = targets.size();
     const DeviceRect rect = device_rect(viewport, frame, targets.part());
-    const DeviceRect shown = common_part(rect, device_rect(targets.part(), frame));
+    const DeviceRect shown = shown_rect(viewport, frame, targets.part());
     if (shown.empty()) { return; }
     const Pass pass(scene, camera, viewport, frame, tone);
     shadow_map_.update(meshes_, pass.lists.bodies, pass.shadow);

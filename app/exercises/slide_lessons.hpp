@@ -18,7 +18,7 @@ struct SlideLesson {
     std::string summary;
     std::vector<SlideRange> slides;
 };
-/// A lesson's; nothing if its file has mistakes.
+/// Lesson of a file; nothing if it has mistakes.
 std::optional<SlideLesson> slide_lesson_in(const std::filesystem::path& file);
 /// The lessons of a course in their order.
 std::vector<SlideLesson> lessons_of_slides(const std::filesystem::path& lessons_folder);
