@@ -17,6 +17,7 @@ const fileOf = (v, path) => v.tab.evaluate((p) => {
   return FS.analyzePath(p).exists ? FS.readFile(p, { encoding: "utf8" }) : "";
 }, path);
 const kept = (v, path) => v.tab.evaluate((p) => localStorage.getItem(`jointwise-file:${p}`) ?? "", path);
+const untilKept = (v, path, text) => v.tab.waitForFunction((p, t) => localStorage.getItem(`jointwise-file:${p}`)?.includes(t), { timeout: 20000 }, path, text);
 /** Text in the field that is typed into: Ctrl+A, Ctrl+C give it to the clipboard. */
 async function written(v) {
   for (const key of ["a", "c"]) {
@@ -71,10 +72,10 @@ test("Two tabs keep what was done in both", async () => {
     await first.tab.keyboard.type("82.5");
     await first.tab.keyboard.press("Enter");
     await first.rest();
-    await first.tab.waitForFunction(() => localStorage.getItem("jointwise-file:/kept/progress.json")?.includes("rocker-angle"), { timeout: 20000 });
+    await untilKept(first, "/kept/progress.json", "rocker-angle");
     await second.tab.bringToFront();
     await second.tab.evaluate(() => { location.hash = "bennett/3"; });
-    await second.tab.waitForFunction(() => localStorage.getItem("jointwise-file:/kept/recent")?.includes("bennett"), { timeout: 20000 });
+    await untilKept(second, "/kept/recent", "bennett");
     check((await kept(second, "/kept/progress.json")).includes("rocker-angle"), "the other tab has taken the progress away");
     check((await fileOf(second, "/kept/progress.json")).includes("rocker-angle"), "the other tab knows nothing of the progress");
     noFaults(first);
@@ -128,7 +129,7 @@ test("Text with a mistake is kept, and neither it nor what was edited before is 
     await v.open("#four-bar/12");
     await v.rest();
     await edit("half done = [work");
-    await v.tab.waitForFunction(() => localStorage.getItem("jointwise-file:/kept/edited/four-bar.toml.draft")?.includes("half done"), { timeout: 20000 });
+    await untilKept(v, "/kept/edited/four-bar.toml.draft", "half done");
     await v.tab.reload();
     await v.ready();
     await v.rest();
@@ -142,7 +143,7 @@ test("Text with a mistake is kept, and neither it nor what was edited before is 
     // the lesson as it was, under another name
     answers.push(false);
     await edit("# another one");
-    await v.tab.waitForFunction(() => localStorage.getItem("jointwise-file:/kept/edited/four-bar-2.toml")?.includes("another one"), { timeout: 20000 });
+    await untilKept(v, "/kept/edited/four-bar-2.toml", "another one");
     check((await kept(v, "/kept/edited/four-bar.toml.draft")).includes("half done"), "the first text is gone");
     noFaults(v);
   });

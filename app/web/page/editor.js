@@ -84,9 +84,9 @@ export class Editor {
     if (write && isWrong) { this.FS.writeFile(draft, text); } else if (write && this.textOf(draft) !== undefined) { this.FS.unlink(draft); }
     this.loop.rouse();
   }
-  /** A file's; undefined if it is not there. */
+  /** Text of a file; undefined if it is not there. */
   textOf(path) { return this.FS.analyzePath(path).exists ? this.FS.readFile(path, { encoding: "utf8" }) : undefined; }
-  /** The path, or one with a number that no text of before has. */
+  /** Path that no text of before has: this one, or one with a number. */
   freePath(path) {
     let free = path;
     const isTaken = (name) => this.textOf(name) !== undefined || this.textOf(draftOf(name)) !== undefined;

@@ -20,6 +20,12 @@ function placeOf(canvas, event) {
   return [(event.clientX - box.left) * canvas.width / box.width, (event.clientY - box.top) * canvas.height / box.height];
 }
 
+/** Presses keys one after the other, and lets them go. */
+export function press(program, ...keys) {
+  for (const key of keys) { program.key(key, 1); }
+  for (const key of keys.reverse()) { program.key(key, 0); }
+}
+
 /** Fingers: one turns the picture or scrolls a panel, two shift and zoom, one that rests picks up. */
 class Fingers {
   constructor(canvas, program, loop, keyboard) {
@@ -171,7 +177,7 @@ export function listenToKeys(target, program, loop, writes = false) {
   target.addEventListener("paste", (event) => {
     event.preventDefault();
     program.setClipboard(event.clipboardData.getData("text/plain"));
-    for (const [key, down] of [["Control", 1], ["v", 1], ["v", 0], ["Control", 0]]) { program.key(key, down); }
+    press(program, "Control", "v");
     loop.rouse();
   });
   // keys that are held while it loses the keyboard would stay down

@@ -1,6 +1,6 @@
 // The page around the program: canvas, input, files, address. What is drawn and computed is in jointwise.wasm.
 import createJointwise from "./jointwise.js";
-import { listen } from "./input.js";
+import { listen, press } from "./input.js";
 import { ScreenKeyboard } from "./screen_keyboard.js";
 import { Address } from "./address.js";
 import { keepFolder, restoreFolder, store, stored, writeFiles } from "./kept.js";
@@ -251,10 +251,7 @@ class Settings {
 function listenToButtons({ program, loop, address }) {
   for (const button of document.querySelectorAll("button[data-key], button[data-text]")) {
     button.addEventListener("click", () => {
-      if (button.dataset.key) {
-        program.key(button.dataset.key, 1);
-        program.key(button.dataset.key, 0);
-      } else { program.text(button.dataset.text.codePointAt(0)); }
+      if (button.dataset.key) { press(program, button.dataset.key); } else { program.text(button.dataset.text.codePointAt(0)); }
       loop.rouse();
     });
   }

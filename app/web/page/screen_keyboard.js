@@ -1,5 +1,5 @@
 // Typing: browsers bring up the keyboard of a screen, and compose letters, for fields of the page, never for a canvas.
-import { listenToKeys } from "./input.js";
+import { listenToKeys, press } from "./input.js";
 
 // stands in the field: Backspace is told only where there is something to take away
 const FILLING = " ".repeat(8);
@@ -25,21 +25,17 @@ export class ScreenKeyboard {
     this.field.setSelectionRange(FILLING.length, FILLING.length);
   }
   put(x, y) { Object.assign(this.field.style, { left: `${x}px`, top: `${y}px` }); }
-  press(...keys) {
-    for (const key of keys) { this.program.key(key, 1); }
-    for (const key of keys.reverse()) { this.program.key(key, 0); }
-  }
   /** Hands on what has changed. Words that are being composed change to their end. */
   take({ inputType = "", isComposing = false }) {
     const [before, now] = [[...this.before], [...this.field.value]];
     if (/^delete(Word|SoftLine|HardLine)/.test(inputType)) {
       // of words the filling knows nothing
-      this.press("Control", "Backspace");
+      press(this.program, "Control", "Backspace");
       isComposing = false;
     } else {
       let same = 0;
       while (same < before.length && same < now.length && before[same] === now[same]) { ++same; }
-      for (let k = same; k < before.length; ++k) { this.press("Backspace"); }
+      for (let k = same; k < before.length; ++k) { press(this.program, "Backspace"); }
       for (const letter of now.slice(same)) { this.program.text(letter.codePointAt(0)); }
     }
     this.before = this.field.value;
