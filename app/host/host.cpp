@@ -46,7 +46,7 @@ Host::Host(const HostSetup& setup)
       shelf_(setup.catalogue, setup.recent_file),
       unsaved_(setup.unsaved),
       pictures_(setup.pictures),
-      desk_({setup.catalogue, setup.progress, setup.judge_program}) {
+      desk_({setup.catalogue, setup.progress, setup.judge_program}, setup.programs) {
     // creating does not make it the current one if there is another
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -57,6 +57,8 @@ Host::Host(const HostSetup& setup)
     state_.tab = setup.tab;
     state_.dark = setup.dark;
     state_.text_scale = setup.text_scale;
+    state_.has_disk = setup.has_disk;
+    state_.not_offered = setup.not_offered;
     fonts_.need(panels::characters_of_messages());
     resize(setup.width, setup.height, setup.density);
 }

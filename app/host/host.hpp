@@ -33,6 +33,9 @@ struct HostSetup {
     std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
     std::filesystem::path progress;        ///< file of what is solved; empty: nowhere
     ProgramJudge judge_program;            ///< of exercises that ask for programs; nothing: none is run
+    std::filesystem::path programs;        ///< folder for programs to begin with; empty: beside `progress`
+    bool has_disk = true;                  ///< other programs see the files that are written
+    std::vector<Command> not_offered;      ///< what is of no use here, or has a key that never comes
     Tab tab = Tab::step;                   ///< what stands beside the picture to begin with
     bool dark = false;
     float text_scale = 1.0F;
@@ -71,6 +74,8 @@ public:
     /// Waits for what is computed in threads about exercises, and takes it over.
     void wait_for_exercises();
     const ExerciseDesk& exercises() const { return desk_; }
+    /// The tab of exercises as text.
+    std::string exercise_text() const { return tabs_.exercises.text(desk_.practice(), desk_.work()); }
 
     /// Size of the picture in pixels of the framebuffer.
     /// @param density  of the screen, see panels::Looking

@@ -11,6 +11,15 @@ namespace {
 // a screen reader says no more than a person wants to hear
 constexpr int kDescribedWidth = 100;
 
+/// What stands beside the picture. The figure of an exercise is no step: what is asked must not be read off
+/// it.
+std::string text_of(const Host& host) {
+    if (host.state().tab != Tab::exercises) { return describe(host.session()->view(), kDescribedWidth); }
+    const std::string exercises = host.exercise_text();
+    if (host.exercises().figure() != nullptr) { return exercises; }
+    return exercises + '\n' + describe(host.session()->view(), kDescribedWidth);
+}
+
 }  // namespace
 
 std::string state_text(const Host& host) {
@@ -20,6 +29,7 @@ std::string state_text(const Host& host) {
     json["dark"] = host.state().dark;
     json["text_scale"] = host.state().text_scale;
     json["notice"] = host.notice().text();
+    json["mistakes"] = host.notice().mistakes();
     if (!host.shows_lesson()) { return json.dump(); }
     const Session& session = *host.session();
     json["title"] = session.lesson().title;
@@ -34,7 +44,7 @@ std::string state_text(const Host& host) {
     for (const render::Vector3d& part : {camera.eye, camera.target, camera.up}) {
         for (int k = 0; k < 3; ++k) { json["camera"].push_back(part(k)); }
     }
-    json["text"] = describe(session.view(), kDescribedWidth);
+    json["text"] = text_of(host);
     return json.dump();
 }
 

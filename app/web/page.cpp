@@ -35,6 +35,10 @@ host::HostSetup host_setup(const PageSetup& setup) {
     wanted.unsaved = kKept / "unsaved";
     wanted.pictures = kDownloads;
     wanted.progress = kKept / "progress.json";
+    wanted.programs = kDownloads;
+    wanted.has_disk = false;
+    // their keys are the browser's
+    wanted.not_offered = {host::Command::next_tab, host::Command::reload, host::Command::quit};
     wanted.dark = setup.dark;
     wanted.text_scale = setup.text_scale;
     wanted.width = setup.width;

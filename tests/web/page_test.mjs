@@ -131,9 +131,38 @@ test("An address that leads nowhere says so, and nothing is lost", async () => {
     await v.rest();
     const state = await v.state();
     equal([state.file.split("/").pop(), state.step], ["four-bar.toml", 11], `what is shown after ${bad}`);
+    await v.tab.waitForFunction((said) => said && document.getElementById("news").textContent.includes(said), { timeout: 20000 }, state.mistakes);
   }
   noFaults(v);
   await v.close();
+});
+
+test("A reader of the screen is told exercises and verdicts, and of them what is new", async () => {
+  await visitAlone({ hash: "#newton-raphson/3" }, async (v) => {
+    const told = (words) => v.tab.waitForFunction((w) => document.getElementById("story").textContent.includes(w), { timeout: 20000 }, words);
+    const step = await v.state();
+    await told(step.text);
+    await v.type("6");
+    await told("Chosen: 1. ");
+    // what a reader says: lines that come
+    await v.tab.evaluate(() => {
+      window.said = [];
+      new MutationObserver((changes) => {
+        for (const change of changes) { window.said.push(...[...change.addedNodes].map((node) => node.textContent)); }
+      }).observe(document.getElementById("story"), { childList: true });
+    });
+    await v.key("ArrowDown");
+    await told("Chosen: 2. ");
+    const said = await v.tab.evaluate(() => window.said);
+    equal(said.map((line) => line.slice(0, 10)), ["Chosen: 2."], "what is said when the next exercise is chosen");
+    await v.tab.evaluate(() => { location.hash = "newton-raphson?exercise=rocker-angle"; });
+    await told("Type it, Enter checks it.");
+    await v.type("7");
+    await v.tab.keyboard.press("Enter");
+    await told("In the field: 7");
+    await told("Not so");
+    equal(await v.tab.evaluate(() => document.getElementById("story").textContent), (await v.state()).text, "the text of the page");
+  });
 });
 
 test("The page draws what the program draws", async () => {

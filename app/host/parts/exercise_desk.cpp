@@ -25,7 +25,10 @@ bool works_on_lesson(ExerciseKind kind) {
 
 }  // namespace
 
-ExerciseDesk::ExerciseDesk(PracticeSetup setup) : progress_(setup.progress), practice_(std::move(setup)) {}
+ExerciseDesk::ExerciseDesk(PracticeSetup setup, fs::path programs)
+    : progress_(setup.progress), programs_(std::move(programs)), practice_(std::move(setup)) {
+    if (programs_.empty()) { programs_ = folder(); }
+}
 
 fs::path ExerciseDesk::folder() const {
     return progress_.empty() ? fs::path() : progress_.parent_path() / "exercises";
@@ -92,8 +95,8 @@ void ExerciseDesk::begin(ExerciseTab& tab) {
     const Task& task = *practice_.task();
     if (!task.problem.empty()) { return; }
     if (works_on_lesson(task.exercise().kind)) { return begin_work(task, tab); }
-    if (task.exercise().kind == ExerciseKind::code && tab.answer().empty() && !folder().empty()) {
-        tab.set_answer((folder() / (task.exercise().name + ".py")).string());
+    if (task.exercise().kind == ExerciseKind::code && tab.answer().empty() && !programs_.empty()) {
+        tab.set_answer((programs_ / (task.exercise().name + ".py")).string());
     }
     if (auto scene = figure_scene(task)) {
         drawing_ = std::make_unique<Background<std::shared_ptr<const Still>>>(

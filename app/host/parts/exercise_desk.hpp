@@ -22,8 +22,9 @@ struct OpenLesson {
 /// An exercise in the window: its figure, or the lesson that it hands out, in place of the open lesson.
 class ExerciseDesk {
 public:
-    /// Working copies of lessons and programs are kept in the folder of the progress file.
-    explicit ExerciseDesk(PracticeSetup setup);
+    /// Working copies of lessons are kept in the folder of the progress file.
+    /// @param programs  folder for programs to begin with; empty: that of the working copies
+    explicit ExerciseDesk(PracticeSetup setup, std::filesystem::path programs = {});
 
     Practice& practice() { return practice_; }
     const Practice& practice() const { return practice_; }
@@ -68,6 +69,7 @@ private:
     std::filesystem::path folder() const;
 
     std::filesystem::path progress_;
+    std::filesystem::path programs_;
     Practice practice_;
     ExerciseWork work_;
     int begun_ = 0;               ///< tasks made when the last one was begun

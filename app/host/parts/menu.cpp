@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <imgui.h>
@@ -25,7 +26,13 @@ constexpr float kMouseWidth = 190.0F;
 constexpr Group kGroups[] = {Group::timeline,  Group::panels,  Group::experiments,
                              Group::exercises, Group::picture, Group::files};
 
-constexpr const char* kMouse[][2] = {
+/// A line of the sheet: what to press, and what it does.
+struct Line {
+    const char* keys;
+    const char* text;
+};
+
+constexpr Line kMouse[] = {
     {tr_later("Drag a body"), tr_later("pull it: what is assembled holds it")},
     {tr_later("Drag the background"), tr_later("turn the view")},
     {tr_later("Right button or Shift"), tr_later("move the view")},
@@ -33,6 +40,17 @@ constexpr const char* kMouse[][2] = {
     {tr_later("Point at anything"), tr_later("what belongs to it lights up")},
     {tr_later("Click a row, a plot"), tr_later("go there")},
 };
+
+constexpr Line kFingers[] = {
+    {tr_later("One finger"), tr_later("turn the view, scroll a panel")},
+    {tr_later("Two fingers"), tr_later("move the view; nearer or farther")},
+    {tr_later("Rest on a body, then move"), tr_later("pull it: what is assembled holds it")},
+    {tr_later("Tap a row, a plot"), tr_later("go there")},
+};
+
+bool is_offered(const Ui& ui, Command command) {
+    return std::ranges::find(ui.state.not_offered, command) == ui.state.not_offered.end();
+}
 
 /// Entries of the menu are further apart where fingers press them.
 class MenuSpacing {
@@ -54,30 +72,27 @@ bool is_possible(const LessonUi& ui, Command command) {
     return true;
 }
 
-/// A line of the sheet: what to press, and what it does.
-struct Line {
-    const char* keys;
-    const char* text;
-};
-
 struct Section {
     const char* title;
     std::vector<Line> lines;
     float keys_width = 0.0F;  ///< at 720
 };
 
-std::vector<Section> sections() {
+std::vector<Section> sections(const Ui& ui) {
     std::vector<Section> all;
     for (const Group group : kGroups) {
         Section section{name_of(group), {}, kKeysWidth};
         for (const CommandInfo& info : command_table()) {
-            if (info.group == group) { section.lines.push_back({tr(info.keys), tr(info.text)}); }
+            if (info.group == group && is_offered(ui, info.command)) {
+                section.lines.push_back({tr(info.keys), tr(info.text)});
+            }
         }
         all.push_back(std::move(section));
     }
-    Section mouse{tr("Mouse"), {}, kMouseWidth};
-    for (const auto& [what, does] : kMouse) { mouse.lines.push_back({tr(what), tr(does)}); }
-    all.push_back(std::move(mouse));
+    Section pointing{is_for_fingers() ? tr("Fingers") : tr("Mouse"), {}, kMouseWidth};
+    const std::span<const Line> gestures = is_for_fingers() ? std::span<const Line>(kFingers) : kMouse;
+    for (const auto& [what, does] : gestures) { pointing.lines.push_back({tr(what), tr(does)}); }
+    all.push_back(std::move(pointing));
     return all;
 }
 
@@ -97,8 +112,7 @@ float draw_section(const panels::Canvas& canvas, const Box& column, const Sectio
 }
 
 /// The sections in columns of about the same height. @return the height of the highest
-float draw_sections(const panels::Canvas& canvas, const Box& box) {
-    const std::vector<Section> all = sections();
+float draw_sections(const panels::Canvas& canvas, const Box& box, const std::vector<Section>& all) {
     const float gap = canvas.px(20.0F);
     const int count = std::clamp(static_cast<int>(box.width / canvas.px(kColumnWidth)), 1, 3);
     const float width = (box.width - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -135,7 +149,7 @@ void menu(const LessonUi& ui) {
     for (const Group group : kGroups) {
         if (!ImGui::BeginMenu(name_of(group))) { continue; }
         for (const CommandInfo& info : command_table()) {
-            if (info.group != group) { continue; }
+            if (info.group != group || !is_offered(ui, info.command)) { continue; }
             if (ImGui::MenuItem(tr(info.text), tr(info.keys), false, is_possible(ui, info.command))) {
                 ui.requests.add(info.command);
             }
@@ -155,7 +169,7 @@ void draw_list_of_keys(const Ui& ui, const Box& box) {
     const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Box place{at.x, at.y, ImGui::GetContentRegionAvail().x, 0.0F};
-    ImGui::Dummy({1.0F, draw_sections(canvas, place)});
+    ImGui::Dummy({1.0F, draw_sections(canvas, place, sections(ui))});
     if (ui.state.sheet.wanted != 0.0F) {
         ImGui::SetScrollY(ImGui::GetScrollY() + ui.state.sheet.wanted * box.height);
         ui.state.sheet.wanted = 0.0F;
@@ -167,7 +181,7 @@ void draw_list_of_keys(const Ui& ui, const Box& box) {
 /// @return the height taken
 float draw_head_of_keys(const panels::Canvas& canvas, const Box& box) {
     const render::Fonts& fonts = canvas.fonts();
-    const char* const title = tr("Keys and mouse");
+    const char* const title = is_for_fingers() ? tr("Keys and fingers") : tr("Keys and mouse");
     const char* const note = tr("any other key or a click closes this");
     canvas.text({box.x, box.y}, fonts.title, theme::kInk, title);
     const float needed = canvas.text_width(fonts.title, title) + canvas.text_width(fonts.small, note);

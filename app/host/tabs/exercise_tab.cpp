@@ -5,14 +5,13 @@
 
 #include <imgui.h>
 
+#include "app/host/tabs/exercise_sentences.hpp"
 #include "app/host/tabs/exercise_words.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
-#include "app/session/wording/numbers.hpp"
-#include "lessons/exercise/read_exercises.hpp"
 
 namespace jw::host {
 
@@ -23,23 +22,6 @@ using panels::Canvas;
 namespace theme = panels::theme;
 
 constexpr float kMark = 18.0F;  // room for the mark before a row
-
-std::string points_text(double points) {
-    return points == 1.0 ? std::string(tr("1 point")) : tr("{0} points", number_text(points, 4));
-}
-
-/// "new", "tried", "solved 3 times, the last 2 in a row"
-std::string state_text(const ExerciseRecord& record) {
-    if (record.solved == 0) { return record.tried == 0 ? tr("new") : tr("tried"); }
-    if (record.solved == 1) { return tr("solved"); }
-    return record.streak > 1 ? tr("solved {0} times, the last {1} in a row", record.solved, record.streak)
-                             : tr("solved {0} times", record.solved);
-}
-
-std::string row_text(const Exercise& exercise, const ExerciseRecord& record) {
-    return std::string(tr(label_of(kExerciseKinds, exercise.kind))) + "   ·   " +
-           points_text(exercise.points) + "   ·   " + state_text(record);
-}
 
 /// Empty: new; half: tried; full: solved.
 void draw_mark(const Canvas& canvas, panels::Point at, const ExerciseRecord& record) {
@@ -81,7 +63,7 @@ void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
     const float mark = ui.px(kMark);
     const float room = std::max(ui.px(60.0F), ImGui::GetContentRegionAvail().x);
     const float inner = room - mark - ui.px(8.0F);
-    const std::string below = row_text(*entry.exercise, record);
+    const std::string below = facts_of(*entry.exercise, record);
     const float title = panels::paragraph_height(ui.canvas, fonts.normal, entry.exercise->title, inner);
     const float height =
         title + panels::paragraph_height(ui.canvas, fonts.small, below, inner) + ui.px(10.0F);
@@ -106,8 +88,31 @@ void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
     panels::paragraph(canvas, {words.x, words.y + title, inner, height}, fonts.small, theme::kSoft, below);
 }
 
+/// What numbers begin with goes into the field, and the number of a choice chooses it.
+bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Requests& requests) {
+    const Task* const task = practice.task();
+    if (task == nullptr || !is_of_numbers(task->exercise().kind)) { return false; }
+    constexpr std::string_view kFirstOfNumbers = "0123456789-.[(";
+    const bool is_letter = character > 0 && character < 128;
+    const char letter = is_letter ? static_cast<char>(character) : ' ';
+    // the field has the keyboard a picture or two after it was asked for
+    if (typed_.empty() && kFirstOfNumbers.find(letter) == std::string_view::npos) { return false; }
+    if (task->exercise().kind == ExerciseKind::choose) {
+        answer_ = letter;
+        requests.answer = answer_;
+        return true;
+    }
+    typed_ += letter;
+    took_letters_ = true;
+    wants_focus_ = true;
+    return true;
+}
+
 bool ExerciseTab::act(const InputEvent& event, const Practice& practice, Requests& requests) {
+    if (event.kind == InputEvent::Kind::text) { return act_on_letter(event.character, practice, requests); }
     if (event.kind != InputEvent::Kind::key || !event.down) { return false; }
+    // keys of letters that go into the field
+    if (!typed_.empty()) { return true; }
     const bool in_list = practice.chosen() < 0;
     const auto move = [&](int by) {
         row_ = std::clamp(row_ + by, 0, std::max(0, static_cast<int>(practice.exercises().size()) - 1));
@@ -144,6 +149,7 @@ void ExerciseTab::follow(const Practice& practice) {
     if (now == answers_) { return; }
     if (!answers_.empty()) { drafts_[answers_] = answer_; }
     answers_ = now;
+    typed_.clear();
     wants_top_ = true;
     answer_ = now.empty() ? std::string() : drafts_[now];
 }

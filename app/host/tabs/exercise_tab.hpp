@@ -19,8 +19,11 @@ struct ExerciseWork {
 class ExerciseTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box, const Practice& practice, const ExerciseWork& work);
+    /// Its words in lines, for those who do not see them.
+    std::string text(const Practice& practice, const ExerciseWork& work) const;
 
-    /// Keys while nobody types: they choose in the list, and lead into the field for the answer.
+    /// Keys while nobody types: they choose in the list, and lead into the field for the answer; what numbers
+    /// begin with begins the answer.
     /// @return whether the event was for the exercises
     bool act(const InputEvent& event, const Practice& practice, Requests& requests);
 
@@ -31,11 +34,13 @@ public:
     void set_answer(std::string text) { answer_ = std::move(text); }
 
 private:
+    bool act_on_letter(unsigned character, const Practice& practice, Requests& requests);
     void list(const LessonUi& ui, const Practice& practice);
     void row(const LessonUi& ui, const Practice& practice, int index);
     void task(const LessonUi& ui, const Practice& practice, const ExerciseWork& work);
     void head(const LessonUi& ui, const Practice& practice);
     void question(const LessonUi& ui, const Task& task);
+    void hand_over_typed();
     void answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work);
     void choices(const LessonUi& ui, const Task& task);
     void buttons(const LessonUi& ui, const Practice& practice);
@@ -57,7 +62,10 @@ private:
     bool wants_top_ = false;  ///< another exercise, or other numbers: from the beginning
     int row_ = 0;             ///< chosen in the list
     bool wants_focus_ = false;
-    bool wants_row_ = false;  ///< the chosen row comes into sight
+    std::string typed_;          ///< goes into the field once that has the keyboard
+    bool took_letters_ = false;  ///< in this frame: into `typed_`
+    bool has_keyboard_ = false;  ///< the field, in the frame before
+    bool wants_row_ = false;     ///< the chosen row comes into sight
     std::string answer_;
     std::string answers_;                        ///< key and variant that the answer belongs to
     std::map<std::string, std::string> drafts_;  ///< answers that were begun, by key and variant

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <utility>
 
 #include <imgui.h>
 
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/value_latex.hpp"
+#include "app/host/tabs/exercise_sentences.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
 #include "app/host/tabs/exercise_words.hpp"
 #include "app/host/ui/widgets.hpp"
@@ -11,7 +13,6 @@
 #include "app/panels/parts/text.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
-#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw::host {
 
@@ -21,34 +22,6 @@ namespace theme = panels::theme;
 
 constexpr int kLinesOfMatrix = 4;
 constexpr int kLinesOfFile = 14;
-
-bool is_file(ExerciseKind kind) { return kind == ExerciseKind::repair || kind == ExerciseKind::build; }
-
-/// How the answer is given here, where it differs from a sheet on paper.
-std::string how_to_answer(const Task& task) {
-    const bool counts = task.asked.tolerance == 0.0;
-    switch (task.exercise().kind) {
-        case ExerciseKind::repair:
-            return tr(
-                "Mend the lesson: in this field, with 'Try it', or in an editor. Change as little as "
-                "possible.");
-        case ExerciseKind::build:
-            return tr(
-                "Add joints at the end of the lesson: in this field or in an editor. Leave the rest as it "
-                "is.");
-        case ExerciseKind::experiment:
-            return tr(
-                "Do experiments with the lesson in 'Try it'. Those that you do are listed here and judged.");
-        case ExerciseKind::code:
-            return tr("Write a program: .py, .cpp, .m or .js. It reads JSON and writes JSON.");
-        case ExerciseKind::choose: return tr("Press the number of a choice, or type it.");
-        case ExerciseKind::number:
-            if (counts) { return tr("Write a whole number."); }
-            break;
-        default: break;
-    }
-    return tr(kind_of(task.exercise().kind).hand_in);
-}
 
 const char* hint_of_field(ExerciseKind kind) {
     switch (kind) {
@@ -110,25 +83,14 @@ void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
         next_button(tr("New numbers"));
         command_button(ui, Command::exercise_anew, tr("New numbers"));
     }
-    const Exercise& exercise = *practice.exercise();
-    section(ui, exercise.title.c_str());
-    const std::string where = exercise.source.empty() ? "" : shown_slides(exercise.source) + "   ·   ";
-    note(
-        ui,
-        where + (exercise.allowed == Allowed::paper ? tr("on paper: what is asked cannot be read off here")
-                                                    : tr("the program may be used")));
+    section(ui, practice.exercise()->title.c_str());
+    note(ui, what_is_allowed(*practice.exercise()));
 }
 
 void ExerciseTab::question(const LessonUi& ui, const Task& task) {
     const render::Fonts& fonts = ui.canvas.fonts();
     rich_words(ui, panels::typeset(panels::run_on(task.exercise().ask)), fonts.normal, theme::kInk);
-    if (task.exercise().kind == ExerciseKind::code) {
-        std::string names;
-        for (const std::string& name : input_names(task.exercise())) {
-            names += (names.empty() ? "" : ", ") + name;
-        }
-        return note(ui, tr("Inputs of a case: {0}.", names));
-    }
+    if (task.exercise().kind == ExerciseKind::code) { return note(ui, inputs_of_program(task.exercise())); }
     for (const GivenSymbol& symbol : task.asked.given) {
         ImGui::Dummy({0.0F, ui.px(2.0F)});
         rich_words(ui, "$" + given_latex(symbol) + "$", fonts.normal, theme::kInk);
@@ -162,21 +124,32 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
     }
 }
 
+/// Puts what was typed before the field had the keyboard before what is typed since.
+void ExerciseTab::hand_over_typed() {
+    ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
+    // ImGui was told of them, too
+    if (std::exchange(took_letters_, false)) { letters.clear(); }
+    if (!has_keyboard_) { return; }
+    for (std::size_t k = typed_.size(); k-- > 0;) {
+        letters.insert(letters.begin(), static_cast<ImWchar>(typed_[k]));
+    }
+    typed_.clear();
+}
+
 void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work) {
     const ExerciseKind kind = task.exercise().kind;
     section(ui, tr("Your answer"));
-    std::string how = how_to_answer(task);
-    if (!task.asked.unit.empty()) { how += " " + tr("The answer is in {0}.", task.asked.unit); }
-    note(ui, how);
+    note(ui, how_to_answer(task));
     if (kind == ExerciseKind::experiment) {
         for (const std::string& action : work.experiments) { ImGui::BulletText("%s", action.c_str()); }
         if (work.experiments.empty()) { note(ui, tr("none so far")); }
         wants_focus_ = false;
         return;
     }
-    if (is_file(kind) && !work.file.empty()) {
+    if (is_file(kind) && !work.file.empty() && ui.state.has_disk) {
         note(ui, tr("The lesson is also here: {0}", work.file.string()));
     }
+    hand_over_typed();
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
     wants_focus_ = false;
     const bool large = kind == ExerciseKind::matrix || kind == ExerciseKind::pose;
@@ -184,6 +157,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     if (text_field(ui, "##answer", hint_of_field(kind), answer_, lines, !is_file(kind))) {
         ui.requests.answer = answer_;
     }
+    has_keyboard_ = ImGui::IsItemActive();
     if (kind == ExerciseKind::code) {
         if (ImGui::Button(tr("Write a starter"))) { ui.requests.starter = answer_; }
         tip_of_item(tr("a program to begin with, and a file with its input, unless they are there"));
@@ -214,7 +188,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
     const Judged& judged = verdict->judged;
     ImGui::Dummy({0.0F, ui.px(4.0F)});
     if (judged.right) {
-        bold_words(ui, tr("Right."), theme::kAccent);
+        bold_words(ui, title_of(judged), theme::kAccent);
         if (!practice.task()->exercise().why.empty() && !practice.shows_solution()) {
             rich_words(
                 ui, panels::typeset(panels::run_on(practice.task()->exercise().why)),
@@ -222,9 +196,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
         }
         return;
     }
-    std::string title = judged.understood ? tr("Not so.") : tr("Not understood.");
-    if (!judged.title.empty()) { title = tr("Not so: {0}.", judged.title); }
-    bold_words(ui, title, theme::kRedundant);
+    bold_words(ui, title_of(judged), theme::kRedundant);
     for (const std::string& sentence : judged.feedback) {
         rich_words(ui, sentence, ui.canvas.fonts().normal, theme::kInk);
     }

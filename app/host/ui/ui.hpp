@@ -40,6 +40,8 @@ struct UiState {
     bool help = false;     ///< the list of keys over everything
     bool dark = false;
     float text_scale = 1.0F;
+    bool has_disk = true;  ///< other programs see the files that are written: their paths are told
+    std::vector<Command> not_offered;  ///< neither in the menu nor in the list of keys
 
     Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
     int symbol = -1;            ///< of the caption, chosen by the keyboard; -1: none

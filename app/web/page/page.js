@@ -147,13 +147,30 @@ function surviveLostContext(program, loop) {
   });
 }
 
-/** Text of the step for those who do not see the picture. */
+/** What the picture shows, in words, for those who do not see it. */
 class Story {
   tell(state) {
     const list = "The list of lessons is shown. Arrows choose, Enter opens.";
-    const text = state.shows_lesson ? state.text : words[list] ?? list;
-    if (text !== this.told) { $("story").textContent = this.told = text; }
+    this.tellLines(state.shows_lesson ? state.text : words[list] ?? list);
+    const news = [state.notice, state.mistakes].filter(Boolean).join("\n");
+    if ($("news").textContent !== news) { $("news").textContent = news; }
     document.title = state.shows_lesson ? `${state.title}${state.changed ? " (changed)" : ""} – Jointwise` : "Jointwise";
+  }
+  /** Lines that stay are left alone: readers of the screen say what is new. */
+  tellLines(text) {
+    const [before, now] = [[...$("story").children], text.split(/(?<=\n)/)];
+    const most = Math.min(before.length, now.length);
+    let first = 0;
+    while (first < most && before[first].textContent === now[first]) { ++first; }
+    let last = 0;
+    while (first + last < most && before.at(-1 - last).textContent === now.at(-1 - last)) { ++last; }
+    const next = before[before.length - last] ?? null;
+    for (const line of before.slice(first, before.length - last)) { line.remove(); }
+    for (const line of now.slice(first, now.length - last)) {
+      const element = document.createElement("span");
+      element.textContent = line;
+      $("story").insertBefore(element, next);
+    }
   }
 }
 
@@ -207,7 +224,7 @@ async function fetchLetters(FS, language) {
 function showWords(course) {
   document.body.classList.add("words");
   $("loading").hidden = true;
-  $("story").classList.remove("unseen");
+  for (const id of ["story", "news"]) { $(id).classList.remove("unseen"); }
   const notice = document.createElement("section");
   notice.className = "missing";
   notice.innerHTML = "<h1>This browser shows no WebGL 2</h1><p>The steps of the lessons stand below as words; the buttons above lead through them. " +

@@ -6,7 +6,11 @@
 #include <imgui_internal.h>
 
 #include "app/exercises/kinds.hpp"
+#include "app/host/host_state.hpp"
+#include "app/host/tabs/exercise_sentences.hpp"
+#include "app/session/output/json.hpp"
 #include "lessons/catalogue.hpp"
+#include "lessons/math/text_parts.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/exercise_lesson.hpp"
 #include "tests/app/host/overprint.hpp"
@@ -38,7 +42,6 @@ struct Student {
         const auto& all = practice().exercises();
         const auto found = std::ranges::find(all, name, [](const auto& e) { return e.exercise->name; });
         REQUIRE(found != all.end());
-        person.ask(Command::tab_exercises);
         person.ask(Command::exercise_list);
         for (std::size_t k = 0; k < all.size(); ++k) { person.press(Key::up); }
         for (auto k = all.begin(); k != found; ++k) { person.press(Key::down); }
@@ -61,6 +64,9 @@ struct Student {
     Person person;
 };
 
+/// The beginning of a text: lines break somewhere behind it.
+std::string first_words(const std::string& text) { return text.substr(0, 20); }
+
 }  // namespace
 
 TEST_CASE(
@@ -77,6 +83,78 @@ TEST_CASE(
         student.wait();
         CHECK_FALSE(student.practice().is_solved());
     }
+}
+
+TEST_CASE("What numbers begin with begins the answer, and the number of a choice chooses it", "[exercises]") {
+    Student student;
+    for (const char* const name : {"number", "vector", "matrix", "choose", "order", "pose"}) {
+        CAPTURE(name);
+        student.begin(name);
+        const std::string right = student.right();
+        student.person.type(right);
+        if (std::string_view(name) != "choose") { student.person.press(Key::enter); }
+        student.wait();
+        REQUIRE(student.practice().verdict() != nullptr);
+        CAPTURE(right, student.practice().verdict()->judged.feedback);
+        CHECK(student.practice().is_solved());
+        CHECK(student.person.host().state().tab == Tab::exercises);
+        CHECK(student.person.host().state().text_scale == 1.0F);
+        student.person.press(Key::escape);
+    }
+    // where no numbers are asked for they are commands, as everywhere
+    for (const char* const name : {"repair", "experiment"}) {
+        CAPTURE(name);
+        student.begin(name);
+        student.person.type("2");
+        CHECK(student.person.host().state().tab == Tab::experiments);
+    }
+}
+
+TEST_CASE(
+    "Somebody who sees nothing is told the list, the question, the answer and what is said of it",
+    "[exercises]") {
+    Student student;
+    const auto tells = [&](const std::string& words) {
+        return Json::parse(state_text(student.person.host()))["text"].get<std::string>().find(words) !=
+               std::string::npos;
+    };
+    const auto& all = student.practice().exercises();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string number = std::to_string(k + 1) + ". " + std::string(all[k].exercise->title);
+        CAPTURE(number);
+        CHECK(tells(number));
+        CHECK(tells("Chosen: " + number) == (k == 0));
+    }
+    student.person.press(Key::down);
+    CHECK(tells("Chosen: 2. "));
+    for (const std::string& name : kKindsOfExercises) {
+        CAPTURE(name);
+        student.begin(name);
+        const Task& task = *student.practice().task();
+        CHECK(tells(task.exercise().title));
+        CHECK(tells("Your answer"));
+        CHECK(tells(first_words(host::how_to_answer(task))));
+        for (const std::string& choice : task.shown) { CHECK(tells(first_words(math::plain_words(choice)))); }
+        // what is asked of a figure must not be read off the lesson beside it
+        CHECK(tells(student.person.view().title) != (student.person.host().exercises().figure() != nullptr));
+        student.person.ask(Command::exercise_hint);
+        CHECK(tells("Hint 1") == !task.exercise().hints.empty());
+    }
+    student.begin("vector");
+    const std::vector<HandedMistake> mistakes =
+        kind_of(ExerciseKind::vector).mistakes(*student.practice().task());
+    REQUIRE_FALSE(mistakes.empty());
+    student.answer(mistakes.front().handed.text);
+    CHECK(tells("In the field: " + mistakes.front().handed.text));
+    CHECK(tells("Not so: "));
+    CHECK(tells("These entries differ: "));
+    student.person.ask(Command::exercise_anew);
+    student.wait();
+    CHECK_FALSE(tells("Not so"));
+    student.answer(student.right());
+    CHECK(tells("Right."));
+    student.person.ask(Command::exercise_solution);
+    CHECK(tells("Solution"));
 }
 
 TEST_CASE("Nonsense is refused, and what was typed stays, even when Escape leaves the field", "[exercises]") {
@@ -145,7 +223,9 @@ TEST_CASE("A figure takes the place of the lesson's picture while its exercise i
     const int step = student.person.session().index();
     for (const Key key : {Key::right, Key::end, Key::space}) { student.person.press(key); }
     CHECK(student.person.session().index() == step);
-    student.person.ask(Command::tab_step);
+    // digits are for the answer
+    student.person.ask(Command::next_tab);
+    CHECK(student.person.host().state().tab == Tab::step);
     CHECK(student.person.host().picture().annotations.size() == names);
     student.person.press(Key::right);
     CHECK(student.person.session().index() == step + 1);
