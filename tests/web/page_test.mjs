@@ -13,6 +13,9 @@ const stems = lessons.map((f) => basename(f, ".toml"));
 const address = await served("build/web/page");
 const visit = async (options) => Visit.begin(browser, address, options);
 
+// a software renderer draws pictures half as wide four times as fast
+const quick = { width: 640, height: 401 };
+
 /** A visit whose storage is its own; it must end without faults. */
 async function visitAlone({ hash = "#four-bar/12", ...options }, run) {
   const context = await browser.createBrowserContext();
@@ -47,7 +50,7 @@ test("The list of lessons opens, and keys choose one", async () => {
 });
 
 test("Every lesson opens by its address, steps, plays and is pulled without a fault", async () => {
-  const v = await visit();
+  const v = await visit(quick);
   await v.open();
   for (const stem of stems) {
     await v.tab.evaluate((s) => { location.hash = `${s}/1`; }, stem);
@@ -364,7 +367,7 @@ test("Fingers turn, shift and zoom the picture, and pull what they rest on", asy
 });
 
 test("Random input to the page throws nothing", async () => {
-  const v = await visit();
+  const v = await visit(quick);
   const seed = 20261126;
   // more by hand: a picture takes a software renderer a tenth of a second, so there are none then
   const events = Number(process.env.EVENTS ?? 20);
@@ -377,6 +380,7 @@ test("Random input to the page throws nothing", async () => {
       let state = first;
       const random = (n) => { state = (Math.imul(state, 1664525) + 1013904223) >>> 0; return state % n; };
       const { program } = window.jointwise;
+      const { width, height } = document.getElementById("canvas");
       const keys = ["ArrowLeft", "ArrowRight", "ArrowUp", "PageDown", "Home", "End", " ", "Enter", "Escape", "Backspace", "Control", "Shift", "z", "y"];
       const letters = "nbMa.,123456w][}{tTuU0mHSNLfyYxXzZvhlkjiod+-Ge?gpcCsER";
       for (let k = 0; k < count; ++k) {
@@ -385,7 +389,7 @@ test("Random input to the page throws nothing", async () => {
           case 1: program.text(letters.codePointAt(random(letters.length))); break;
           case 2: program.button(random(4), random(2)); break;
           case 3: program.wheel(random(7) - 3); break;
-          default: program.pointer(random(1280), random(720));
+          default: program.pointer(random(width), random(height));
         }
         program.frame(0.02);
       }
