@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/QR>
-
 #include "core/elementary/elementary.hpp"
+#include "core/poses/damped_step.hpp"
 
 namespace jw {
 
@@ -121,17 +120,7 @@ private:
     /// State after a step with λ = `damping` from `now`, where Φ and Φq are assembled; the step is recorded
     /// in `now`.
     State stepped(NewtonIterate& now, double damping) {
-        const MatrixX J =
-            scaling_.row.cwiseInverse().asDiagonal() * assembler_.jacobian() * scaling_.column.asDiagonal();
-        const Eigen::Index n = J.cols();
-        const double largest = std::max(1.0, J.colwise().squaredNorm().maxCoeff());
-        // least squares of [J; √λ I] Δ = [-Φ; 0]: JᵀJ would square the condition
-        MatrixX stacked(J.rows() + n, n);
-        stacked << J, std::sqrt(damping * largest) * MatrixX::Identity(n, n);
-        VectorX right_side = VectorX::Zero(stacked.rows());
-        right_side.head(J.rows()) = -phi_;
-        const VectorX delta = stacked.householderQr().solve(right_side).cwiseProduct(scaling_.column);
-
+        const VectorX delta = damped_step(assembler_.sparse_jacobian(), scaling_, phi_, damping);
         norm_before_ = norm_;
         now.delta_norm = delta.norm();
         now.turn = assembler_.layout().largest_turn(delta);

@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 
 #include "core/numerics/sparse_rank.hpp"
+#include "core/poses/damped_step.hpp"
 #include "core/poses/large_rank.hpp"
 #include "core/poses/least_squares.hpp"
 #include "tests/support/grown_mechanisms.hpp"
@@ -185,4 +186,33 @@ TEST_CASE("Chains and ladders have the rank that theory says", "[core][sparse][r
         CHECK(ladder.redundant() == 3 * n);
         CHECK(static_cast<int>(ladder.redundant_rows.size()) == 3 * n);
     }
+}
+
+TEST_CASE("Sparse damped steps are the dense ones, whatever the damping and the rank", "[core][sparse]") {
+    double worst = 0.0;
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        const Case c = grown(seed);
+        test::Random random(seed);
+        const VectorX phi = random_vector(random, c.scaled.rows());
+        for (const double damping : {1e-15, 1e-9, 1e-3, 1e3, 1e12}) {
+            CAPTURE(seed, damping);
+            const VectorX dense =
+                dense_damped_step(c.rows, c.scaling, phi, damping).cwiseQuotient(c.scaling.column);
+            const VectorX sparse =
+                sparse_damped_step(c.rows, c.scaling, phi, damping).cwiseQuotient(c.scaling.column);
+            // least squares of [J; s I] Δ = [-Φ; 0]: what rounding may do to Δ, by Wedin
+            const double s = std::sqrt(damping * std::max(1.0, c.scaled.colwise().squaredNorm().maxCoeff()));
+            const double size = std::hypot(c.sigma(0), s);
+            const double condition =
+                size / std::hypot(c.rank == c.scaled.cols() ? c.sigma(c.rank - 1) : 0.0, s);
+            const double left = std::hypot((c.scaled * dense + phi).norm(), s * dense.norm());
+            const double sensitivity = condition + condition * condition * left / (size * dense.norm());
+            const double error = (sparse - dense).norm() / dense.norm();
+            worst = std::max(worst, error / sensitivity / std::numeric_limits<double>::epsilon());
+        }
+    }
+    // in units of rounding: sums of about a hundred products, by two methods
+    CAPTURE(worst);
+    CHECK(worst < 100.0);
+    CHECK(worst > 0.01);
 }
