@@ -1,6 +1,8 @@
 #include <array>
+#include <cmath>
 #include <sstream>
 
+#include "lessons/exact_text.hpp"
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/exercise/scene_edits.hpp"
@@ -22,6 +24,24 @@ std::string text_of_table(const toml::table& table) {
     std::ostringstream out;
     out << toml::toml_formatter{table};
     return out.str() + "\n";
+}
+
+/// A value as its author may have written it: the library writes 0.4 as 0.40000000000000002.
+std::string value_text(const toml::node& node) {
+    if (const toml::array* const array = node.as_array()) {
+        std::string list;
+        for (const toml::node& entry : *array) { list += (list.empty() ? "" : ", ") + value_text(entry); }
+        return "[" + list + "]";
+    }
+    const toml::value<double>* const number = node.as_floating_point();
+    if (number != nullptr && std::isfinite(number->get())) {
+        const std::string text = writing::number_text(number->get());
+        // a number that is no integer in TOML stays none
+        return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+    }
+    std::ostringstream out;
+    node.visit([&](const auto& value) { out << value; });
+    return out.str();
 }
 
 /// The keys that are there, copied.
@@ -201,20 +221,14 @@ std::vector<SceneEdit> read_edits(Fields& fields, std::string_view key) {
 std::string toml_of(Fields& fields, std::string_view key) {
     const toml::node* const node = fields.raw(key);
     if (node == nullptr) { return {}; }
-    std::ostringstream out;
-    node->visit([&](const auto& value) { out << value; });
-    return out.str();
+    return value_text(*node);
 }
 
 std::vector<std::string> list_of_toml(Fields& fields, std::string_view key) {
     std::vector<std::string> entries;
     const toml::node* const node = fields.raw(key);
     if (node == nullptr || !node->is_array()) { return entries; }
-    for (const toml::node& entry : *node->as_array()) {
-        std::ostringstream out;
-        entry.visit([&](const auto& value) { out << value; });
-        entries.push_back(out.str());
-    }
+    for (const toml::node& entry : *node->as_array()) { entries.push_back(value_text(entry)); }
     return entries;
 }
 

@@ -119,6 +119,18 @@ TEST_CASE("The same student, key and exercise give the same variant, others anot
     CHECK(seed_of("ab", "c", "x") != seed_of("a", "bc", "x"));
 }
 
+TEST_CASE("Values to choose from are handed out with the digits that were written", "[exercises]") {
+    const ExercisesRead read = read_exercises(
+        about_arms(
+            "kind = \"number\"\nas_given = true\nformula = '\\Phi = s_i^T s_j'\n"
+            "vary = [{ key = \"joint.arms.axis_i\", values = [[0.4, 0, -1e-3], [0.1, 2.0, 12345.678]] }]\n"),
+        "x.toml");
+    CAPTURE(read.report());
+    REQUIRE(read.exercises.size() == 1);
+    const std::vector<std::string>& values = read.exercises.front().vary.front().values;
+    CHECK(values == std::vector<std::string>{"[0.4, 0, -0.001]", "[0.1, 2.0, 12345.678]"});
+}
+
 TEST_CASE(
     "An exercise with alternatives asks one of them, each with words and a scene of its own", "[exercises]") {
     const std::string two =
