@@ -63,7 +63,12 @@ std::string with_signs_of_keyboard(std::string_view text) {
 }
 
 std::string with_decimal_points(std::string text, std::ptrdiff_t entries) {
-    if (std::ranges::count(text, ';') + 1 != entries || text.find_first_of(".(") != std::string::npos) {
+    // parentheses around all of it are those of a list; others may hold a list, or arguments
+    const std::size_t first = text.find_first_not_of(' ');
+    const bool is_list =
+        first != std::string::npos && text[first] == '(' && text.find(')') == text.find_last_not_of(" \n\r");
+    if (std::ranges::count(text, ';') + 1 != entries || text.find('.') != std::string::npos ||
+        text.find('(', is_list ? first + 1 : 0) != std::string::npos) {
         return text;
     }
     const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };

@@ -93,6 +93,8 @@ TEST_CASE("A comma is decimal where so many numbers are expected", "[exercises]"
          {std::tuple<const char*, int, double, double>{"1,2", 2, 1.0, 2.0},
           {"0,5; 1,25", 2, 0.5, 1.25},
           {"[0,5; 1; -1,25]", 3, 0.5, -1.25},
+          {"(0,5; 1,5; 2)", 3, 0.5, 2.0},
+          {" (-0,5; 1,25) ", 2, -0.5, 1.25},
           {"[1, 2; 3, 4]", 4, 1.0, 4.0},
           {"1/2, sqrt(3)/2", 2, 0.5, std::numbers::sqrt3 / 2.0},
           {"1/2, (1+2)/4", 2, 0.5, 0.75},
