@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "app/commands/commands.hpp"
 #include "app/session/wording/messages.hpp"
@@ -47,8 +50,34 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
     return !way.empty() && *way.begin() != "..";
 }
 
+bool is_pdf(const fs::path& file) {
+    std::string first(5, '\0');
+    std::ifstream(file, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
+    return first == "%PDF-";
+}
+
+/// Tells what of the folder of lessons is none, and is not in the site therefore.
+void tell_left_out(const fs::path& folder, const Streams& streams) {
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        std::error_code unknown;
+        std::string why;
+        if (entry->is_directory(unknown) && ::access(entry->path().c_str(), R_OK | X_OK) != 0) {
+            why = "this folder cannot be read";
+        } else if (entry->path().extension() == ".toml" && !entry->is_regular_file(unknown)) {
+            why = "this is no file of text";
+        }
+        if (!why.empty()) {
+            streams.err << "jointwise: note: " << entry->path().string() << ": " << why
+                        << ", and is left out\n";
+        }
+    }
+}
+
 /// Looks at everything that is read before anything is computed.
 void check_setup(const SiteSetup& setup) {
+    if (setup.out.empty()) { throw bad_input("--out: the name is empty; expected a folder"); }
     check_folder("", setup.folder);
     if (!setup.exercises.empty()) { check_folder("--exercises ", setup.exercises); }
     if (lessons_below(setup.folder).empty()) {
@@ -61,6 +90,9 @@ void check_setup(const SiteSetup& setup) {
     if (!setup.slides.empty() && !is_url(setup.slides) && !fs::is_regular_file(setup.slides, error)) {
         throw bad_input(
             "--slides: there is no file " + in_quotes(setup.slides) + "; expected a PDF file or a URL");
+    }
+    if (!setup.slides.empty() && !is_url(setup.slides) && !is_pdf(setup.slides)) {
+        throw bad_input("--slides: " + in_quotes(setup.slides) + " is no PDF; expected a PDF file or a URL");
     }
     for (const std::string& read : {setup.folder, setup.exercises, setup.page}) {
         if (read.empty()) { continue; }
@@ -75,6 +107,7 @@ void check_setup(const SiteSetup& setup) {
 Exit make_site(SiteSetup setup, const Streams& streams) {
     if (setup.page.empty()) { setup.page = (data_folder() / "page").string(); }
     check_setup(setup);
+    tell_left_out(setup.folder, streams);
     // exercises name lessons of this course, not of the one that comes with the program
     ::setenv("JOINTWISE_LESSONS", setup.folder.c_str(), 1);
     ProgressBar progress(streams, "site");

@@ -231,6 +231,17 @@ with tempfile.TemporaryDirectory() as place:
     assert '<html lang="zh-Hant">' in (place / "zh/index.html").read_text()
     assert "投影片" in text_of(place / "zh/index.html")
 
+    # what is no lesson, but is called like one, is told of and left out
+    os.mkfifo(lessons / "pipe.toml")
+    (lessons / "broken.toml").symlink_to("nowhere.toml")
+    (lessons / "folder.toml").mkdir()
+    told = run("site", *common, "--out", out).stderr
+    for name in ["pipe.toml", "broken.toml", "folder.toml"]:
+        assert f"{lessons / name}: this is no file of text, and is left out" in told, told
+    os.unlink(lessons / "pipe.toml")
+    os.unlink(lessons / "broken.toml")
+    (lessons / "folder.toml").rmdir()
+
     # what is refused is said, and the site of before stays as it was
     before = files_in(out)
     stranger = place / "stranger"
@@ -243,6 +254,8 @@ with tempfile.TemporaryDirectory() as place:
         ([stranger, "--page", page, "--out", out], "no lessons are below"),
         ([lessons, "--page", stranger, "--out", out], "./dev web"),
         ([*common, "--out", out, "--slides", place / "none.pdf"], "--slides: there is no file"),
+        ([*common, "--out", out, "--slides", stranger / "thesis.txt"], "is no PDF"),
+        ([*common, "--out", ""], "--out: the name is empty"),
         ([*common, "--out", out, "--exercises", place / "none"], "is no folder"),
     ]
     for arguments, words in refused:
