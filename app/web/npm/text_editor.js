@@ -20,7 +20,7 @@ export class TextEditor {
       // Escape, then Tab leaves the editor, as screen readers expect
       keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, indentWithTab]),
       EditorView.lineWrapping, told,
-      EditorView.contentAttributes.of({ "aria-label": "Text of the lesson" }),
+      EditorView.contentAttributes.of({ "aria-label": "Text of the lesson. Tab indents; Escape, then Tab leaves.", title: "Tab indents; Escape, then Tab leaves" }),
     ];
     this.view = new EditorView({ parent, state: this.stateOf("") });
   }
