@@ -23,8 +23,9 @@ constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
 constexpr float kKeysWidth = 96.0F;
 constexpr float kMouseWidth = 190.0F;
 
-constexpr Group kGroups[] = {Group::timeline,  Group::panels,  Group::experiments,
-                             Group::exercises, Group::picture, Group::files};
+// their order fills columns of about the same height
+constexpr Group kGroups[] = {Group::timeline,  Group::panels, Group::experiments,
+                             Group::exercises, Group::files,  Group::picture};
 
 /// A line of the sheet: what to press, and what it does.
 struct Line {
@@ -92,7 +93,8 @@ std::vector<Section> sections(const Ui& ui) {
     Section pointing{is_for_fingers() ? tr("Fingers") : tr("Mouse"), {}, kMouseWidth};
     const std::span<const Line> gestures = is_for_fingers() ? std::span<const Line>(kFingers) : kMouse;
     for (const auto& [what, does] : gestures) { pointing.lines.push_back({tr(what), tr(does)}); }
-    all.push_back(std::move(pointing));
+    // on phones they are what counts
+    all.insert(is_for_fingers() ? all.begin() : all.end(), std::move(pointing));
     return all;
 }
 

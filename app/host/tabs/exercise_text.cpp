@@ -61,10 +61,13 @@ std::string question_text(const Task& task) {
     for (std::size_t k = 0; k < task.shown.size(); ++k) {
         text += told(std::to_string(k + 1) + ". " + task.shown[k]);
     }
-    if (hands_out_file(task.exercise()) && !task.exercise().asked.empty()) {
-        text += as_it_stands(tr("The scene as a lesson file")) + as_it_stands(handed_out(task));
-    }
     return text;
+}
+
+/// What a figure cannot tell. It is long: it comes last.
+std::string scene_text(const Task& task) {
+    if (!hands_out_file(task.exercise()) || task.exercise().asked.empty()) { return {}; }
+    return as_it_stands(tr("The scene as a lesson file")) + as_it_stands(handed_out(task));
 }
 
 std::string answer_text(const Task& task, const ExerciseWork& work, const std::string& answer) {
@@ -129,7 +132,7 @@ std::string ExerciseTab::text(const Practice& practice, const ExerciseWork& work
         return head + told(tr("This exercise cannot be set with these numbers: {0}", task->problem));
     }
     return head + question_text(*task) + answer_text(*task, work, answer_) + as_it_stands(practice.doing()) +
-           verdict_text(practice) + help_text(practice);
+           verdict_text(practice) + help_text(practice) + scene_text(*task);
 }
 
 }  // namespace jw::host

@@ -124,10 +124,10 @@ const char* name_of(Group group) {
         case Group::panels: return tr("Beside the picture");
         case Group::experiments: return tr("Experiments");
         case Group::exercises: return tr("Exercises");
-        case Group::picture: return tr("Picture");
-        case Group::files: break;
+        case Group::files: return tr("Lessons and files");
+        case Group::picture: break;
     }
-    return tr("Lessons and files");
+    return tr("Picture");
 }
 
 const CommandInfo* command_for(const InputEvent& event, const Modifiers& modifiers) {

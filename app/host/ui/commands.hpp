@@ -81,7 +81,8 @@ enum class Command {
     quit,  // stays the last one: the table is checked by it
 };
 
-enum class Group { timeline, panels, experiments, exercises, picture, files };
+/// In the order of the menu and of the list of keys.
+enum class Group { timeline, panels, experiments, exercises, files, picture };
 
 struct CommandInfo {
     Command command;
