@@ -128,7 +128,8 @@ void Host::need_characters_of_lesson() {
     fonts_.need(panels::characters_of(session_->lesson()));
     const std::set<char32_t>& needed = fonts_.needed();
     if (std::exchange(told_of_font_, told_of_font_ || !needed.empty())) { return; }
-    say(panels::advice_for(std::u32string(needed.begin(), needed.end())));
+    // fonts of a page are its own
+    if (state_.has_disk) { say(panels::advice_for(std::u32string(needed.begin(), needed.end()))); }
 }
 
 void Host::need_characters_of_shelf() {
@@ -230,6 +231,7 @@ double Host::seconds_to_change() const {
     double due = notice_.seconds_left();
     if (!shows_lesson()) { return due; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    if (state_.tab == Tab::exercises && tabs_.exercises.is_handing_over()) { return 0.0; }
     if (desk_.is_busy()) { due = std::min(due, kDrawingNumbers); }
     return std::min(due, state_.playback.seconds_to_change(*session_));
 }

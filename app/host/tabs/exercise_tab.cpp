@@ -97,7 +97,7 @@ bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Re
     const char letter = is_letter ? static_cast<char>(character) : ' ';
     // the field has the keyboard a picture or two after it was asked for
     if (typed_.empty() && kFirstOfNumbers.find(letter) == std::string_view::npos) { return false; }
-    if (task->exercise().kind == ExerciseKind::choose) {
+    if (task->exercise().kind == ExerciseKind::choose && task->shown.size() < 10) {
         answer_ = letter;
         requests.answer = answer_;
         return true;
@@ -150,6 +150,7 @@ void ExerciseTab::follow(const Practice& practice) {
     if (!answers_.empty()) { drafts_[answers_] = answer_; }
     answers_ = now;
     typed_.clear();
+    handed_in_.clear();
     wants_top_ = true;
     answer_ = now.empty() ? std::string() : drafts_[now];
 }

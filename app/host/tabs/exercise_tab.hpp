@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/exercises/practice/practice.hpp"
+#include "app/host/tabs/exercise_words.hpp"
 #include "app/host/ui/ui.hpp"
 
 namespace jw::host {
@@ -27,6 +28,9 @@ public:
     /// @return whether the event was for the exercises
     bool act(const InputEvent& event, const Practice& practice, Requests& requests);
 
+    /// Letters wait for the field to have the keyboard: for the next picture.
+    bool is_handing_over() const { return !typed_.empty(); }
+
     /// Keeps what was typed for the exercise before, and goes on with what was typed for this one.
     void follow(const Practice& practice);
     /// The text in the field for the answer of the exercise begun.
@@ -40,7 +44,8 @@ private:
     void task(const LessonUi& ui, const Practice& practice, const ExerciseWork& work);
     void head(const LessonUi& ui, const Practice& practice);
     void question(const LessonUi& ui, const Task& task);
-    void hand_over_typed();
+    Caret hand_over_typed();
+    void hand_in(const LessonUi& ui);
     void answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work);
     void choices(const LessonUi& ui, const Task& task);
     void buttons(const LessonUi& ui, const Practice& practice);
@@ -64,9 +69,11 @@ private:
     bool wants_focus_ = false;
     std::string typed_;          ///< goes into the field once that has the keyboard
     bool took_letters_ = false;  ///< in this frame: into `typed_`
+    bool has_caret_ = false;     ///< the field, where the letters go
     bool has_keyboard_ = false;  ///< the field, in the frame before
     bool wants_row_ = false;     ///< the chosen row comes into sight
     std::string answer_;
+    std::string handed_in_;                      ///< the answer that was judged last
     std::string answers_;                        ///< key and variant that the answer belongs to
     std::map<std::string, std::string> drafts_;  ///< answers that were begun, by key and variant
 };

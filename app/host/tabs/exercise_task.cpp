@@ -124,16 +124,30 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
     }
 }
 
-/// Puts what was typed before the field had the keyboard before what is typed since.
-void ExerciseTab::hand_over_typed() {
+/// Puts what was typed before the field had the keyboard before what is typed since: in place of an answer
+/// that was judged, behind one that was not finished.
+Caret ExerciseTab::hand_over_typed() {
     ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
     // ImGui was told of them, too
     if (std::exchange(took_letters_, false)) { letters.clear(); }
-    if (!has_keyboard_) { return; }
+    if (!has_keyboard_ || typed_.empty()) {
+        has_caret_ = false;
+        return Caret::stays;
+    }
     for (std::size_t k = typed_.size(); k-- > 0;) {
         letters.insert(letters.begin(), static_cast<ImWchar>(typed_[k]));
     }
     typed_.clear();
+    if (std::exchange(has_caret_, true)) { return Caret::stays; }
+    // ImGui moves the caret when it has read the letters: they wait for the next picture
+    for (const ImWchar letter : letters) { typed_ += letter < 128 ? static_cast<char>(letter) : '?'; }
+    letters.clear();
+    return answer_ == handed_in_ ? Caret::over_all : Caret::at_end;
+}
+
+void ExerciseTab::hand_in(const LessonUi& ui) {
+    ui.requests.answer = answer_;
+    handed_in_ = answer_;
 }
 
 void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work) {
@@ -149,13 +163,13 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     if (is_file(kind) && !work.file.empty() && ui.state.has_disk) {
         note(ui, tr("The lesson is also here: {0}", work.file.string()));
     }
-    hand_over_typed();
+    const Caret caret = hand_over_typed();
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
     wants_focus_ = false;
     const bool large = kind == ExerciseKind::matrix || kind == ExerciseKind::pose;
     const int lines = is_file(kind) ? kLinesOfFile : (large ? kLinesOfMatrix : 1);
-    if (text_field(ui, "##answer", hint_of_field(kind), answer_, lines, !is_file(kind))) {
-        ui.requests.answer = answer_;
+    if (text_field(ui, "##answer", hint_of_field(kind), answer_, lines, !is_file(kind), caret)) {
+        hand_in(ui);
     }
     has_keyboard_ = ImGui::IsItemActive();
     if (kind == ExerciseKind::code) {
@@ -167,7 +181,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
 void ExerciseTab::buttons(const LessonUi& ui, const Practice& practice) {
     const Task& task = *practice.task();
     ImGui::BeginDisabled(practice.is_busy());
-    if (ImGui::Button(tr("Check"))) { ui.requests.answer = answer_; }
+    if (ImGui::Button(tr("Check"))) { hand_in(ui); }
     ImGui::EndDisabled();
     tip_of_item(is_file(task.exercise().kind) ? tr("(Ctrl+Enter in the field)") : tr("(Enter)"));
     const auto hints = static_cast<int>(task.exercise().hints.size());

@@ -103,7 +103,8 @@ std::string verdict_text(const Practice& practice) {
         return practice.shows_solution() ? text : text + told(practice.task()->exercise().why);
     }
     for (const std::string& sentence : verdict->judged.feedback) { text += told(sentence); }
-    return text + wrong_entries(*verdict);
+    // where no mistake is known they are told already
+    return verdict->judged.title.empty() ? text : text + wrong_entries(*verdict);
 }
 
 std::string help_text(const Practice& practice) {

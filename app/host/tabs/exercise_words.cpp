@@ -40,12 +40,23 @@ void draw_here(
     ImGui::Dummy({width, rich.height});
 }
 
+struct Field {
+    std::string& text;
+    Caret caret;
+};
+
 /// The text of ImGui's field grows as it is typed.
-int grow(ImGuiInputTextCallbackData* data) {
-    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) { return 0; }
-    auto& text = *static_cast<std::string*>(data->UserData);
-    text.resize(static_cast<std::size_t>(data->BufTextLen));
-    data->Buf = text.data();
+int follow_field(ImGuiInputTextCallbackData* data) {
+    const Field& field = *static_cast<Field*>(data->UserData);
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+        field.text.resize(static_cast<std::size_t>(data->BufTextLen));
+        data->Buf = field.text.data();
+    } else if (field.caret == Caret::over_all) {
+        data->SelectAll();
+    } else if (field.caret == Caret::at_end) {
+        data->ClearSelection();
+        data->CursorPos = data->BufTextLen;
+    }
     return 0;
 }
 
@@ -138,19 +149,23 @@ void marked_matrix(const Ui& ui, const MatrixX& value, const std::vector<std::ve
     ImGui::EndChild();
 }
 
-bool text_field(const Ui& ui, const char* id, const char* hint, std::string& text, int lines, bool enter) {
+bool text_field(
+    const Ui& ui, const char* id, const char* hint, std::string& text, int lines, bool enter, Caret caret) {
     const std::string before = text;
+    Field field{text, caret};
     ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackResize;
+    if (caret != Caret::stays) { flags |= ImGuiInputTextFlags_CallbackAlways; }
     bool entered = false;
     if (lines <= 1) {
         ImGui::SetNextItemWidth(room_here(ui));
-        entered = ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, flags, grow, &text);
+        entered =
+            ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, flags, follow_field, &field);
     } else {
         if (enter) { flags |= ImGuiInputTextFlags_CtrlEnterForNewLine; }
         const float height =
             ImGui::GetTextLineHeight() * static_cast<float>(lines) + 2.0F * ImGui::GetStyle().FramePadding.y;
         entered = ImGui::InputTextMultiline(
-            id, text.data(), text.capacity() + 1, {room_here(ui), height}, flags, grow, &text);
+            id, text.data(), text.capacity() + 1, {room_here(ui), height}, flags, follow_field, &field);
     }
     // ImGui takes back what was typed
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) { text = before; }

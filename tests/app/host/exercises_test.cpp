@@ -91,6 +91,8 @@ TEST_CASE("What numbers begin with begins the answer, and the number of a choice
         CAPTURE(name);
         student.begin(name);
         const std::string right = student.right();
+        // in place of what was answered before
+        if (std::string_view(name) != "choose") { student.answer("[99, 99]"); }
         student.person.type(right);
         if (std::string_view(name) != "choose") { student.person.press(Key::enter); }
         student.wait();
@@ -101,6 +103,29 @@ TEST_CASE("What numbers begin with begins the answer, and the number of a choice
         CHECK(student.person.host().state().text_scale == 1.0F);
         student.person.press(Key::escape);
     }
+    // what is not finished goes on
+    for (const char* const name : {"vector", "pose"}) {
+        CAPTURE(name);
+        student.begin(name);
+        const std::string right = student.right();
+        const std::size_t half = right.find('.') + 1;
+        student.person.type(right.substr(0, half));
+        student.person.press(Key::escape);
+        student.person.type(right.substr(half));
+        student.person.press(Key::enter);
+        student.wait();
+        CHECK(student.practice().is_solved());
+        student.person.press(Key::escape);
+    }
+    // what was typed over by mistake comes back
+    student.begin("vector");
+    student.answer("[1, 2, 3]");
+    student.person.type("5");
+    CHECK(student.person.host().exercise_text().find("In the field: 5\n") != std::string::npos);
+    student.person.press(Key::z, true);
+    student.person.press(Key::z, true);
+    CHECK(student.person.host().exercise_text().find("In the field: [1, 2, 3]\n") != std::string::npos);
+    student.person.press(Key::escape);
     // where no numbers are asked for they are commands, as everywhere
     for (const char* const name : {"repair", "experiment"}) {
         CAPTURE(name);
