@@ -50,10 +50,15 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
     return !way.empty() && *way.begin() != "..";
 }
 
-bool is_pdf(const fs::path& file) {
+void check_slides(const std::string& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw bad_input("--slides: there is no file " + in_quotes(file) + "; expected a PDF file or a URL");
+    }
     std::string first(5, '\0');
     std::ifstream(file, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
-    return first == "%PDF-";
+    if (first == "%PDF-") { return; }
+    throw bad_input("--slides: " + in_quotes(file) + " is no PDF; expected a PDF file or a URL");
 }
 
 /// Tells what of the folder of lessons is none, and is not in the site therefore.
@@ -86,14 +91,7 @@ void check_setup(const SiteSetup& setup) {
     }
     const std::string problem = site::problem_of_page(setup.page);
     if (!problem.empty()) { throw bad_input("--page: " + problem); }
-    std::error_code error;
-    if (!setup.slides.empty() && !is_url(setup.slides) && !fs::is_regular_file(setup.slides, error)) {
-        throw bad_input(
-            "--slides: there is no file " + in_quotes(setup.slides) + "; expected a PDF file or a URL");
-    }
-    if (!setup.slides.empty() && !is_url(setup.slides) && !is_pdf(setup.slides)) {
-        throw bad_input("--slides: " + in_quotes(setup.slides) + " is no PDF; expected a PDF file or a URL");
-    }
+    if (!setup.slides.empty() && !is_url(setup.slides)) { check_slides(setup.slides); }
     for (const std::string& read : {setup.folder, setup.exercises, setup.page}) {
         if (read.empty()) { continue; }
         if (lies_in(setup.out, read) || lies_in(read, setup.out)) {

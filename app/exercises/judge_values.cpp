@@ -117,11 +117,7 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
             nonzero += counts ? 1 : 0;
             right_and_nonzero += counts && !is_wrong ? 1 : 0;
             if (!is_wrong) { continue; }
-            const std::string row = std::to_string(r + 1);
-            if (++wrong <= 12) {
-                places += (wrong > 1 ? ", " : "") +
-                          (given.cols() == 1 ? row : "(" + row + ", " + std::to_string(c + 1) + ")");
-            }
+            if (++wrong <= 12) { places += (wrong > 1 ? ", " : "") + name_of_entry(given, r, c); }
         }
     }
     judged.feedback.push_back(tr("{0} of {1} entries differ: {2}.", wrong, given.size(), places));
@@ -246,6 +242,11 @@ std::vector<HandedMistake> mistaken_values(const Task& task) {
         all.push_back({mistake.name, {written(mistake.answer), {}}});
     }
     return all;
+}
+
+std::string name_of_entry(const MatrixX& value, Eigen::Index row, Eigen::Index column) {
+    const std::string line = std::to_string(row + 1);
+    return value.cols() == 1 ? line : "(" + line + ", " + std::to_string(column + 1) + ")";
 }
 
 Judged judge_value(const Task& task, const Handed& handed) {

@@ -46,6 +46,9 @@ const KindOfExercise& kind_of(ExerciseKind kind);
 /// Numbers as a student would write them: "[1, 2, 3]".
 std::string written(const MatrixX& value, int digits = 9);
 
+/// An entry for people: "2" of a column, "(2, 1)" of any other matrix.
+std::string name_of_entry(const MatrixX& value, Eigen::Index row, Eigen::Index column);
+
 // the parts of the table
 Handed right_value(const Task& task);
 std::vector<HandedMistake> mistaken_values(const Task& task);

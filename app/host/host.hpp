@@ -74,6 +74,8 @@ public:
     /// Waits for what is computed in threads about exercises, and takes it over.
     void wait_for_exercises();
     const ExerciseDesk& exercises() const { return desk_; }
+    /// The figure of an exercise is shown in place of the lesson.
+    bool shows_figure() const;
     /// The tab of exercises as text.
     std::string exercise_text() const { return tabs_.exercises.text(desk_.practice(), desk_.work()); }
 
@@ -167,7 +169,6 @@ private:
 
     // exercises (host_exercises.cpp)
     OpenLesson open_lesson() { return {file_, session_}; }
-    bool shows_figure() const;
     void look_at_exercises();
     bool choose_exercise(const std::string& name);
     void begin_wanted_exercise();

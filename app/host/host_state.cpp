@@ -11,13 +11,12 @@ namespace {
 // a screen reader says no more than a person wants to hear
 constexpr int kDescribedWidth = 100;
 
-/// What stands beside the picture. The figure of an exercise is no step: what is asked must not be read off
-/// it.
+/// Words of the tab, and of the step unless the figure of an exercise is shown: what is asked must not be
+/// read off the lesson.
 std::string text_of(const Host& host) {
-    if (host.state().tab != Tab::exercises) { return describe(host.session()->view(), kDescribedWidth); }
-    const std::string exercises = host.exercise_text();
-    if (host.exercises().figure() != nullptr) { return exercises; }
-    return exercises + '\n' + describe(host.session()->view(), kDescribedWidth);
+    std::string text;
+    if (host.state().tab == Tab::exercises) { text = host.exercise_text() + '\n'; }
+    return host.shows_figure() ? text : text + describe(host.session()->view(), kDescribedWidth);
 }
 
 }  // namespace

@@ -71,14 +71,12 @@ VectorX sparse_damped_step(
     lower.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(lower);
 
-    VectorX right_side = right_side_of(phi, n);
+    const VectorX right_side = right_side_of(phi, n);
     VectorX solution = factors.solve(right_side);
     // takes back the growth of rounding that pivots in their order of sparsity may bring
     for (int k = 0; k < kRefinements; ++k) {
-        right_side.head(rows) = -phi;
-        right_side.tail(n).setZero();
-        right_side -= lower.selfadjointView<Eigen::Lower>() * solution;
-        solution += factors.solve(right_side);
+        const VectorX rest = right_side - lower.selfadjointView<Eigen::Lower>() * solution;
+        solution += factors.solve(rest);
     }
     return solution.tail(n).cwiseProduct(scaling.column);
 }

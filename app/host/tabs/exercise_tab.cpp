@@ -88,18 +88,18 @@ void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
     panels::paragraph(canvas, {words.x, words.y + title, inner, height}, fonts.small, theme::kSoft, below);
 }
 
-/// What numbers begin with goes into the field, and the number of a choice chooses it.
+/// A letter that numbers begin with goes into the field, and those after it; the number of a choice chooses
+/// it.
 bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Requests& requests) {
     const Task* const task = practice.task();
     if (task == nullptr || !is_of_numbers(task->exercise().kind)) { return false; }
-    constexpr std::string_view kFirstOfNumbers = "0123456789-.[(";
-    const bool is_letter = character > 0 && character < 128;
-    const char letter = is_letter ? static_cast<char>(character) : ' ';
+    constexpr std::u32string_view kFirstOfNumbers = U"0123456789-.[(";
+    const auto letter = static_cast<char32_t>(character);
     // the field has the keyboard a picture or two after it was asked for
-    if (typed_.empty() && kFirstOfNumbers.find(letter) == std::string_view::npos) { return false; }
+    if (typed_.empty() && kFirstOfNumbers.find(letter) == std::u32string_view::npos) { return false; }
     if (task->exercise().kind == ExerciseKind::choose && task->shown.size() < 10) {
-        answer_ = letter;
-        requests.answer = answer_;
+        answer_ = static_cast<char>(letter);
+        hand_in(requests);
         return true;
     }
     typed_ += letter;

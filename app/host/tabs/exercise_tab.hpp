@@ -20,7 +20,7 @@ struct ExerciseWork {
 class ExerciseTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box, const Practice& practice, const ExerciseWork& work);
-    /// Its words in lines, for those who do not see them.
+    /// Words of the tab in lines, for those who do not see it.
     std::string text(const Practice& practice, const ExerciseWork& work) const;
 
     /// Keys while nobody types: they choose in the list, and lead into the field for the answer; what numbers
@@ -45,7 +45,7 @@ private:
     void head(const LessonUi& ui, const Practice& practice);
     void question(const LessonUi& ui, const Task& task);
     Caret hand_over_typed();
-    void hand_in(const LessonUi& ui);
+    void hand_in(Requests& requests);
     void answer_field(const LessonUi& ui, const Task& task, const ExerciseWork& work);
     void choices(const LessonUi& ui, const Task& task);
     void buttons(const LessonUi& ui, const Practice& practice);
@@ -67,7 +67,7 @@ private:
     bool wants_top_ = false;  ///< another exercise, or other numbers: from the beginning
     int row_ = 0;             ///< chosen in the list
     bool wants_focus_ = false;
-    std::string typed_;          ///< goes into the field once that has the keyboard
+    std::u32string typed_;       ///< goes into the field once that has the keyboard
     bool took_letters_ = false;  ///< in this frame: into `typed_`
     bool has_caret_ = false;     ///< the field, where the letters go
     bool has_keyboard_ = false;  ///< the field, in the frame before

@@ -111,7 +111,7 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
         if (pressed_to_choose) {
             if (small_button((" " + number + " ").c_str())) {
                 answer_ = number;
-                ui.requests.answer = number;
+                hand_in(ui.requests);
             }
         } else {
             ImGui::TextUnformatted((number + " ").c_str());
@@ -134,19 +134,21 @@ Caret ExerciseTab::hand_over_typed() {
         has_caret_ = false;
         return Caret::stays;
     }
+    if (!std::exchange(has_caret_, true)) {
+        // ImGui moves the caret when it has read the letters: all of them wait for the next picture
+        typed_.append(letters.begin(), letters.end());
+        letters.clear();
+        return answer_ == handed_in_ ? Caret::over_all : Caret::at_end;
+    }
     for (std::size_t k = typed_.size(); k-- > 0;) {
         letters.insert(letters.begin(), static_cast<ImWchar>(typed_[k]));
     }
     typed_.clear();
-    if (std::exchange(has_caret_, true)) { return Caret::stays; }
-    // ImGui moves the caret when it has read the letters: they wait for the next picture
-    for (const ImWchar letter : letters) { typed_ += letter < 128 ? static_cast<char>(letter) : '?'; }
-    letters.clear();
-    return answer_ == handed_in_ ? Caret::over_all : Caret::at_end;
+    return Caret::stays;
 }
 
-void ExerciseTab::hand_in(const LessonUi& ui) {
-    ui.requests.answer = answer_;
+void ExerciseTab::hand_in(Requests& requests) {
+    requests.answer = answer_;
     handed_in_ = answer_;
 }
 
@@ -169,7 +171,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     const bool large = kind == ExerciseKind::matrix || kind == ExerciseKind::pose;
     const int lines = is_file(kind) ? kLinesOfFile : (large ? kLinesOfMatrix : 1);
     if (text_field(ui, "##answer", hint_of_field(kind), answer_, lines, !is_file(kind), caret)) {
-        hand_in(ui);
+        hand_in(ui.requests);
     }
     has_keyboard_ = ImGui::IsItemActive();
     if (kind == ExerciseKind::code) {
@@ -181,7 +183,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
 void ExerciseTab::buttons(const LessonUi& ui, const Practice& practice) {
     const Task& task = *practice.task();
     ImGui::BeginDisabled(practice.is_busy());
-    if (ImGui::Button(tr("Check"))) { hand_in(ui); }
+    if (ImGui::Button(tr("Check"))) { hand_in(ui.requests); }
     ImGui::EndDisabled();
     tip_of_item(is_file(task.exercise().kind) ? tr("(Ctrl+Enter in the field)") : tr("(Enter)"));
     const auto hints = static_cast<int>(task.exercise().hints.size());

@@ -64,7 +64,7 @@ std::string question_text(const Task& task) {
     return text;
 }
 
-/// What a figure cannot tell. It is long: it comes last.
+/// The scene as a lesson file, with what a figure cannot tell; it is long and comes last.
 std::string scene_text(const Task& task) {
     if (!hands_out_file(task.exercise()) || task.exercise().asked.empty()) { return {}; }
     return as_it_stands(tr("The scene as a lesson file")) + as_it_stands(handed_out(task));
@@ -83,13 +83,12 @@ std::string answer_text(const Task& task, const ExerciseWork& work, const std::s
 
 std::string wrong_entries(const AnswerVerdict& verdict) {
     std::string entries;
-    const bool is_vector = verdict.given.cols() == 1 || verdict.given.rows() == 1;
     for (std::size_t r = 0; r < verdict.wrong.size(); ++r) {
         for (std::size_t c = 0; c < verdict.wrong[r].size(); ++c) {
             if (!verdict.wrong[r][c]) { continue; }
-            entries += entries.empty() ? "" : ", ";
-            entries += is_vector ? std::to_string(std::max(r, c) + 1)
-                                 : "(" + std::to_string(r + 1) + "," + std::to_string(c + 1) + ")";
+            entries +=
+                (entries.empty() ? "" : ", ") +
+                name_of_entry(verdict.given, static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
         }
     }
     return entries.empty() ? entries : as_it_stands(tr("These entries differ: {0}", entries));

@@ -17,7 +17,7 @@ void rich_words(const Ui& ui, const std::string& text, const ImFont* font, const
 /// A matrix in brackets whose marked entries stand out.
 void marked_matrix(const Ui& ui, const MatrixX& value, const std::vector<std::vector<bool>>& marked);
 
-/// Where letters go that are typed next, in a field that has the keyboard.
+/// Place in a field for the letters that are typed next.
 enum class Caret {
     stays,
     at_end,
