@@ -151,15 +151,6 @@ void Bounds::include(const Bounds& other) {
     highest_ = highest_.cwiseMax(other.highest_);
 }
 
-void Bounds::include(const Bounds& other, const Bounds& before) {
-    for (std::size_t k = 0; k < other.balls_.size(); ++k) {
-        const Ball& ball = other.balls_[k];
-        const bool known = k < before.balls_.size() && ball.centre == before.balls_[k].centre &&
-                           ball.radius == before.balls_[k].radius;
-        if (!known) { include(ball.centre, ball.radius); }
-    }
-}
-
 double Bounds::extent(const Vector3d& direction) const {
     if (empty()) { throw std::logic_error("Bounds::extent: nothing was included"); }
     const double length = direction.norm();

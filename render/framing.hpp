@@ -16,9 +16,6 @@ class Bounds {
 public:
     void include(const Vector3d& centre, double radius = 0.0);
     void include(const Bounds& other);
-    /// The same where `before` is included already: what stands in it at the same place is not included
-    /// again.
-    void include(const Bounds& other, const Bounds& before);
 
     bool empty() const { return balls_.empty(); }
 

@@ -97,27 +97,6 @@ TEST_CASE("round shapes stay in the safe rectangle too", "[render][framing]") {
     CHECK(inside > 1000);
 }
 
-TEST_CASE("what changed bounds a motion as everything does", "[render][framing]") {
-    std::mt19937 random(11);
-    Scene scene;
-    Bounds all;
-    Bounds changes;
-    Bounds before;
-    for (int moment = 0; moment < 60; ++moment) {
-        // one more, one elsewhere, all others where they were
-        scene.shapes.push_back({.geometry = random_box(random)});
-        const std::size_t moved = static_cast<std::size_t>(moment * 7) % scene.shapes.size();
-        scene.shapes[moved].geometry = Sphere{random_vector(random, 5.0), 0.3};
-        const Bounds now = bounds_of(scene);
-        all.include(now);
-        changes.include(now, before);
-        before = now;
-        const Vector3d direction = random_vector(random, 1.0);
-        CHECK(changes.extent(direction) == all.extent(direction));
-        CHECK(changes.diagonal() == all.diagonal());
-    }
-}
-
 TEST_CASE("a watch and a crane fill the picture alike", "[render][framing]") {
     const double size = GENERATE(1e-5, 1e-3, 1.0, 1e3);
     Bounds bounds;

@@ -55,13 +55,17 @@ void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& li
 
 void add_mechanism(
     const Lesson& lesson, const PictureStyle& style, const Step& step, const std::vector<int>& highlighted,
-    render::Scene& scene) {
+    const BodyChoice& bodies, render::Scene& scene) {
     for (int b = 0; b < bodies_count(lesson); ++b) {
+        if (!bodies.contains(b)) { continue; }
         const std::size_t first = scene.shapes.size();
         add_body(lesson, style, step.state, b, 1.0F, scene);
         name_from(scene.shapes, first, Pointable::body(b));
     }
     for (const int j : step.system->selection().joints) {
+        const Joint& joint = lesson.mechanism.joints[at(j)];
+        const bool stands = !bodies.contains(joint.body_i) && !bodies.contains(joint.body_j);
+        if (stands && !contains(highlighted, j)) { continue; }
         const std::size_t first = scene.shapes.size();
         add_joint(lesson, style, placed(lesson.mechanism, j, step.state), contains(highlighted, j), scene);
         name_from(scene.shapes, first, Pointable::joint(j));
@@ -111,13 +115,14 @@ void leave_out_repeated_names(const PictureStyle& style, Picture& picture) {
 
 void add_triads(
     const Lesson& lesson, const PictureStyle& style, const Step& step, const std::vector<int>& joints,
-    render::Scene& scene) {
+    const BodyChoice& bodies, render::Scene& scene) {
     const auto joins = [&](int joint, int body) {
         const Joint& subject = lesson.mechanism.joints[static_cast<std::size_t>(joint)];
         return subject.body_i == body || subject.body_j == body;
     };
     const BodyFrame ground = frame_of(step.state, 0);
     for (int b = 0; b < bodies_count(lesson); ++b) {
+        if (!bodies.contains(b)) { continue; }
         const BodyFrame frame = frame_of(step.state, b);
         // axes on axes would look like arrows with two heads
         const bool on_ground = b > 0 && style.ground_axes && (frame.A - ground.A).norm() < kSameFrame &&
@@ -147,7 +152,9 @@ void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step
 }
 
 /// Adds pale copies of the bodies where they were before this solve.
-void add_ghosts(const Story& story, const PictureStyle& style, int index, render::Scene& scene) {
+void add_ghosts(
+    const Story& story, const PictureStyle& style, int index, const BodyChoice& bodies,
+    render::Scene& scene) {
     int start = index;
     while (start > 0 && story.steps()[static_cast<std::size_t>(start)].kind != Step::Kind::equations) {
         --start;
@@ -155,6 +162,7 @@ void add_ghosts(const Story& story, const PictureStyle& style, int index, render
     const State& before = story.steps()[static_cast<std::size_t>(start)].state;
     const State& now = story.steps()[static_cast<std::size_t>(index)].state;
     for (int b = 0; b < bodies_count(story.lesson()); ++b) {
+        if (!bodies.contains(b)) { continue; }
         const BodyFrame from = frame_of(before, b);
         const BodyFrame to = frame_of(now, b);
         // a turn is seen at an arm of about a quarter of the unit
@@ -187,7 +195,8 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
 
 }  // namespace
 
-Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index) {
+Picture compose(
+    const Story& story, const PictureStyle& style, const Step& step, int index, const BodyChoice& bodies) {
     const Lesson& lesson = story.lesson();
     const bool moves = step.kind == Step::Kind::motion;
     const std::vector<int> joints = subject_joints(story, step);
@@ -195,9 +204,9 @@ Picture compose(const Story& story, const PictureStyle& style, const Step& step,
     const bool about_driver = subject && subject->kind == Addition::Kind::driver;
 
     Picture picture;
-    add_mechanism(lesson, style, step, moves ? std::vector<int>{} : joints, picture.scene);
-    if (step.kind == Step::Kind::iteration) { add_ghosts(story, style, index, picture.scene); }
-    add_triads(lesson, style, step, joints, picture.scene);
+    add_mechanism(lesson, style, step, moves ? std::vector<int>{} : joints, bodies, picture.scene);
+    if (step.kind == Step::Kind::iteration) { add_ghosts(story, style, index, bodies, picture.scene); }
+    add_triads(lesson, style, step, joints, bodies, picture.scene);
     if (about_driver) {
         add_driver(lesson, style, step.state, subject->index, picture);
     } else {

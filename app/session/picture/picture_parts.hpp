@@ -1,6 +1,8 @@
 #pragma once
 
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "app/session/picture/picture.hpp"
 
@@ -81,7 +83,21 @@ void set_reaction_scales(const Story& story, PictureStyle& style);
 /// Adds the reactions of joints and drivers on their second bodies, in dynamics.
 void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
 
+/// Some bodies of a mechanism; made without a list, all of them.
+class BodyChoice {
+public:
+    BodyChoice() = default;
+    explicit BodyChoice(std::vector<bool> chosen) : chosen_(std::move(chosen)) {}
+    bool contains(int body) const { return chosen_.empty() || chosen_[static_cast<std::size_t>(body)]; }
+
+private:
+    std::vector<bool> chosen_;
+};
+
 /// All of a step but the ground plane and the path.
-Picture compose(const Story& story, const PictureStyle& style, const Step& step, int index);
+/// @param bodies  shown, with their joints; what the step is about is always
+Picture compose(
+    const Story& story, const PictureStyle& style, const Step& step, int index,
+    const BodyChoice& bodies = {});
 
 }  // namespace jw::picture

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/session/picture/picture_camera.hpp"
@@ -13,6 +14,8 @@ using namespace picture;
 
 // bounds of the motion from so many moments: between them nothing goes far
 constexpr std::size_t kMomentsSeen = 250;
+// of the unit, and of |p|: nobody sees a thousandth of a pixel
+constexpr double kStands = 1e-6;
 // a Newton iteration that throws bodies away farther than this would make everything else small
 constexpr double kWildIteration = 1.6;
 // the ground's axes are shown if they do not make the mechanism small either
@@ -21,18 +24,53 @@ constexpr double kVisible = 0.2;  // of the unit: length of a vector that should
 constexpr double kAsideLimit = 0.08;
 constexpr double kSideLimit = 0.14;
 
-/// Indices of the steps whose poses bound all others.
-std::vector<int> moments_of(const Story& story) {
-    std::vector<int> chosen;
+/// A step whose pose is in sight.
+struct Moment {
+    int step = 0;
+    BodyChoice moved;  ///< those that stand elsewhere than at the moments before
+};
+/// The steps whose poses bound all others.
+struct Moments {
+    std::vector<Moment> closed;
+    std::vector<Moment> iterations;
+};
+
+/// Most steps of a large lesson add a joint and leave nearly everything where it is.
+std::vector<Moment> seen_in(const Story& story, const std::vector<int>& steps, double unit) {
+    std::vector<Moment> moments;
+    State last;  // of each body where it was when it moved last
+    for (const int k : steps) {
+        const State& now = story.steps()[at(k)].state;
+        std::vector<bool> moved(now.r.size(), true);
+        for (std::size_t b = 0; b < last.r.size(); ++b) {
+            moved[b] =
+                (now.r[b] - last.r[b]).norm() > kStands * unit || (now.p[b] - last.p[b]).norm() > kStands;
+        }
+        last.r.resize(now.r.size());
+        last.p.resize(now.p.size());
+        for (std::size_t b = 0; b < moved.size(); ++b) {
+            if (!moved[b]) { continue; }
+            last.r[b] = now.r[b];
+            last.p[b] = now.p[b];
+        }
+        moments.push_back({k, BodyChoice(std::move(moved))});
+    }
+    return moments;
+}
+
+Moments moments_of(const Story& story, double unit) {
+    std::vector<int> closed;
+    std::vector<int> iterations;
     std::vector<int> motion;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
-        const bool moves = story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::motion;
-        (moves ? motion : chosen).push_back(k);
+        const Step::Kind kind = story.steps()[at(k)].kind;
+        const bool moves = kind == Step::Kind::motion;
+        (moves ? motion : kind == Step::Kind::iteration ? iterations : closed).push_back(k);
     }
     const std::size_t stride = 1 + motion.size() / kMomentsSeen;
-    for (std::size_t k = 0; k < motion.size(); k += stride) { chosen.push_back(motion[k]); }
-    if (!motion.empty()) { chosen.push_back(motion.back()); }
-    return chosen;
+    for (std::size_t k = 0; k < motion.size(); k += stride) { closed.push_back(motion[k]); }
+    if (!motion.empty()) { closed.push_back(motion.back()); }
+    return {seen_in(story, closed, unit), seen_in(story, iterations, unit)};
 }
 
 void set_shapes(const Story& story, PictureStyle& style) {
@@ -43,35 +81,39 @@ void set_shapes(const Story& story, PictureStyle& style) {
 }
 
 /// Size of the bodies over the story, wherever iterations throw them in between.
-double size_of_bodies(const Story& story, const PictureStyle& style, const std::vector<int>& moments) {
+double size_of_bodies(const Story& story, const PictureStyle& style, const Moments& moments) {
     render::Bounds bounds;
-    const Step* before = nullptr;
-    for (const int k : moments) {
-        const Step& step = story.steps()[static_cast<std::size_t>(k)];
-        if (step.kind == Step::Kind::iteration) { continue; }
-        // most steps of a large lesson add a joint and leave everything where it is
-        if (before != nullptr && step.state.r == before->state.r && step.state.p == before->state.p) {
-            continue;
-        }
-        before = &step;
+    for (const Moment& moment : moments.closed) {
+        const State& state = story.steps()[at(moment.step)].state;
         render::Scene scene;
         for (int b = 0; b < static_cast<int>(style.bodies.size()); ++b) {
-            add_body(story.lesson(), style, step.state, b, 1.0F, scene);
+            if (moment.moved.contains(b)) { add_body(story.lesson(), style, state, b, 1.0F, scene); }
         }
         bounds.include(render::bounds_of(scene));
     }
     return bounds.diagonal();
 }
 
-/// A pose at which the joint is closed, as it is looked at most; the last of the story if it never is.
-const State& closed_state(const Story& story, int joint) {
+/// When a joint comes into the story.
+struct Arrival {
+    int additions = std::numeric_limits<int>::max();  ///< present from so many on
+    /// The pose at which it is closed first, as it is looked at most; the last of the story if it never is.
+    const State* closed = nullptr;
+};
+
+/// Arrivals of all joints of the mechanism.
+std::vector<Arrival> arrivals_in(const Story& story) {
+    std::vector<Arrival> arrivals(
+        story.lesson().mechanism.joints.size(), Arrival{.closed = &story.steps().back().state});
     for (const Step& step : story.steps()) {
-        const std::vector<int>& joints = step.system->selection().joints;
-        if (step.kind == Step::Kind::assembled && std::ranges::find(joints, joint) != joints.end()) {
-            return step.state;
-        }
+        if (step.kind != Step::Kind::equations && step.kind != Step::Kind::assembled) { continue; }
+        const Addition& added = story.lesson().order[at(step.additions - 1)];
+        if (added.kind != Addition::Kind::joint) { continue; }
+        Arrival& arrival = arrivals[at(added.index)];
+        arrival.additions = step.additions;
+        if (step.kind == Step::Kind::assembled) { arrival.closed = &step.state; }
     }
-    return story.steps().back().state;
+    return arrivals;
 }
 
 /// Lift of a vector that leaves the bodies at `side` from P and may run in a handle from there on.
@@ -81,9 +123,10 @@ double lift_of(const Solid& solid, const Vec3& P, const Vec3& direction, double 
 }
 
 JointStyle joint_style(
-    const Story& story, const PictureStyle& style, int joint, const std::vector<int>& moments) {
+    const Story& story, const PictureStyle& style, int joint, const Arrival& arrival,
+    const Moments& moments) {
     const Mechanism& mechanism = story.lesson().mechanism;
-    const State& state = closed_state(story, joint);
+    const State& state = *arrival.closed;
     const PlacedJoint j = placed(mechanism, joint, state);
     const Solid solid(style, state, j.joint->body_i, j.joint->body_j);
     const double length = kVisible * style.unit;
@@ -98,49 +141,41 @@ JointStyle joint_style(
     const bool screw = j.joint->type->uses(kSidesU);
     found.lift_i = lift_of(solid, j.P_i, screw ? j.u_i : j.h_i, found.side, style.unit);
     found.lift_j = lift_of(solid, j.P_j, screw ? j.u_j : j.h_j, found.side, style.unit);
-    for (const int k : moments) {
-        const Step& step = story.steps()[static_cast<std::size_t>(k)];
-        const std::vector<int>& present = step.system->selection().joints;
-        if (step.kind == Step::Kind::iteration) { continue; }
-        if (std::ranges::find(present, joint) == present.end()) { continue; }
-        const PlacedJoint now = placed(mechanism, joint, step.state);
+    const auto reach = [&](const State& pose) {
+        const PlacedJoint now = placed(mechanism, joint, pose);
         const double d = now.displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
         found.farthest = std::max(found.farthest, (now.P_j - now.P_i - d * now.s_i).norm());
+    };
+    for (const Moment& moment : moments.closed) {
+        const Step& step = story.steps()[at(moment.step)];
+        if (step.additions < arrival.additions) { continue; }
+        const bool moves = moment.moved.contains(j.joint->body_i) || moment.moved.contains(j.joint->body_j);
+        if (moves || step.additions == arrival.additions) { reach(step.state); }
     }
     return found;
 }
 
-render::Bounds bounds_of(
-    const Story& story, const PictureStyle& style, const std::vector<int>& moments, bool iterations) {
+render::Bounds bounds_of(const Story& story, const PictureStyle& style, const std::vector<Moment>& moments) {
     render::Bounds bounds;
-    render::Bounds before;
-    for (const int k : moments) {
-        if ((story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::iteration) != iterations) {
-            continue;
-        }
-        render::Bounds now =
-            render::bounds_of(compose(story, style, story.steps()[static_cast<std::size_t>(k)], k).scene);
-        bounds.include(now, before);
-        before = std::move(now);
+    for (const Moment& moment : moments) {
+        const Step& step = story.steps()[at(moment.step)];
+        bounds.include(render::bounds_of(compose(story, style, step, moment.step, moment.moved).scene));
     }
     return bounds;
 }
 
-void set_bounds(const Story& story, const std::vector<int>& moments, PictureStyle& style) {
+void set_bounds(const Story& story, const Moments& moments, PictureStyle& style) {
     style.ground_axes = false;
-    render::Bounds bounds = bounds_of(story, style, moments, false);
+    render::Bounds bounds = bounds_of(story, style, moments.closed);
     style.ground_axes = true;
     // these stay where they are: one moment is as good as all
-    const auto first = std::ranges::find_if(moments, [&](int k) {
-        return story.steps()[static_cast<std::size_t>(k)].kind != Step::Kind::iteration;
-    });
     render::Bounds with_axes = bounds;
-    if (first != moments.end()) { with_axes.include(bounds_of(story, style, {*first}, false)); }
+    with_axes.include(bounds_of(story, style, {moments.closed.front()}));
     style.ground_axes = with_axes.diagonal() < kFarOrigin * bounds.diagonal();
     if (style.ground_axes) { bounds = with_axes; }
-    render::Bounds with_iterations = bounds_of(story, style, moments, true);
+    render::Bounds with_iterations = bounds_of(story, style, moments.iterations);
     with_iterations.include(bounds);
     style.bounds = with_iterations.diagonal() < kWildIteration * bounds.diagonal() ? with_iterations : bounds;
 }
@@ -179,17 +214,18 @@ void set_traced_point(const Story& story, PictureStyle& style) {
 
 PictureStyle picture_style(const Story& story) {
     const Mechanism& mechanism = story.lesson().mechanism;
-    const std::vector<int> moments = moments_of(story);
     PictureStyle style;
     style.up = story.lesson().camera.up.value_or(Vec3::UnitZ()).normalized();
     style.view = view_direction(story, style.up);
     // sizes first: what has none in the lesson is drawn in proportion to the mechanism itself
     style.unit = extent(mechanism);
+    const Moments moments = moments_of(story, style.unit);
     set_shapes(story, style);
     style.unit = std::max(size_of_bodies(story, style, moments), 0.3 * style.unit);
     set_shapes(story, style);
+    const std::vector<Arrival> arrivals = arrivals_in(story);
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
-        style.joints.push_back(joint_style(story, style, j, moments));
+        style.joints.push_back(joint_style(story, style, j, arrivals[at(j)], moments));
     }
     set_traced_point(story, style);
     set_reaction_scales(story, style);

@@ -6,6 +6,8 @@
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/picture/picture_shapes.hpp"
 #include "tests/app/session/picture_lessons.hpp"
+#include "tests/support/grown_mechanisms.hpp"
+#include "tests/support/random_nets.hpp"
 
 namespace jw::test {
 
@@ -33,6 +35,38 @@ TEST_CASE("one camera has everything in sight that is ever drawn", "[app][pictur
             CHECK((style.bounds.highest() - drawn.highest()).minCoeff() >= 0.0);
         }
         CHECK(style.ground.normal.dot(style.ground.point) < style.up.dot(style.bounds.lowest()) + 1e-9);
+    }
+}
+
+// the style leaves out bodies that stand where they stood; here every step is drawn whole
+TEST_CASE("bounds of what moves are those of whole pictures", "[app][picture]") {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        INFO("seed " << seed);
+        Random random(seed);
+        Lesson lesson = lesson_of(seed % 2 == 0 ? grown_mechanism(seed, 12, 3) : random_net(random));
+        if (seed % 3 == 0) { lesson.motion = MotionPlan{.to = 0.5, .steps = 40}; }
+        for (Body& body : lesson.mechanism.bodies) {
+            if (!body.fixed) { body.r += 0.01 * random.vector(); }
+        }
+        const Story story(lesson);
+        const PictureStyle style = picture_style(story);
+        render::Bounds all;
+        render::Bounds with_iterations;
+        for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
+            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            const render::Bounds now = render::bounds_of(compose(story, style, step, k).scene);
+            if (step.kind != Step::Kind::iteration) { all.include(now); }
+            with_iterations.include(now);
+        }
+        const bool wild = style.bounds.diagonal() < 0.99 * with_iterations.diagonal();
+        const render::Bounds& expected = wild ? all : with_iterations;
+        for (int n = 0; n < 50; ++n) {
+            const Vec3 direction = random.vector().normalized();
+            // what moves by less than a millionth of the picture is not drawn again
+            CHECK(
+                style.bounds.extent(direction) ==
+                Approx(expected.extent(direction)).margin(1e-5 * style.unit));
+        }
     }
 }
 
