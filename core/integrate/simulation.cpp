@@ -70,17 +70,12 @@ constexpr double kDigitsKept = 1e-11;
 /// Relative error of accelerations that is accepted, as a share of the tolerance.
 constexpr double kShareOfTolerance = 0.1;
 
-Baumgarte stabilisation(const SimulationSettings& settings) {
-    if (settings.treatment != Treatment::baumgarte) { return {}; }
-    return {settings.baumgarte, settings.baumgarte};
-}
-
 }  // namespace
 
 Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const SimulationSettings& settings)
     : scene_(centroidal(mechanism, loads)), settings_(settings) {
     require(settings);
-    block_ = block_equations(scene_, stabilisation(settings));
+    block_ = block_equations(scene_, stabilisation());
     moving_ = moving_bodies_of(mechanism);
     order_of_body_.assign(mechanism.bodies.size(), -1);
     for (std::size_t m = 0; m < moving_.size(); ++m) { order_of_body_[at(moving_[m])] = static_cast<int>(m); }
@@ -90,7 +85,7 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     block_->project(0.0, start_.data());
     look_for_contradiction(as_given);
     if (settings.dense) {
-        other_ = dense_equations(scene_, *settings.dense, stabilisation(settings));
+        other_ = dense_equations(scene_, *settings.dense, stabilisation());
     } else if (joints_may_pay(settings, block_->masses_are_apart())) {
         take_joints();
     }
@@ -191,6 +186,11 @@ std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
     return implicit_one(5);
 }
 
+Baumgarte Simulation::stabilisation() const {
+    if (settings_.treatment != Treatment::baumgarte) { return {}; }
+    return {settings_.baumgarte, settings_.baumgarte};
+}
+
 /// Pure damping does not depend on the angle, so only springs with stiffness need turns.
 bool Simulation::counts_turns() const {
     return std::ranges::any_of(
@@ -200,52 +200,6 @@ bool Simulation::counts_turns() const {
 void Simulation::count_turns_at(const std::vector<double>& y) {
     if (!counts_turns()) { return; }
     count_turns(scene_.loads, kinematics_of(unpacked(y).first));
-}
-
-SimulationOutcome Simulation::run(
-    const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch) {
-    if (contradiction_) { return {{}, contradiction_, {}}; }
-    if (counts_turns()) { begin_turns(scene_.loads, kinematics_of(unpacked(start_).first)); }
-    count_turns_at(start_);
-    const double end = times.empty() ? 0.0 : times.back();
-    const std::unique_ptr<TimeStepper> integration = stepper(end);
-    Sampler sampler(integrated(), times, receive, tolerance_of_samples());
-    sampler.take(*integration);
-    // checking all joints would cost more than an evaluation in joint coordinates: a quarter of them per step
-    const bool in_joints = other_ && !settings_.dense;
-    const int shares = in_joints ? 4 : 1;
-    Certificate certificate(scene_, stabilisation(settings_), shares);
-    SimulationOutcome outcome;
-    // all of them at the start: a contradictory scene is not started
-    for (int share = 0; share < shares && !outcome.failure; ++share) {
-        outcome.failure = failure_of_proof(certificate, *integration, outcome.residual);
-    }
-    // fixed steps do not stop at events
-    const bool adaptive = entry_of(settings_.method).adaptive;
-    for (const double event : adaptive ? events_until(end, scene_) : std::vector{end}) {
-        while (integration->t() < event && !outcome.failure && !sampler.ended()) {
-            outcome.failure = failure_of_step(*integration, event, end);
-            if (!outcome.failure) {
-                outcome.failure = failure_of_proof(certificate, *integration, outcome.residual);
-            }
-            const long steps = integration->counts().steps;
-            if (watch && !outcome.failure && steps % kStepsBetweenLooks == 0 && integration->t() < end &&
-                !watch({integration->t(), end, steps, integration->bound_by_stability()})) {
-                outcome.failure = too_many_steps(*integration);
-            }
-            if (!outcome.failure || outcome.failure->cause == SimulationFailure::Cause::too_many_steps) {
-                sampler.take(*integration);
-            }
-        }
-        sampler.begin_anew();
-    }
-    sampler.finish();
-    if (sampler.ended()) {
-        outcome.failure =
-            SimulationFailure{SimulationFailure::Cause::step_too_small, *sampler.ended(), {}, 0.0};
-    }
-    outcome.counts = integration->counts();
-    return outcome;
 }
 
 /// Tolerance of samples between steps. Fixed steps end on the constraints to rounding, but set no tolerance
@@ -325,7 +279,7 @@ Vec3 Simulation::point_velocity(const std::vector<double>& y, int body, const Ve
 /// found with other equations.
 void Simulation::take_up_rows(double t, const std::vector<double>& y, std::vector<double>& y_dot) {
     if (!other_ || block_->rows_left_out() == 0) { return; }
-    if (!certificate_) { certificate_ = std::make_unique<Certificate>(scene_, stabilisation(settings_)); }
+    if (!certificate_) { certificate_ = std::make_unique<Certificate>(scene_, stabilisation()); }
     // choosing rows costs as much as a hundred evaluations
     if (is_proven(t, y, y_dot) || !raise_rank(*block_, t, y.data())) { return; }
     block_->evaluate(t, y.data(), y_dot.data());

@@ -125,7 +125,10 @@ public:
     std::vector<double> integrated_start() const;
 
 private:
+    friend class SimulationRun;
+
     std::unique_ptr<TimeStepper> stepper(double end) const;
+    Baumgarte stabilisation() const;
     void take_joints();
     bool keeps_digits(TreeEquations& tree);  ///< compared with the block equations
     void take_up_rows(double t, const std::vector<double>& y, std::vector<double>& y_dot);
@@ -163,6 +166,35 @@ private:
     std::optional<SimulationFailure> contradiction_;
     std::unique_ptr<Certificate>
         certificate_;  ///< of accelerations between the steps, made when they are asked for
+};
+
+/// A run of a simulation, step by step: for those who do other things in between.
+class SimulationRun {
+public:
+    /// As Simulation::run, up to the start. `simulation` must outlive this.
+    SimulationRun(
+        Simulation& simulation, const std::vector<double>& times, Sampler::Receive receive,
+        RunWatch watch = {});
+    ~SimulationRun();
+    SimulationRun(const SimulationRun&) = delete;
+    SimulationRun& operator=(const SimulationRun&) = delete;
+
+    /// Takes a step. @return false if there was none to take: the run has ended
+    bool step();
+    /// Result of the run, once it has ended.
+    SimulationOutcome finish();
+
+private:
+    bool goes_on() const;
+
+    Simulation* simulation_;
+    RunWatch watch_;
+    double end_ = 0.0;            ///< [s]
+    std::vector<double> events_;  ///< times ahead at which steps end [s], the next one last
+    std::unique_ptr<TimeStepper> stepper_;
+    std::unique_ptr<Sampler> sampler_;
+    std::unique_ptr<Certificate> certificate_;
+    SimulationOutcome outcome_;
 };
 
 }  // namespace jw
