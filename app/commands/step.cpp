@@ -5,6 +5,7 @@
 #include "app/commands/format_option.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
+#include "app/session/story/story_telling.hpp"
 #include "app/session/view/inspection.hpp"
 
 namespace jw {
@@ -40,11 +41,12 @@ std::vector<int> told_steps(const Story& story, int until) {
 Exit step(const StepOptions& options, const Streams& streams) {
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     const Lesson& lesson = changed.lesson;
-    ProgressBar bar(streams, "following the motion");
+    ProgressBar bar(streams, "telling the lesson");
     StoryOptions how;
-    how.progress = [&](double fraction) { bar.show(fraction); };
     how.last_step = options.until;
-    const Story story(lesson, how);
+    StoryTelling telling(lesson, how);
+    while (telling.go_on()) { bar.show(telling.progress()); }
+    const Story story = telling.story();
     const int last = static_cast<int>(story.steps().size()) - 1;
     const int until = options.until < 0 ? last : options.until;
     if (until > last) {

@@ -137,8 +137,11 @@ void add_triads(
     }
 }
 
-void add_names(const Lesson& lesson, const PictureStyle& style, const Step& step, Picture& picture) {
+void add_names(
+    const Lesson& lesson, const PictureStyle& style, const Step& step, const BodyChoice& bodies,
+    Picture& picture) {
     for (int b = 0; b < bodies_count(lesson); ++b) {
+        if (!bodies.contains(b)) { continue; }
         const auto k = static_cast<std::size_t>(b);
         if (lesson.mechanism.bodies[k].fixed && lesson.looks[k].shapes.empty()) { continue; }
         Annotation name;
@@ -221,7 +224,7 @@ Picture compose(
         add_springs(lesson, style, step.state, picture.scene);
     }
     if (const auto reactions = reactions_of(step)) { add_reactions(style, *reactions, picture); }
-    add_names(lesson, style, step, picture);
+    add_names(lesson, style, step, bodies, picture);
     return picture;
 }
 

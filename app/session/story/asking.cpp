@@ -1,4 +1,4 @@
-#include "app/session/story/story.hpp"
+#include "app/session/story/story_telling.hpp"
 
 /// Questions within a story.
 namespace jw {
@@ -13,14 +13,14 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
 }
 
 /// Tells the questions (or the answers) that belong here, at the pose of the last step.
-void Story::ask(Question::Place place, const Addition* added, Step::Kind kind) {
+void StoryTelling::ask(Question::Place place, const Addition* added, Step::Kind kind) {
     // those who want poses alone are not asked
-    if (!keep_steps_) { return; }
+    if (!options_.keep_steps) { return; }
     for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
         const Question& question = lesson_->questions[k];
         const bool here = question.place == place && (added == nullptr || question.addition == *added);
         if (!here || !applies(question, *lesson_)) { continue; }
-        Step step = steps_.back();
+        Step step = told_->steps.back();
         step.kind = kind;
         step.question = static_cast<int>(k);
         step.choices.clear();
@@ -28,7 +28,7 @@ void Story::ask(Question::Place place, const Addition* added, Step::Kind kind) {
         step.note.clear();
         step.rows_switched = step.change_point = false;
         step.rank_before = nullptr;
-        steps_.push_back(std::move(step));
+        told_->steps.push_back(std::move(step));
     }
 }
 

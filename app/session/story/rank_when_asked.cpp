@@ -1,4 +1,4 @@
-#include "app/session/story/story.hpp"
+#include "app/session/story/story_telling.hpp"
 
 #include "core/equations/assembler.hpp"
 #include "core/poses/large_rank.hpp"
@@ -37,8 +37,8 @@ const RankReport& RankWhenAsked::operator*() const {
     return *pose_->report;
 }
 
-RankWhenAsked Story::present_rank() const {
-    return with_ranks_ ? RankWhenAsked(system_, state_, start_time_) : nullptr;
+RankWhenAsked StoryTelling::present_rank() const {
+    return options_.with_ranks ? RankWhenAsked(system_, state_, start_time_) : nullptr;
 }
 
 }  // namespace jw

@@ -1,7 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/kinematics/motion_tracker.hpp"
 #include "core/motion/forces.hpp"
@@ -102,7 +105,6 @@ struct StoryOptions {
     /// False: of the steps before the last their kind and number are kept, no system and no pose. For those
     /// who want the last pose: work and memory then grow with the joints, not with their square.
     bool keep_steps = true;
-    std::function<void(double fraction)> progress;
 };
 
 /// Options of a story of poses alone, without ranks.
@@ -134,53 +136,40 @@ bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool&
 
 class Story {
 public:
-    /// Tells the lesson up to and including its motion. `lesson` must outlive the story.
+    /// Tells the lesson to its end, at once (story_telling.hpp does it in pieces). `lesson` must outlive the
+    /// story and its copies, which share what is told.
     explicit Story(const Lesson& lesson, const StoryOptions& options = {});
 
     const Lesson& lesson() const { return *lesson_; }
-    const std::vector<Step>& steps() const { return steps_; }
+    const std::vector<Step>& steps() const { return told_->steps; }
     /// Moments of a motion by masses and forces, many between two steps, from the dense output of its
     /// integrator: what curves and paths are drawn from. Empty where the steps are all there is.
-    const std::vector<Step>& curve() const { return curve_; }
+    const std::vector<Step>& curve() const { return told_->curve; }
     /// Set if the story ended early.
     const Step* failure() const;
     /// Index of the step at which everything that is to be added first is: the last before the motion.
     int last_assembled() const;
     /// The joint whose equations are of interest while everything moves: the first whose choice of p1 / p2
     /// rows changes, or the only one; -1 if there is none.
-    int featured_joint() const { return featured_joint_; }
+    int featured_joint() const { return told_->featured_joint; }
     /// The joint chosen instead of it by who looks at the story; -1 if none is.
     int chosen_joint() const { return chosen_joint_; }
     /// Chooses a joint of the mechanism; -1 leaves the choice to the story again.
     void choose_joint(int joint) { chosen_joint_ = joint; }
 
 private:
-    void tell_bodies();
-    void tell(const StoryOptions& options);
-    bool tell_addition(int count);
-    bool close_addition(int count);
-    void ask(Question::Place place, const Addition* added, Step::Kind kind);
-    bool tell_quietly(int count);
-    bool fits_as_it_is(const Addition& added) const;
-    void forget_poses();
-    void tell_motion(const MotionPlan& plan, const StoryOptions& options);
-    void tell_dynamics(const MotionPlan& plan, const StoryOptions& options);
-    void find_featured_joint();
-    /// Rank of the present system at the present state, computed when asked for.
-    RankWhenAsked present_rank() const;
+    friend class StoryTelling;
+    /// What does not change once it is told.
+    struct Told {
+        std::vector<Step> steps;
+        std::vector<Step> curve;
+        int featured_joint = -1;
+    };
+    Story(const Lesson& lesson, std::shared_ptr<const Told> told)
+        : lesson_(&lesson), told_(std::move(told)) {}
 
     const Lesson* lesson_;
-    double start_time_ = 0.0;
-    std::shared_ptr<const System> system_;
-    State state_;
-    bool with_ranks_ = true;
-    bool keep_steps_ = true;
-    bool is_exact_ = false;      ///< the pose satisfies all equations so far to the tolerance of Newton
-    std::size_t forgotten_ = 0;  ///< steps before this one have no pose any more
-    RankWhenAsked rank_;
-    std::vector<Step> steps_;
-    std::vector<Step> curve_;
-    int featured_joint_ = -1;
+    std::shared_ptr<const Told> told_;
     int chosen_joint_ = -1;
 };
 

@@ -104,7 +104,8 @@ ExperimentResult carry_out(Session& session, const std::string& text) {
         *experiment);
 }
 
-std::unique_ptr<Session> session_after(const Lesson& lesson, const std::vector<std::string>& texts) {
+std::unique_ptr<Session> session_after(
+    const Lesson& lesson, const std::vector<std::string>& texts, const Storyteller& tell) {
     std::vector<CarriedOut> done;
     auto text = texts.begin();
     for (auto now = std::make_shared<const Lesson>(lesson); text != texts.end(); ++text) {
@@ -115,7 +116,7 @@ std::unique_ptr<Session> session_after(const Lesson& lesson, const std::vector<s
         now = std::make_shared<const Lesson>(std::move(*edit.lesson));
         done.push_back({*read, now, edit.what});
     }
-    auto session = std::make_unique<Session>(lesson, done);
+    auto session = std::make_unique<Session>(lesson, done, tell);
     const auto moves = static_cast<std::size_t>(texts.end() - text);
     if (moves > kMostMoves) {
         give_up(

@@ -21,6 +21,7 @@ ExperimentResult carry_out(Session& session, const std::string& text);
 /// The lesson in which all of `texts` were carried out, one after the other; each can be undone. Edits at the
 /// beginning, as Session::tried tells them, cost no telling of their own.
 /// @throws std::runtime_error naming the first one that cannot be done, with the reason
-std::unique_ptr<Session> session_after(const Lesson& lesson, const std::vector<std::string>& texts);
+std::unique_ptr<Session> session_after(
+    const Lesson& lesson, const std::vector<std::string>& texts, const Storyteller& tell = tell_at_once);
 
 }  // namespace jw

@@ -38,21 +38,28 @@ struct Session::Cache {
     std::optional<std::vector<std::string>> tried;
 };
 
-Session::Session(Lesson lesson, bool with_motion)
-    : Session(std::move(lesson), std::vector<CarriedOut>(), with_motion) {}
-
-Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, bool with_motion)
-    : written_(std::make_shared<Lesson>(std::move(lesson))),
+Session::Session(Lesson lesson, bool with_motion, Storyteller tell)
+    : tell_(std::move(tell)),
+      written_(std::make_shared<Lesson>(std::move(lesson))),
       lesson_(written_),
       cache_(std::make_unique<Cache>()) {
     how_.with_motion = with_motion;
+    take_over(written_);
+    written_ = lesson_;
+}
+
+Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller tell)
+    : tell_(std::move(tell)),
+      written_(std::make_shared<Lesson>(std::move(lesson))),
+      lesson_(written_),
+      cache_(std::make_unique<Cache>()) {
     for (const CarriedOut& one : done) {
         push_past(present(one.what));
         edits_ = tried_with(std::move(edits_), std::span(&one.edit, 1), {*written_, *lesson_, *one.lesson});
         lesson_ = one.lesson;
     }
-    story_ = std::make_unique<Story>(*lesson_, how_);
-    told_anew();
+    take_over(std::shared_ptr<const Lesson>(lesson_));
+    if (done.empty()) { written_ = lesson_; }
 }
 
 Session::~Session() = default;
@@ -110,6 +117,7 @@ std::string Session::perform(const StartOver& /*experiment*/) {
     if (!is_changed()) { return tr("Nothing was changed."); }
     Past past = present(tr("start over"));
     take_over(written_);
+    written_ = lesson_;
     edits_.clear();
     push_past(std::move(past));
     gesture_ = 0;
@@ -146,7 +154,7 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
     const Past past = from.back();
     Past now = present(past.what);
     take_over(past.lesson);
-    written_ = past.written;
+    written_ = past.written == past.lesson ? lesson_ : past.written;
     edits_ = past.edits;
     from.pop_back();
     to.push_back(std::move(now));
@@ -157,9 +165,8 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
 
 void Session::replace(Lesson lesson) {
     Past past = present(tr("the file before"));
-    const auto written = std::make_shared<const Lesson>(std::move(lesson));
-    take_over(written);
-    written_ = written;
+    take_over(std::make_shared<const Lesson>(std::move(lesson)));
+    written_ = lesson_;
     edits_.clear();
     push_past(std::move(past));
     gesture_ = 0;
@@ -179,9 +186,9 @@ void Session::become(Session&& other, std::string what) {
 }
 
 void Session::tell_again() {
-    const auto written = std::make_shared<const Lesson>(shown_lesson(*written_));
-    take_over(is_changed() ? std::make_shared<const Lesson>(shown_lesson(*lesson_)) : written);
-    written_ = written;
+    const bool changed = is_changed();
+    take_over(std::make_shared<const Lesson>(shown_lesson(*lesson_)));
+    written_ = changed ? std::make_shared<const Lesson>(shown_lesson(*written_)) : lesson_;
 }
 
 Session::Past Session::present(std::string what) const {
@@ -200,16 +207,17 @@ const std::vector<std::string>& Session::tried() const {
 }
 
 /// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
-void Session::take_over(std::shared_ptr<const Lesson> lesson) {
-    const Place place = place_of(*story_, index_);
-    auto story = std::make_unique<Story>(*lesson, how_);
-    if (story_->chosen_joint() < static_cast<int>(lesson->mechanism.joints.size())) {
-        story->choose_joint(story_->chosen_joint());
+void Session::take_over(const std::shared_ptr<const Lesson>& lesson) {
+    ToldLesson told = tell_(lesson, how_);
+    auto story = std::make_unique<Story>(std::move(told.story));
+    if (story_) {
+        index_ = find_place(*story, place_of(*story_, index_));
+        const int chosen = story_->chosen_joint();
+        story->choose_joint(chosen < static_cast<int>(lesson->mechanism.joints.size()) ? chosen : -1);
     }
     hand_.reset();
     story_ = std::move(story);
-    lesson_ = std::move(lesson);  // the story before looked into the one before
-    index_ = find_place(*story_, place);
+    lesson_ = std::move(told.lesson);  // the story before looked into the one before
     told_anew();
 }
 

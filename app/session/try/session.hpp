@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/picture/picture.hpp"
+#include "app/session/story/story_telling.hpp"
 #include "app/session/try/experiments.hpp"
 #include "app/session/try/hand.hpp"
 #include "app/session/view/view.hpp"
@@ -26,9 +27,9 @@ struct CarriedOut {
 class Session {
 public:
     /// @param with_motion  false: the story ends where everything is put together
-    explicit Session(Lesson lesson, bool with_motion = true);
+    explicit Session(Lesson lesson, bool with_motion = true, Storyteller tell = tell_at_once);
     /// Session of a lesson in which `done` was carried out; each of them can be undone.
-    Session(Lesson lesson, const std::vector<CarriedOut>& done, bool with_motion = true);
+    Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller tell = tell_at_once);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -37,6 +38,8 @@ public:
     const Lesson& lesson() const;
     const Lesson& as_written() const { return *written_; }
     const Story& story() const { return *story_; }
+    /// Lesson and story as they are now: they stay, whatever is done to the session.
+    ToldLesson as_told() const { return {lesson_, *story_}; }
 
     /// Index of the step of the story that is shown, or in whose place something moved by hand is shown.
     int index() const { return index_; }
@@ -124,10 +127,11 @@ private:
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
     void push_past(Past past);
-    void take_over(std::shared_ptr<const Lesson> lesson);
+    void take_over(const std::shared_ptr<const Lesson>& lesson);
     void told_anew();
     void changed();
 
+    Storyteller tell_;
     StoryOptions how_;
     std::shared_ptr<const Lesson> written_;
     std::shared_ptr<const Lesson> lesson_;

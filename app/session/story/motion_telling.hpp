@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+
+#include "app/session/story/story.hpp"
+
+namespace jw {
+
+/// The motion of a story while it is told.
+class MotionTelling {
+public:
+    virtual ~MotionTelling() = default;
+    MotionTelling() = default;
+    MotionTelling(const MotionTelling&) = delete;
+    MotionTelling& operator=(const MotionTelling&) = delete;
+
+    /// Adds what comes next, which may be nothing yet, to the steps and to the moments of the curve.
+    /// @return false if there was nothing left
+    virtual bool go_on(std::vector<Step>& steps, std::vector<Step>& curve) = 0;
+    /// Part of the motion that is told, from 0 to 1.
+    virtual double progress() const = 0;
+};
+
+/// Everything put together: where a motion begins.
+struct Assembled {
+    const Lesson& lesson;
+    std::shared_ptr<const System> system;
+    State state;
+};
+
+/// The lesson's prescribed motion.
+std::unique_ptr<MotionTelling> tell_prescribed_motion(
+    const Assembled& from, const MotionPlan& plan, const StoryOptions& options);
+/// The motion by masses and forces, by the lesson's method.
+std::unique_ptr<MotionTelling> tell_motion_by_forces(
+    const Assembled& from, const MotionPlan& plan, const StoryOptions& options);
+
+}  // namespace jw

@@ -1,0 +1,247 @@
+#include "app/session/story/story_telling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/story/motion_telling.hpp"
+#include "core/poses/branches.hpp"
+#include "core/poses/large_rank.hpp"
+
+namespace jw {
+
+namespace {
+
+// iterations shown of a solve that fails: its beginning is worth a look, sixty more of the same are not
+constexpr std::size_t kFirstIterations = 6;
+
+/// Leaves the first iterations of the last solve and the last one; the Newton table has all of them.
+void thin_out_iterations(std::vector<Step>& steps) {
+    std::size_t first = steps.size();
+    while (first > 0 && steps[first - 1].kind == Step::Kind::iteration) { --first; }
+    if (steps.size() - first <= kFirstIterations + 1) { return; }
+    steps.erase(
+        steps.begin() + static_cast<std::ptrdiff_t>(first + kFirstIterations), std::prev(steps.end()));
+}
+
+}  // namespace
+
+StoryTelling::StoryTelling(const Lesson& lesson, const StoryOptions& options)
+    : lesson_(&lesson), options_(options), start_time_(start_time(lesson)) {
+    const auto all = static_cast<int>(lesson.order.size());
+    additions_ = options.additions < 0 ? all : std::min(options.additions, all);
+    state_ = start_state(lesson.mechanism);
+    tell_bodies();
+    ask(Question::Place::bodies, nullptr, Step::Kind::question);
+    ask(Question::Place::bodies, nullptr, Step::Kind::answer);
+}
+
+StoryTelling::~StoryTelling() = default;
+
+bool StoryTelling::is_enough() const {
+    return options_.last_step >= 0 && options_.last_step < static_cast<int>(told_->steps.size());
+}
+
+bool StoryTelling::end() {
+    ended_ = true;
+    motion_.reset();
+    return false;
+}
+
+bool StoryTelling::go_on() {
+    if (ended_) { return false; }
+    if (motion_) {
+        if (motion_->go_on(told_->steps, told_->curve)) { return true; }
+        end_motion();
+    } else {
+        if (is_enough()) { return end(); }
+        if (added_ < additions_) {
+            const int count = ++added_;
+            const bool quiet = !options_.keep_steps && count < additions_ && tell_quietly(count);
+            if (!quiet && !tell_addition(count)) { return end(); }
+            if (!options_.keep_steps) { forget_poses(); }
+            return true;
+        }
+        if (begin_motion()) { return true; }
+    }
+    find_featured_joint();
+    return end();
+}
+
+bool StoryTelling::begin_motion() {
+    if (!options_.with_motion || additions_ < static_cast<int>(lesson_->order.size())) { return false; }
+    const std::optional<MotionPlan> plan = shown_motion(*lesson_);
+    if (!plan) { return false; }
+    ask(Question::Place::motion, nullptr, Step::Kind::question);
+    const Assembled from{*lesson_, system_, state_};
+    motion_ = lesson_->motion ? tell_prescribed_motion(from, *plan, options_)
+                              : tell_motion_by_forces(from, *plan, options_);
+    return true;
+}
+
+void StoryTelling::end_motion() {
+    if (!told_->steps.back().failed()) { ask(Question::Place::motion, nullptr, Step::Kind::answer); }
+}
+
+double StoryTelling::progress() const {
+    if (ended_) { return 1.0; }
+    const std::optional<MotionPlan> plan = options_.with_motion ? shown_motion(*lesson_) : std::nullopt;
+    // a moment of the motion takes about as long as a joint
+    const double moments = plan ? plan->steps : 0;
+    const double moved = motion_ ? motion_->progress() : 0.0;
+    return (added_ + moved * moments) / std::max(1.0, additions_ + moments);
+}
+
+void StoryTelling::find_featured_joint() {
+    if (lesson_->mechanism.joints.size() == 1) { told_->featured_joint = 0; }
+    const System* last = nullptr;
+    for (const Step& step : told_->steps) {
+        if (step.kind != Step::Kind::motion) { continue; }
+        if (last != nullptr && last != step.system.get()) {
+            for (std::size_t k = 0; k < last->constraints().size(); ++k) {
+                const Constraint& now = step.system->constraints()[k];
+                if (now.dropped == last->constraints()[k].dropped) { continue; }
+                told_->featured_joint = now.joint;
+                return;
+            }
+        }
+        last = step.system.get();
+    }
+}
+
+void StoryTelling::tell_bodies() {
+    system_ = std::make_shared<System>(lesson_->mechanism, Selection{});
+    Step step;
+    step.kind = Step::Kind::bodies;
+    step.system = system_;
+    step.t = start_time_;
+    step.state = state_;
+    step.velocity = start_motion(lesson_->mechanism);
+    step.acceleration = zero_motion(lesson_->mechanism);
+    rank_ = present_rank();
+    step.rank = rank_;
+    told_->steps.push_back(std::move(step));
+}
+
+/// True if a joint or driver asks for nothing that the present pose does not do.
+bool StoryTelling::fits_as_it_is(const Addition& added) const {
+    if (added.kind == Addition::Kind::driver) {
+        const Driver& driver = lesson_->mechanism.drivers[at(added.index)];
+        const System alone(lesson_->mechanism, {{}, {added.index}});
+        const DriverConstraint& c = alone.drivers().front();
+        const Motion none = zero_motion(lesson_->mechanism);
+        const double value =
+            evaluate_measure(driver.measure, driver.body_i, driver.body_j, c.theta, state_, none, none).value;
+        const double target = target_of(driver.measure, driver.function, start_time_).f;
+        return std::abs(driver_residual(driver.measure, value, target)) <=
+               residual_tolerance(alone, state_) * c.unit;
+    }
+    System alone(lesson_->mechanism, {{added.index}, {}});
+    alone.choose_rows(state_);
+    const double tolerance = residual_tolerance(alone, state_);
+    for (const Constraint& c : alone.constraints()) {
+        const VectorX values = values_of(c, state_);
+        for (int k = 0; k < c.equations; ++k) {
+            if (c.has_row(k) && !(std::abs(values(k)) <= tolerance * c.unit)) { return false; }
+        }
+    }
+    return is_meant(alone, state_, intended_sides(alone));
+}
+
+/// The steps of a joint or driver that fits as it is, without the system of all that are there by then: what
+/// was solved before is not looked at again.
+/// @return false, and nothing told, where something has to move
+bool StoryTelling::tell_quietly(int count) {
+    const Addition& added = lesson_->order[at(count - 1)];
+    if (!is_exact_ || system_->columns(3) <= kMostDenseColumns || !fits_as_it_is(added)) { return false; }
+    Step step;
+    step.additions = count;
+    step.kind = Step::Kind::equations;
+    told_->steps.push_back(step);
+    step.kind = Step::Kind::assembled;
+    told_->steps.push_back(std::move(step));
+    return true;
+}
+
+void StoryTelling::forget_poses() {
+    for (; forgotten_ + 1 < told_->steps.size(); ++forgotten_) {
+        Step light;
+        light.kind = told_->steps[forgotten_].kind;
+        light.additions = told_->steps[forgotten_].additions;
+        told_->steps[forgotten_] = std::move(light);
+    }
+}
+
+bool StoryTelling::tell_addition(int count) {
+    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    ask(Question::Place::addition, &added, Step::Kind::question);
+    if (!close_addition(count)) { return false; }
+    ask(Question::Place::addition, &added, Step::Kind::answer);
+    return true;
+}
+
+bool StoryTelling::close_addition(int count) {
+    auto system = std::make_shared<System>(lesson_->mechanism, selection_of(*lesson_, count));
+    system->inherit_rows(*system_);
+    const std::shared_ptr<const System> before = system_;
+    system->choose_rows(state_);
+    system_ = system;
+
+    Step step;
+    step.t = start_time_;
+    step.velocity = start_motion(lesson_->mechanism);
+    step.acceleration = zero_motion(lesson_->mechanism);
+    step.kind = Step::Kind::equations;
+    step.additions = count;
+    step.system = system_;
+    step.state = state_;
+    step.rank_before = rank_;
+    step.rank = nullptr;
+    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    for (std::size_t k = 0; added.kind == Addition::Kind::joint && k < system->constraints().size(); ++k) {
+        const Constraint& c = system->constraints()[k];
+        if (c.joint == added.index && is_parallel(c.role)) {
+            step.choices.push_back(explain_choice(*system, static_cast<int>(k), state_, -1));
+        }
+    }
+    told_->steps.push_back(step);
+
+    // each iteration a step of its own
+    step.kind = Step::Kind::iteration;
+    const PositionObserver observer = [&](const PositionEvent& event, const State& state) {
+        step.events.push_back(event);
+        const auto* newton = std::get_if<NewtonStep>(&event);
+        if (newton != nullptr && newton->rank == 0) { return; }  // the last look: closed, or given up
+        step.state = state;
+        told_->steps.push_back(step);
+    };
+    const PositionOutcome outcome = with_choice(lesson_->coordinates, [&](auto choice) {
+        return solve_position<decltype(choice)>(*system_, state_, start_time_, observer);
+    });
+
+    step.state = state_;
+    is_exact_ = outcome.ok() && outcome.newton.residual <= residual_tolerance(*system_, state_);
+    if (!outcome.ok()) {
+        thin_out_iterations(told_->steps);
+        step.kind = Step::Kind::failed;
+        step.failure = outcome.failure;
+        step.rank = present_rank();
+        told_->steps.push_back(std::move(step));
+        return false;
+    }
+    // the choice of rows never changes inside a solve; a new one is made at the solution
+    auto settled = std::make_shared<System>(*system_);
+    if (settled->choose_rows(state_)) { system_ = settled; }
+    step.kind = Step::Kind::assembled;
+    step.system = system_;
+    rank_ = present_rank();
+    step.rank = rank_;
+    told_->steps.push_back(std::move(step));
+    return true;
+}
+
+ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options) {
+    Story story(*lesson, options);
+    return {std::move(lesson), std::move(story)};
+}
+
+}  // namespace jw

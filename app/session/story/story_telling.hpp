@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/session/story/story.hpp"
+
+namespace jw {
+
+class MotionTelling;
+
+/// A story while it is told, piece by piece: for those who do other things in between.
+class StoryTelling {
+public:
+    /// Begins with the free bodies. `lesson` must outlive the telling and its story.
+    explicit StoryTelling(const Lesson& lesson, const StoryOptions& options = {});
+    ~StoryTelling();
+    StoryTelling(const StoryTelling&) = delete;
+    StoryTelling& operator=(const StoryTelling&) = delete;
+
+    /// Tells a joint or driver, or of the motion a moment or a step of its integrator.
+    /// @return false if there was nothing more to tell
+    bool go_on();
+    /// Part of the story that is told, from 0 to 1.
+    double progress() const;
+    /// The story, once all is told.
+    Story story() const { return {*lesson_, told_}; }
+
+private:
+    void tell_bodies();
+    bool tell_addition(int count);
+    bool close_addition(int count);
+    bool tell_quietly(int count);
+    bool fits_as_it_is(const Addition& added) const;
+    void forget_poses();
+    bool begin_motion();
+    void end_motion();
+    void ask(Question::Place place, const Addition* added, Step::Kind kind);
+    void find_featured_joint();
+    bool is_enough() const;
+    bool end();
+    /// Rank of the present system at the present state, computed when asked for.
+    RankWhenAsked present_rank() const;
+
+    const Lesson* lesson_;
+    StoryOptions options_;
+    double start_time_ = 0.0;
+    int additions_ = 0;  ///< to be told
+    int added_ = 0;
+    bool ended_ = false;
+    std::shared_ptr<const System> system_;
+    State state_;
+    bool is_exact_ = false;      ///< the pose satisfies all equations so far to the tolerance of Newton
+    std::size_t forgotten_ = 0;  ///< steps before this one have no pose any more
+    RankWhenAsked rank_;
+    std::unique_ptr<MotionTelling> motion_;
+    std::shared_ptr<Story::Told> told_ = std::make_shared<Story::Told>();
+};
+
+/// A story and the lesson that it is about.
+struct ToldLesson {
+    std::shared_ptr<const Lesson> lesson;
+    Story story;
+};
+ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options);
+
+/// Tells the lessons of a session, as tell_at_once or otherwise. The lesson that it returns may be another
+/// copy. What it throws ends what the session was about to do, and leaves the session as it was.
+using Storyteller = std::function<ToldLesson(std::shared_ptr<const Lesson>, const StoryOptions&)>;
+
+}  // namespace jw
