@@ -25,6 +25,8 @@ constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
 // between two looks at a measurement: fast enough to be watched, and it costs next to nothing
 constexpr double kMeasuring = 0.25;
+// between two looks at a story that is told: pictures take time from the telling where there are no threads
+constexpr double kTelling = 0.2;
 // between two looks at an exercise whose numbers are drawn: short enough not to be noticed
 constexpr double kDrawingNumbers = 0.05;
 
@@ -67,14 +69,20 @@ Host::~Host() { ImGui::DestroyContext(context_); }
 
 bool Host::open(
     const std::filesystem::path& path, const std::string& at, const std::vector<std::string>& experiments) {
+    give_up_waiting();
     LessonFile file(path);
     const ReadResult read = file.read();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return false; }
-    take(std::move(file), std::make_unique<Session>(shown_lesson(*read.lesson)));
-    for (const std::string& text : experiments) { say(jw::carry_out(*session_, text).said); }
-    if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
-    fit_camera(true);
+    attempt([this, file, lesson = shown_lesson(*read.lesson), at, experiments] {
+        auto session = std::make_unique<Session>(lesson, true, storyteller());
+        std::string said;
+        for (const std::string& text : experiments) { said = jw::carry_out(*session, text).said; }
+        take(file, std::move(session));
+        say(said);
+        if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
+        fit_camera(true);
+    });
     return true;
 }
 
@@ -101,19 +109,21 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
 }
 
 bool Host::look_at_file() {
-    if (!file_.is_saved_anew()) { return false; }
+    if (is_telling() || !file_.is_saved_anew()) { return false; }
     ImGui::SetCurrentContext(context_);
     const ReadResult read = file_.read();
     rouse();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return true; }
-    session_->replace(shown_lesson(*read.lesson));
-    need_characters_of_lesson();
-    desk_.follow_file(file_, tabs_.exercises);
-    state_.forget_pointed();
-    state_.playback.leave_freedom();
-    if (hand_.is_own()) { fit_camera(true); }
-    say(tr("The file has changed: this is the same step of its new version."));
+    attempt([this, lesson = shown_lesson(*read.lesson)] {
+        session_->replace(lesson);
+        need_characters_of_lesson();
+        desk_.follow_file(file_, tabs_.exercises);
+        state_.forget_pointed();
+        state_.playback.leave_freedom();
+        if (hand_.is_own()) { fit_camera(true); }
+        say(tr("The file has changed: this is the same step of its new version."));
+    });
     return true;
 }
 
@@ -172,16 +182,17 @@ void Host::frame(double seconds) {
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.25));
     if (!session_ && shelf_.entries().empty() && !state_.browser) { show_or_leave_browser(); }
     settle_ = events_.empty() ? std::max(0, settle_ - 1) : 2;
+    if (is_telling() && telling_.is_done()) { go_on_waiting(); }
     for (const InputEvent& event : events_.take()) {
         feed(io, event);
-        act_on(event);
+        if (!act_while_telling(event)) { act_on(event); }
     }
     need_characters_of_shelf();
     need_characters_of_exercises();
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
         resize(layout_.width, layout_.height, layout_.density);
     }
-    look_at_exercises();
+    if (!is_telling()) { look_at_exercises(); }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();
@@ -216,7 +227,7 @@ void Host::act_on(const InputEvent& event) {
 void Host::advance(double seconds) {
     if (hand_.advance(seconds)) { rouse(); }
     if (notice_.advance(seconds)) { rouse(); }
-    if (!shows_lesson()) { return; }
+    if (!shows_lesson() || is_telling()) { return; }
     if (const auto step = state_.playback.step_after(seconds, *session_)) { apply(GoTo{*step}); }
     if (const auto pose = state_.playback.freedom_after(seconds)) {
         rouse();
@@ -229,6 +240,7 @@ void Host::advance(double seconds) {
 double Host::seconds_to_change() const {
     if (!events_.empty() || settle_ > 0 || task_ != DrawingTask::none) { return 0.0; }
     double due = notice_.seconds_left();
+    if (is_telling()) { return telling_.is_done() ? 0.0 : std::min(due, kTelling); }
     if (!shows_lesson()) { return due; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     if (state_.tab == Tab::exercises && tabs_.exercises.is_handing_over()) { return 0.0; }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "app/host/lesson/address.hpp"
 #include "app/host/lesson/lesson_file.hpp"
 #include "app/host/lesson/lesson_shelf.hpp"
+#include "app/host/lesson/long_telling.hpp"
 #include "app/host/lesson/saving.hpp"
 #include "app/host/lesson/unsaved.hpp"
 #include "app/host/parts/exercise_desk.hpp"
@@ -54,7 +57,7 @@ public:
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
 
-    /// Opens a lesson file at a step; without it the lessons are shown.
+    /// Opens a lesson file at a step; without it the lessons are shown. A long story is told first.
     /// @param experiments  to begin with, see app/session/try/carry_out.hpp
     /// @return false if it has mistakes: they are shown, and what was open stays
     bool open(
@@ -63,10 +66,17 @@ public:
 
     /// Address that `go_to` shows this window's state by; of an exercise its name alone.
     Address address() const;
-    /// Shows what an address says, at once: opens its lesson if another one is open, which begins a history
+    /// Shows what an address says, in one go: opens its lesson if another one is open, which begins a history
     /// of its own, else makes it of the lesson as it was written, which is one change.
     /// @return false if something of it cannot be done: that is shown, and everything stays as it was
     bool go_to(const Address& address);
+
+    /// A long story is being told (host_waiting.cpp). Meanwhile nothing is carried out but giving it up, by
+    /// Escape or a button, and what was open is shown.
+    bool is_telling() const { return !waiting_.empty(); }
+    /// Part of it that is told, from 0 to 1.
+    double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
+    void wait_for_story();
 
     /// Begins an exercise of the open lesson, and waits until it is asked.
     /// @return false if the lesson has none of that name
@@ -154,6 +164,7 @@ private:
     void go_to(int step);
     void play_or_pause();
     void answer();
+    void try_out(const Experiment& experiment);
     void carry_out_trial(int index);
     void play_motion();
     void next_freedom();
@@ -167,8 +178,16 @@ private:
     void save_lesson();
     void save_csv();
 
+    // what takes long (host_waiting.cpp)
+    void attempt(std::function<void()> act);
+    void go_on_waiting();
+    void give_up_waiting();
+    void stop_telling();
+    bool act_while_telling(const InputEvent& event);
+    Storyteller storyteller();
+
     // exercises (host_exercises.cpp)
-    OpenLesson open_lesson() { return {file_, session_}; }
+    OpenLesson open_lesson() { return {file_, session_, storyteller()}; }
     void look_at_exercises();
     bool choose_exercise(const std::string& name);
     void begin_wanted_exercise();
@@ -196,8 +215,10 @@ private:
     Notice notice_;
     Predictions predictions_;
     ExerciseDesk desk_;
-    std::string wanted_exercise_;  ///< that an address has named, until it begins; mostly empty
-    bool shown_figure_ = false;    ///< in the frame before
+    LongTelling telling_;
+    std::deque<std::function<void()>> waiting_;  ///< the first one for a story, the others for their turn
+    std::string wanted_exercise_;                ///< that an address has named, until it begins; mostly empty
+    bool shown_figure_ = false;                  ///< in the frame before
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;                     ///< fonts are loaded before the next frame begins

@@ -41,14 +41,18 @@ Address Host::address() const {
 bool Host::go_to(const Address& address) {
     ImGui::SetCurrentContext(context_);
     rouse();
-    try {
-        arrive_at(address);
-        notice_.blame("");
-        return true;
-    } catch (const std::exception& error) {
-        notice_.blame_address(error.what());
-        return false;
-    }
+    give_up_waiting();
+    const auto leads_somewhere = std::make_shared<bool>(true);
+    attempt([this, address, leads_somewhere] {
+        try {
+            arrive_at(address);
+            notice_.blame("");
+        } catch (const std::exception& error) {
+            notice_.blame_address(error.what());
+            *leads_somewhere = false;
+        }
+    });
+    return *leads_somewhere;
 }
 
 void Host::arrive_at(const Address& address) {
@@ -74,10 +78,10 @@ void Host::arrive_in_lesson(const Address& address) {
         LessonFile file(path);
         const ReadResult read = file.read();
         if (!read.lesson) { throw std::runtime_error(read.report()); }
-        place = destination_of(shown_lesson(*read.lesson), address);
+        place = destination_of(shown_lesson(*read.lesson), address, storyteller());
         take(std::move(file), std::move(place.session));
     } else if (session_->tried() != address.experiments) {
-        place = destination_of(session_->as_written(), address);
+        place = destination_of(session_->as_written(), address, storyteller());
         session_->become(std::move(*place.session), tr("another address"));
     } else {
         place.step = step_of(address, session_->story());

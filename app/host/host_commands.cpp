@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <new>
 #include <span>
 
 #include <imgui.h>
@@ -80,16 +79,15 @@ void Host::carry_out(Requests requests) {
 }
 
 void Host::apply(const Experiment& experiment) {
-    if (!session_) { return; }
+    if (session_) {
+        attempt([this, experiment] { try_out(experiment); });
+    }
+}
+
+void Host::try_out(const Experiment& experiment) {
     const std::uint64_t told = session_->told();
     const std::uint64_t version = session_->version();
-    try {
-        say(session_->apply(experiment));
-    } catch (const std::exception& error) {
-        // the lesson is as it was before
-        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-        say(tr("This could not be done: {0}", memory ? tr("out of memory") : error.what()));
-    }
+    say(session_->apply(experiment));
     if (session_->version() != version) { rouse(); }
     if (session_->told() != told) {
         state_.playback.leave_freedom();
@@ -196,16 +194,18 @@ void Host::play_or_pause() {
 void Host::carry_out_trial(int index) {
     rouse();
     // a copy: what is tried changes the lesson
-    const Trial trial = session_->lesson().trials[static_cast<std::size_t>(index)];
-    std::string said;
-    for (const std::string& action : trial.actions) {
-        const ExperimentResult result = jw::carry_out(*session_, action);
-        said += (said.empty() ? "" : "\n") + result.said;
-        if (!result.done) { break; }
-    }
-    state_.playback.leave_freedom();
-    state_.forget_pointed();
-    say(said);
+    std::vector<std::string> actions = session_->lesson().trials[static_cast<std::size_t>(index)].actions;
+    attempt([this, actions = std::move(actions), said = std::string()]() mutable {
+        while (!actions.empty()) {
+            const ExperimentResult result = jw::carry_out(*session_, actions.front());
+            said += (said.empty() ? "" : "\n") + result.said;
+            // what is done is not done again after a wait
+            actions.erase(actions.begin(), result.done ? actions.begin() + 1 : actions.end());
+        }
+        state_.playback.leave_freedom();
+        state_.forget_pointed();
+        say(said);
+    });
 }
 
 void Host::answer() {
@@ -259,8 +259,10 @@ void Host::use_next_language() {
     set_language(next.tag);
     fonts_.need(panels::characters_of_messages());
     if (session_) {
-        session_->tell_again();
-        need_characters_of_lesson();
+        attempt([this] {
+            session_->tell_again();
+            need_characters_of_lesson();
+        });
     }
     desk_.practice().tell_again();
     if (state_.browser) { shelf_.refresh(unsaved_.others()); }

@@ -7,6 +7,7 @@
 #include "app/host/parts/menu.hpp"
 #include "app/host/parts/pointed.hpp"
 #include "app/host/parts/timeline_bar.hpp"
+#include "app/host/parts/waiting_sheet.hpp"
 #include "app/host/ui/scrolled.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
@@ -37,7 +38,8 @@ void Host::draw_interface() {
     }
     notice_.draw(ui, room, session_ != nullptr);
     help_overlay(ui, layout_.whole);
-    carry_out(std::move(requests));
+    if (!is_telling()) { return carry_out(std::move(requests)); }
+    if (waiting_sheet(ui, layout_.whole, told_part())) { stop_telling(); }
 }
 
 void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots) {

@@ -37,6 +37,7 @@ void Host::look_at_exercises() {
 }
 
 void Host::wait_for_exercises() {
+    wait_for_story();
     look_at_exercises();
     while (desk_.is_busy()) {
         desk_.wait();
@@ -88,8 +89,10 @@ void Host::carry_out_exercises(const Requests& requests) {
         rouse();
     }
     if (requests.answer) {
-        say(desk_.check(open_lesson(), *requests.answer));
-        rouse();
+        attempt([this, answer = *requests.answer] {
+            say(desk_.check(open_lesson(), answer));
+            rouse();
+        });
     }
     if (requests.starter) { say(desk_.write_starter(*requests.starter)); }
 }

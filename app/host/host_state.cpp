@@ -27,8 +27,9 @@ std::string state_text(const Host& host) {
     json["language"] = language();
     json["dark"] = host.state().dark;
     json["text_scale"] = host.state().text_scale;
-    json["notice"] = host.notice().text();
+    json["notice"] = host.is_telling() ? tr("Solving the lesson, joint by joint …") : host.notice().text();
     json["mistakes"] = host.notice().mistakes();
+    if (host.is_telling()) { json["told_part"] = host.told_part(); }
     if (!host.shows_lesson()) { return json.dump(); }
     const Session& session = *host.session();
     json["title"] = session.lesson().title;

@@ -7,9 +7,11 @@
 
 #include "app/host/frames/frame_painter.hpp"
 #include "app/host/frames/recorder.hpp"
+#include "app/host/lesson/long_telling.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"
+#include "app/session/story/timeline.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/reader.hpp"
 #include "render/atomic_file.hpp"
@@ -55,15 +57,13 @@ struct Screen::Recording {
     static constexpr int kHeight = 720;
 
     Recording(const Host& host, const render::GlFunctions& gl)
-        : lesson(host.session()->lesson()),
-          story(lesson),
+        : told(host.session()->as_told()),
           first(host.session()->index()),
           next(first),
-          files(make_recorder(host.task_path(), first, static_cast<int>(story.steps().size()) - 1)),
-          painter(story, kWidth, kHeight, gl) {}
+          files(make_recorder(host.task_path(), first, last_step(told.story))),
+          painter(told.story, kWidth, kHeight, gl) {}
 
-    Lesson lesson;
-    Story story;
+    ToldLesson told;
     int first;
     int next;
     std::unique_ptr<Recorder> files;
@@ -88,6 +88,7 @@ struct Screen::Surface {
     render::RenderTargets* targets = nullptr;       ///< the one of this frame
     std::unique_ptr<render::RenderTargets> small;   ///< for thumbnails
     std::vector<std::unique_ptr<render::PictureTexture>> thumbnails;
+    LongTelling telling;  ///< of the lesson whose thumbnail is next
     std::optional<Drawn> drawn;
     std::unique_ptr<Recording> recording;
 };
@@ -178,35 +179,44 @@ int Screen::pick(float x, float y) {
 }
 
 void Screen::draw_one_thumbnail() {
-    Surface& s = *surface_;
-    std::vector<CatalogueEntry>& entries = host_->shelf().entries();
-    for (CatalogueEntry& entry : entries) {
+    LongTelling& telling = surface_->telling;
+    const bool waits = telling.is_busy() && !telling.is_done();
+    for (CatalogueEntry& entry : host_->shelf().entries()) {
         if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }
+        host_->rouse();
+        if (waits) { return; }
         const ReadResult read = read_lesson_file(entry.path);
         if (!read.lesson) {
             entry.error = tr("cannot be read");
             continue;
         }
-        if (!s.small) {
-            s.small = std::make_unique<render::RenderTargets>(gl_, kThumbnailWidth, kThumbnailHeight);
+        telling.begin();
+        try {
+            draw_thumbnail(
+                entry.path, telling.tell(std::make_shared<const Lesson>(*read.lesson), poses_only()));
+        } catch (const NotToldYet&) { return; }
+        return telling.forget();
+    }
+}
+
+void Screen::draw_thumbnail(const std::filesystem::path& path, const ToldLesson& told) {
+    Surface& s = *surface_;
+    if (!s.small) {
+        s.small = std::make_unique<render::RenderTargets>(gl_, kThumbnailWidth, kThumbnailHeight);
+    }
+    const PictureStyle style = picture_style(told.story);
+    const render::Rect whole{0.0, 0.0, kThumbnailWidth, kThumbnailHeight};
+    const render::Camera camera = camera_of(told.story, style, whole, render::shrunk(whole, 16.0));
+    const Picture picture = picture_of(told.story, style, told.story.last_assembled());
+    s.small->begin_3d();
+    s.scene.draw(picture.scene, camera, whole, *s.small);
+    s.small->begin_2d();
+    s.thumbnails.push_back(std::make_unique<render::PictureTexture>(gl_, s.small->read()));
+    for (CatalogueEntry& entry : host_->shelf().entries()) {
+        std::error_code error;
+        if (std::filesystem::equivalent(entry.path, path, error)) {
+            entry.thumbnail = s.thumbnails.back()->id();
         }
-        const Story story(*read.lesson, poses_only());
-        const PictureStyle style = picture_style(story);
-        const render::Rect whole{0.0, 0.0, kThumbnailWidth, kThumbnailHeight};
-        const render::Camera camera = camera_of(story, style, whole, render::shrunk(whole, 16.0));
-        const Picture picture = picture_of(story, style, story.last_assembled());
-        s.small->begin_3d();
-        s.scene.draw(picture.scene, camera, whole, *s.small);
-        s.small->begin_2d();
-        s.thumbnails.push_back(std::make_unique<render::PictureTexture>(gl_, s.small->read()));
-        for (CatalogueEntry& same : entries) {
-            std::error_code error;
-            if (std::filesystem::equivalent(same.path, entry.path, error)) {
-                same.thumbnail = s.thumbnails.back()->id();
-            }
-        }
-        host_->rouse();
-        return;
     }
 }
 
@@ -232,9 +242,10 @@ void Screen::record_one() {
     std::unique_ptr<Recording>& recording = surface_->recording;
     if (!recording) { recording = std::make_unique<Recording>(*host_, gl_); }
     Recording& r = *recording;
-    const auto count = static_cast<int>(r.story.steps().size());
-    const View view = view_of(r.story, r.next);
-    r.files->add(r.next, view, seconds_of_step(r.story, view), r.painter.paint(view));
+    const Story& story = r.told.story;
+    const auto count = static_cast<int>(story.steps().size());
+    const View view = view_of(story, r.next);
+    r.files->add(r.next, view, seconds_of_step(story, view), r.painter.paint(view));
     ++r.next;
     if (r.next < count) {
         host_->say(tr("Recording: {0} of {1}   ·   Escape stops", r.next - r.first, count - r.first));
@@ -248,9 +259,9 @@ void Screen::finish_recording() {
     host_->done(r->files->finish(
         {{"format", "jointwise render"},
          {"version", kJsonVersion},
-         {"lesson", {{"file", r->lesson.file_name}, {"title", r->lesson.title}}},
+         {"lesson", {{"file", r->told.lesson->file_name}, {"title", r->told.lesson->title}}},
          {"size", {Recording::kWidth, Recording::kHeight}},
-         {"frames_in_all", static_cast<int>(r->story.steps().size())}}));
+         {"frames_in_all", static_cast<int>(r->told.story.steps().size())}}));
 }
 
 render::Image Screen::read() { return surface_->targets->read(); }

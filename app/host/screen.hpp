@@ -39,6 +39,8 @@ private:
     void fit_to_host();
     void draw_scene();
     void draw_one_thumbnail();
+    /// Draws the thumbnail of the lesson at `path`.
+    void draw_thumbnail(const std::filesystem::path& path, const ToldLesson& told);
     void carry_out_task();
     void record_one();
     void finish_recording();

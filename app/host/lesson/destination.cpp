@@ -27,9 +27,9 @@ int joint_of(const Address& address, const Lesson& lesson) {
         "no joint " + in_quotes(address.joint) + "; expected one of " + comma_list(names));
 }
 
-Destination destination_of(const Lesson& lesson, const Address& address) {
+Destination destination_of(const Lesson& lesson, const Address& address, const Storyteller& tell) {
     Destination destination;
-    destination.session = session_after(lesson, address.experiments);
+    destination.session = session_after(lesson, address.experiments, tell);
     // where the experiments have led, unless a place is named
     destination.step =
         address.at.empty() ? destination.session->index() : step_of(address, destination.session->story());

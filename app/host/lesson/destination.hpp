@@ -16,7 +16,8 @@ struct Destination {
 
 /// Carries out all that an address asks of its lesson.
 /// @throws std::runtime_error saying what of it cannot be done, and why
-Destination destination_of(const Lesson& lesson, const Address& address);
+Destination destination_of(
+    const Lesson& lesson, const Address& address, const Storyteller& tell = tell_at_once);
 
 /// The place in a story that an address asks for, and the joint.
 /// @throws std::runtime_error

@@ -23,6 +23,18 @@ bool works_on_lesson(ExerciseKind kind) {
     return kind == ExerciseKind::repair || kind == ExerciseKind::build || kind == ExerciseKind::experiment;
 }
 
+bool shows_motion(const Exercise& exercise) { return exercise.kind != ExerciseKind::experiment; }
+
+/// Session of a lesson that is told already.
+std::unique_ptr<Session> session_of(ToldLesson first, const Task& task, const Storyteller& tell) {
+    const Lesson lesson = *first.lesson;
+    const auto begin = [first = std::optional(std::move(first)), tell](
+                           const auto& asked, const StoryOptions& how) mutable {
+        return first ? *std::exchange(first, std::nullopt) : tell(asked, how);
+    };
+    return std::make_unique<Session>(lesson, shows_motion(task.exercise()), begin);
+}
+
 }  // namespace
 
 ExerciseDesk::ExerciseDesk(PracticeSetup setup, fs::path programs)
@@ -56,8 +68,8 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
             given_up_.push_back(std::move(drawing_));
         }
         if (telling_) {
-            telling_->stop();
-            given_up_.push_back(std::move(telling_));
+            given_up_.push_back(telling_->stop());
+            telling_.reset();
         }
         news.other_picture = std::exchange(figure_, nullptr) != nullptr;
         work_ = {};
@@ -73,7 +85,7 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
     }
     if (telling_ && telling_->is_done()) {
         const auto done = std::move(telling_);
-        std::unique_ptr<Session> told = done->take();
+        std::unique_ptr<Session> told = session_of(done->take(), *practice_.task(), open.tell);
         if (!aside_) { aside_ = SetAside{std::move(open.file), std::move(open.session)}; }
         open.session = std::move(told);
         open.file = work_.file.empty() ? LessonFile() : LessonFile(work_.file);
@@ -125,11 +137,9 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
     ReadResult read = read_lesson(text, name);
     if (!read.lesson) { read = read_lesson(handed_out(task), name); }
     if (!read.lesson) { return; }
-    const bool with_motion = exercise.kind != ExerciseKind::experiment;
-    telling_ = std::make_unique<Background<std::unique_ptr<Session>>>(
-        [lesson = std::move(*read.lesson), with_motion](const std::stop_token&) {
-            return std::make_unique<Session>(lesson, with_motion);
-        });
+    StoryOptions how;
+    how.with_motion = shows_motion(exercise);
+    telling_ = std::make_unique<ToldBeside>(std::make_shared<const Lesson>(std::move(*read.lesson)), how);
 }
 
 std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answer) {
@@ -145,12 +155,12 @@ std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answe
         case ExerciseKind::build: break;
         default: practice_.check({answer, {}}); return {};
     }
-    practice_.check({answer, {}});
     const ReadResult read = read_lesson(answer, task->exercise().name + ".toml");
     if (aside_ && read.lesson && lesson_text(*read.lesson) != lesson_text(open.session->lesson())) {
         open.session->replace(*read.lesson);
         followed_ = open.session->told();
     }
+    practice_.check({answer, {}});
     std::string error;
     if (!work_.file.empty() && write_lesson_file(work_.file, answer, error)) { open.file.read(); }
     return error.empty() ? "" : tr("The working copy could not be written: {0}", error);

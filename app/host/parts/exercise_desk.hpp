@@ -7,6 +7,7 @@
 
 #include "app/exercises/practice/practice.hpp"
 #include "app/host/lesson/lesson_file.hpp"
+#include "app/host/lesson/long_telling.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
 #include "app/session/picture/still.hpp"
 #include "app/session/try/session.hpp"
@@ -17,6 +18,7 @@ namespace jw::host {
 struct OpenLesson {
     LessonFile& file;
     std::unique_ptr<Session>& session;
+    Storyteller tell;
 };
 
 /// An exercise in the window: its figure, or the lesson that it hands out, in place of the open lesson.
@@ -48,7 +50,7 @@ public:
     /// Waits for everything under way.
     void wait();
 
-    /// Judges what stands in the field, or what was made of the lesson.
+    /// Judges what stands in the field, or what was made of the lesson. @throws NotToldYet
     /// @return what there is to say beside the verdict, mostly nothing
     std::string check(const OpenLesson& open, const std::string& answer);
     /// Writes a program to begin with, and its input. @return what was done
@@ -77,7 +79,7 @@ private:
     std::optional<SetAside> aside_;
     std::shared_ptr<const Still> figure_;
     std::unique_ptr<Background<std::shared_ptr<const Still>>> drawing_;
-    std::unique_ptr<Background<std::unique_ptr<Session>>> telling_;
+    std::unique_ptr<ToldBeside> telling_;
     std::vector<std::unique_ptr<BackgroundWork>> given_up_;
 };
 

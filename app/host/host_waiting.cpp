@@ -1,0 +1,67 @@
+#include <new>
+#include <utility>
+
+#include <imgui.h>
+
+#include "app/host/host.hpp"
+#include "app/session/wording/messages.hpp"
+
+/// What needs stories: done at once where they are short, else done again when a story has been told.
+namespace jw::host {
+
+Storyteller Host::storyteller() {
+    return [this](const std::shared_ptr<const Lesson>& lesson, const StoryOptions& how) {
+        return telling_.tell(lesson, how);
+    };
+}
+
+/// Does what may need stories, after all that waits for its turn. Met by NotToldYet, `act` is done again: it
+/// has changed nothing, or knows how far it came.
+void Host::attempt(std::function<void()> act) {
+    waiting_.push_back(std::move(act));
+    if (waiting_.size() == 1) { go_on_waiting(); }
+}
+
+void Host::go_on_waiting() {
+    while (!waiting_.empty()) {
+        telling_.begin();
+        try {
+            waiting_.front()();
+        } catch (const NotToldYet&) { return rouse(); } catch (const std::exception& error) {
+            // the lesson is as it was before
+            const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+            say(tr("This could not be done: {0}", memory ? tr("out of memory") : error.what()));
+        }
+        waiting_.pop_front();
+        telling_.forget();
+    }
+}
+
+void Host::give_up_waiting() {
+    if (!is_telling()) { return; }
+    waiting_.clear();
+    telling_.forget();
+    rouse();
+}
+
+void Host::stop_telling() {
+    give_up_waiting();
+    say(tr("Stopped."));
+}
+
+/// @return true if the event is not acted on otherwise
+bool Host::act_while_telling(const InputEvent& event) {
+    if (!is_telling()) { return false; }
+    if (event.key == Key::escape && event.down) { stop_telling(); }
+    return true;
+}
+
+void Host::wait_for_story() {
+    ImGui::SetCurrentContext(context_);
+    while (is_telling()) {
+        telling_.wait();
+        go_on_waiting();
+    }
+}
+
+}  // namespace jw::host

@@ -1,0 +1,82 @@
+#include "app/host/lesson/long_telling.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "lessons/writer.hpp"
+
+namespace jw::host {
+
+namespace {
+
+// bodies in all pieces of a story: about 0.1 s, which nobody takes for a wait. A count and no clock: what a
+// lesson does must not depend on how busy the machine is
+constexpr std::size_t kMostAtOnce = 25'000;
+
+/// The same lesson, perhaps in two copies.
+bool are_same(const Lesson& a, const Lesson& b) {
+    if (&a == &b) { return true; }
+    try {
+        return a.file_name == b.file_name && lesson_text(a) == lesson_text(b);
+    } catch (const std::invalid_argument&) {
+        // a lesson made by a program, which no file can describe: the order has to do
+        return true;
+    }
+}
+
+}  // namespace
+
+ToldBeside::ToldBeside(std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling) {
+    const auto piece = [lesson = std::move(lesson), told = std::shared_ptr<StoryTelling>(std::move(telling)),
+                        part = part_](const std::stop_token&) -> std::optional<ToldLesson> {
+        const bool goes_on = told->go_on();
+        *part = told->progress();
+        if (goes_on) { return std::nullopt; }
+        return ToldLesson{lesson, told->story()};
+    };
+    work_ = std::make_unique<Background<ToldLesson>>(piece);
+}
+
+ToldBeside::ToldBeside(std::shared_ptr<const Lesson> lesson, const StoryOptions& options)
+    : ToldBeside(lesson, std::make_unique<StoryTelling>(*lesson, options)) {}
+
+std::unique_ptr<BackgroundWork> ToldBeside::stop() {
+    work_->stop();
+    return std::move(work_);
+}
+
+ToldLesson LongTelling::tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options) {
+    if (beside_ && beside_->is_done()) {
+        const std::unique_ptr<ToldBeside> done = std::move(beside_);
+        told_.push_back(done->take());
+    }
+    if (asked_ < told_.size()) {
+        if (are_same(*lesson, *told_[asked_].lesson)) { return told_[asked_++]; }
+        // a file was written in between
+        told_.resize(asked_, told_.front());
+    }
+    if (beside_) { stopped_.push_back(beside_->stop()); }
+    beside_.reset();
+    auto telling = std::make_unique<StoryTelling>(*lesson, options);
+    const std::size_t bodies = lesson->mechanism.bodies.size();
+    for (std::size_t told = 0; told < kMostAtOnce; told += bodies) {
+        if (!telling->go_on()) { return keep({lesson, telling->story()}); }
+    }
+    beside_ = std::make_unique<ToldBeside>(lesson, std::move(telling));
+    throw NotToldYet();
+}
+
+ToldLesson LongTelling::keep(ToldLesson told) {
+    told_.push_back(std::move(told));
+    return told_[asked_++];
+}
+
+void LongTelling::forget() {
+    std::erase_if(stopped_, [](const auto& work) { return work->is_done(); });
+    if (beside_) { stopped_.push_back(beside_->stop()); }
+    beside_.reset();
+    told_.clear();
+    asked_ = 0;
+}
+
+}  // namespace jw::host
