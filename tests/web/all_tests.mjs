@@ -2,6 +2,7 @@
 import "./page_test.mjs";
 import "./phone_test.mjs";
 import "./kept_test.mjs";
+import "./long_test.mjs";
 import "./site_test.mjs";
 import "./scripts_test.mjs";
 import "./firefox_test.mjs";

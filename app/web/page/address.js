@@ -1,5 +1,8 @@
 // What is shown, as the part of the address behind '#': a link opens it, and the back button undoes.
 
+/** A long story is being told: what was open before is shown. */
+const isTelling = (state) => state.told_part !== undefined;
+
 export class Address {
   constructor(program, toast) {
     this.program = program;
@@ -15,8 +18,10 @@ export class Address {
       if (wanted === this.shown) { return; }
       this.shown = wanted;
       const why = this.program.goToAddress(wanted);
-      // where an address leads is no further entry
-      this.entry = this.entryOf(this.program.state());
+      // where an address leads is no further entry, even if it takes a while
+      const state = this.program.state();
+      this.arrives = isTelling(state);
+      this.entry = this.entryOf(state);
       if (why) { this.toast(why); }
       rouse();
     };
@@ -27,10 +32,11 @@ export class Address {
   /** Writes what is shown into the address: an experiment or another lesson is an entry of the history, all else is not. */
   follow(state) {
     // the person changed the address a moment ago: where it leads comes first
-    if (location.hash.slice(1) !== this.shown) { return; }
+    if (location.hash.slice(1) !== this.shown || isTelling(state)) { return; }
     const entry = this.entryOf(state);
-    const isNew = entry !== this.entry;
+    const isNew = entry !== this.entry && !this.arrives;
     this.entry = entry;
+    this.arrives = false;
     const now = this.program.address();
     if (now === this.shown) { return; }
     this.shown = now;
