@@ -34,6 +34,12 @@ void add_formula(TextParts& parts, std::string_view source, std::size_t from, Te
     parts.parts.push_back({kind, std::string(source), std::move(reading.row)});
 }
 
+/// Where what begins with the backtick at `from` ends, in its line.
+std::size_t end_of_code(std::string_view text, std::size_t from) {
+    const std::size_t end = text.find_first_of("`\n", from + 1);
+    return end != std::string_view::npos && text[end] == '`' ? end : std::string_view::npos;
+}
+
 }  // namespace
 
 TextParts text_parts(std::string_view text) {
@@ -43,6 +49,14 @@ TextParts text_parts(std::string_view text) {
         if (text.substr(at).starts_with("\\$")) {
             words += '$';
             at += 2;
+            continue;
+        }
+        const std::size_t code = text[at] == '`' ? end_of_code(text, at) : std::string_view::npos;
+        if (code != std::string_view::npos) {
+            add_words(parts, std::exchange(words, {}));
+            parts.parts.push_back(
+                {TextPart::Kind::code, std::string(text.substr(at + 1, code - at - 1)), {}});
+            at = code + 1;
             continue;
         }
         if (text[at] != '$') {
@@ -70,13 +84,18 @@ TextParts text_parts(std::string_view text) {
     return parts;
 }
 
-bool has_formulas(std::string_view text) { return text.find('$') != std::string_view::npos; }
+bool has_marks(std::string_view text) { return text.find_first_of("$`") != std::string_view::npos; }
 
 std::string plain_words(std::string_view text) {
-    if (!has_formulas(text)) { return std::string(text); }
+    if (!has_marks(text)) { return std::string(text); }
     std::string plain;
     for (const TextPart& part : text_parts(text).parts) {
-        plain += part.kind == TextPart::Kind::words ? part.words : write_plain(part.row);
+        switch (part.kind) {
+            case TextPart::Kind::words: plain += part.words; break;
+            case TextPart::Kind::code: plain += '`' + part.words + '`'; break;
+            case TextPart::Kind::formula:
+            case TextPart::Kind::display: plain += write_plain(part.row); break;
+        }
     }
     return plain;
 }

@@ -6,7 +6,7 @@
 
 #include "lessons/math/read_math.hpp"
 
-/// Texts with formulas between dollar signs.
+/// Texts with formulas between dollar signs, and what stands in files between backticks.
 namespace jw::math {
 
 struct TextPart {
@@ -14,6 +14,7 @@ struct TextPart {
         words,
         formula,  ///< $...$, within a line
         display,  ///< $$...$$, a line of its own
+        code,     ///< `...`, as it is typed
     };
     Kind kind = Kind::words;
     std::string words;  ///< without escapes; of a formula its source
@@ -25,13 +26,14 @@ struct TextParts {
     std::vector<Problem> problems;  ///< at bytes of the text
 };
 
-/// `\$` is a dollar sign. A dollar sign without its second one is a problem, and the rest is words.
+/// `\$` is a dollar sign. A dollar sign without its second one is a problem, and the rest is words; a
+/// backtick without its second one in the line is words.
 TextParts text_parts(std::string_view text);
 
-/// True if there is a formula in the text.
-bool has_formulas(std::string_view text);
+/// True if there is more than words in the text.
+bool has_marks(std::string_view text);
 
-/// The text in Unicode alone, for terminals, tables and names.
+/// The text in Unicode alone, for terminals, tables and names; backticks stay.
 std::string plain_words(std::string_view text);
 
 }  // namespace jw::math

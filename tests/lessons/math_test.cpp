@@ -154,6 +154,15 @@ TEST_CASE("dollar signs enclose formulas, and an escaped one is a dollar sign", 
     CHECK(parts.parts[1].kind == TextPart::Kind::formula);
     CHECK(parts.parts[3].kind == TextPart::Kind::display);
     CHECK(plain_words("The vector $\\mathbf{s}_i$ costs \\$5.") == "The vector sᵢ costs $5.");
+    const TextParts code = text_parts("give `point_i`, `axis_i $1` or ` and $x$");
+    REQUIRE(code.parts.size() == 6);
+    CHECK(code.parts[1].kind == TextPart::Kind::code);
+    CHECK(code.parts[1].words == "point_i");
+    CHECK(code.parts[3].words == "axis_i $1");
+    CHECK(code.parts[4].words == " or ` and ");
+    CHECK(code.parts[5].kind == TextPart::Kind::formula);
+    CHECK(code.problems.empty());
+    CHECK(plain_words("give `point_i`") == "give `point_i`");
     const TextParts open = text_parts("from $s_i on");
     REQUIRE(open.problems.size() == 1);
     CHECK(open.problems[0].at == 5);

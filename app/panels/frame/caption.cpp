@@ -187,7 +187,7 @@ void draw_caption(const Canvas& canvas, const Box& box, const View& view) {
     const Box below{inner.x, inner.y + height, inner.width, inner.height - height};
     const bool fits = paragraph_height(canvas, fonts.normal, text, below.width) <= below.height;
     const ImFont* const author = fits ? fonts.normal : fonts.small;
-    if (math::has_formulas(text)) {
+    if (math::has_marks(text)) {
         const RichText rich = layout_rich_to(fonts, *author, text, below.width, below.height + 0.5F);
         return draw_rich(canvas, {below.x, below.y}, author, theme::kSoft, rich);
     }

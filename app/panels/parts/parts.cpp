@@ -64,7 +64,7 @@ float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines) {
     const float line = canvas.line_height(font);
-    if (math::has_formulas(text)) {
+    if (math::has_marks(text)) {
         const float room = static_cast<float>(most_lines) * line;
         const RichText rich = layout_rich_to(canvas.fonts(), *font, text, box.width, room);
         draw_rich(canvas, {box.x, box.y}, font, colour, rich);
@@ -79,7 +79,7 @@ float paragraph(
 }
 
 float paragraph_height(const Canvas& canvas, const ImFont* font, std::string_view text, float width) {
-    if (math::has_formulas(text)) { return layout_rich(canvas.fonts(), *font, text, width).height; }
+    if (math::has_marks(text)) { return layout_rich(canvas.fonts(), *font, text, width).height; }
     return static_cast<float>(wrapped(*font, text, width).size()) * canvas.line_height(font);
 }
 

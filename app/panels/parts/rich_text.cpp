@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/panels/parts/text.hpp"
+#include "app/panels/parts/theme.hpp"
 
 namespace jw::panels {
 
@@ -15,6 +16,7 @@ namespace {
 constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that are higher than words
 constexpr float kAroundDisplay = 5.0F;
 constexpr float kDisplayIndent = 1.5F;
+constexpr float kBesideCode = 0.2F;  ///< of the size of the font, to either side
 
 // a formula breaks from Chinese as a Latin letter does
 constexpr char32_t kFormula = U'x';
@@ -48,6 +50,17 @@ public:
             for (const std::string_view part : parts_to_break(word)) { put_words(part); }
             at = end;
         }
+    }
+
+    /// Code is not broken.
+    void add_code(const std::string& code) {
+        const float beside = std::round(kBesideCode * font_->FontSize);
+        may_break_ = may_break_ || may_break_between(last_, kFormula);
+        last_ = kFormula;
+        RichPiece piece;
+        piece.words = code;
+        piece.shade = text_width(*font_, code) + 2.0F * beside;
+        put(piece, piece.shade);
     }
 
     void add_formula(const math::Row& row, float width) {
@@ -173,6 +186,7 @@ RichText layout_rich(const render::Fonts& fonts, const ImFont& font, std::string
     for (const math::TextPart& part : math::text_parts(text).parts) {
         switch (part.kind) {
             case math::TextPart::Kind::words: chunks.add_words(part.words); break;
+            case math::TextPart::Kind::code: chunks.add_code(part.words); break;
             case math::TextPart::Kind::formula: chunks.add_formula(part.row, width); break;
             case math::TextPart::Kind::display: chunks.add_display(part.row, width); break;
         }
@@ -201,6 +215,22 @@ RichText layout_rich_to(
     return rich;
 }
 
+namespace {
+
+/// @param at  top of the line, left end of the piece
+void draw_words(
+    const Canvas& canvas, Point at, const ImFont* font, const Colour& colour, const RichPiece& piece) {
+    float x = std::round(at.x);
+    if (piece.shade > 0.0F) {
+        const float rounding = std::round(kBesideCode * font->FontSize);
+        canvas.fill({x, at.y, piece.shade, canvas.line_height(font)}, theme::kShade, rounding);
+        x += rounding;
+    }
+    canvas.text({x, at.y}, font, colour, piece.words);
+}
+
+}  // namespace
+
 void draw_rich(
     const Canvas& canvas, Point top_left, const ImFont* font, Colour colour, const RichText& text) {
     float y = top_left.y;
@@ -211,9 +241,8 @@ void draw_rich(
                 link_symbols(canvas, {top_left.x + piece.x, baseline}, piece.formula);
                 draw_formula(canvas, {top_left.x + piece.x, baseline}, piece.formula, colour, true);
             } else {
-                canvas.text(
-                    {std::round(top_left.x + piece.x), baseline - std::round(font->Ascent)}, font, colour,
-                    piece.words);
+                draw_words(
+                    canvas, {top_left.x + piece.x, baseline - std::round(font->Ascent)}, font, colour, piece);
             }
         }
         y += line.ascent + line.descent;

@@ -6,13 +6,14 @@
 #include "app/panels/parts/formula.hpp"
 #include "lessons/math/text_parts.hpp"
 
-/// Lines of words and formulas.
+/// Lines of words, formulas, and code on a shade.
 namespace jw::panels {
 
-/// Words or a formula, at its place in the line.
+/// Words, code or a formula, at its place in the line.
 struct RichPiece {
     float x = 0.0F;
-    std::string words;  ///< empty: a formula
+    std::string words;   ///< empty: a formula
+    float shade = 0.0F;  ///< width of the shade behind code, from x on; 0: none
     Formula formula;
 };
 struct RichLine {

@@ -18,12 +18,15 @@ std::string markup_text(std::string_view text) {
 std::string html_words(const std::string& words) {
     std::string html;
     for (const math::TextPart& part : math::text_parts(words).parts) {
-        if (part.kind == math::TextPart::Kind::words) {
-            for (const char c : markup_text(part.words)) {
-                html += c == '\n' ? std::string("<br>\n") : std::string(1, c);
-            }
-        } else {
-            html += math::write_mathml(part.row, part.kind == math::TextPart::Kind::display);
+        switch (part.kind) {
+            case math::TextPart::Kind::words:
+                for (const char c : markup_text(part.words)) {
+                    html += c == '\n' ? std::string("<br>\n") : std::string(1, c);
+                }
+                break;
+            case math::TextPart::Kind::code: html += "<code>" + markup_text(part.words) + "</code>"; break;
+            case math::TextPart::Kind::formula: html += math::write_mathml(part.row, false); break;
+            case math::TextPart::Kind::display: html += math::write_mathml(part.row, true); break;
         }
     }
     return html;
@@ -32,11 +35,11 @@ std::string html_words(const std::string& words) {
 std::string markdown_words(const std::string& words) {
     std::string text;
     for (const math::TextPart& part : math::text_parts(words).parts) {
-        if (part.kind == math::TextPart::Kind::words) {
-            text += part.words;
-        } else {
-            const std::string mark = part.kind == math::TextPart::Kind::display ? "$$" : "$";
-            text += mark + math::write_latex(part.row) + mark;
+        switch (part.kind) {
+            case math::TextPart::Kind::words: text += part.words; break;
+            case math::TextPart::Kind::code: text += '`' + part.words + '`'; break;
+            case math::TextPart::Kind::formula: text += '$' + math::write_latex(part.row) + '$'; break;
+            case math::TextPart::Kind::display: text += "$$" + math::write_latex(part.row) + "$$"; break;
         }
     }
     return text;
