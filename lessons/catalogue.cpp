@@ -20,6 +20,8 @@ fs::path catalogue_folder() {
     return (error ? lessons : real) / "catalogue";
 }
 
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
 std::vector<fs::path> lessons_below(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
@@ -27,6 +29,10 @@ std::vector<fs::path> lessons_below(const fs::path& folder) {
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         std::error_code unreadable;
         const fs::path& path = entry->path();
+        if (is_hidden(path)) {
+            entry.disable_recursion_pending();
+            continue;
+        }
         const bool is_lesson = path.extension() == ".toml" && path.filename() != kCourseFile;
         if (is_lesson && entry->is_regular_file(unreadable)) { files.push_back(path); }
     }

@@ -68,10 +68,14 @@ void tell_left_out(const fs::path& folder, const Streams& streams) {
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         std::error_code unknown;
         std::string why;
-        if (entry->is_directory(unknown) && ::access(entry->path().c_str(), R_OK | X_OK) != 0) {
+        const bool hidden = is_hidden(entry->path());
+        if (hidden) { entry.disable_recursion_pending(); }
+        if (!hidden && entry->is_directory(unknown) && ::access(entry->path().c_str(), R_OK | X_OK) != 0) {
             why = "this folder cannot be read";
         } else if (entry->path().extension() == ".toml" && !entry->is_regular_file(unknown)) {
             why = "this is no file of text";
+        } else if (hidden && entry->path().extension() == ".toml") {
+            why = "its name begins with a dot";
         }
         if (!why.empty()) {
             streams.err << "jointwise: note: " << entry->path().string() << ": " << why

@@ -1,6 +1,7 @@
 #include "app/site/site_course.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/course.hpp"
+#include "lessons/diagnostics.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/reader.hpp"
@@ -80,6 +82,7 @@ private:
         lesson.name = host::name_below(entry.file, read_.course.folder);
         lesson.address = host::name_in_addresses(entry.file, read_.course.folder);
         lesson.lesson = shown_lesson(*read.lesson);
+        check_page(lesson);
         lesson.searchable = searchable_of(lesson.lesson, entry.file);
         check(lesson);
         const std::string name = lesson_name(entry.file);
@@ -90,6 +93,17 @@ private:
         exercises_.erase(name);
         chapter_of(entry, chapters).lessons.push_back(read_.course.lessons.size());
         read_.course.lessons.push_back(std::move(lesson));
+    }
+
+    /// Pages may be put on disks that take capitals for small letters.
+    void check_page(const SiteLesson& lesson) {
+        std::string page = lesson.name;
+        std::ranges::transform(page, page.begin(), [](unsigned char c) { return std::tolower(c); });
+        const auto [other, is_new] = pages_.emplace(page, lesson.file);
+        if (is_new) { return; }
+        read_.report += lesson.file.string() + ": error: its page and that of " +
+                        in_quotes(other->second.filename().string()) +
+                        " differ in capitals alone, and are one on many disks; expected another name\n";
     }
 
     void check(SiteLesson& lesson) {
@@ -126,6 +140,7 @@ private:
     }
 
     SiteCourseRead read_;
+    std::map<std::string, fs::path> pages_;                   ///< files of lessons by names in small letters
     std::set<std::string> names_;                             ///< of exercises
     std::map<std::string, std::vector<Exercise>> exercises_;  ///< by lesson, until they are given to it
 };

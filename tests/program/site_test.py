@@ -238,6 +238,10 @@ with tempfile.TemporaryDirectory() as place:
     told = run("site", *common, "--out", out).stderr
     for name in ["pipe.toml", "broken.toml", "folder.toml"]:
         assert f"{lessons / name}: this is no file of text, and is left out" in told, told
+    # programs keep files beside those of people
+    (lessons / "._four-bar.toml").write_bytes(b"\xff\0")
+    assert "._four-bar.toml: its name begins with a dot, and is left out" in run("site", *common, "--out", out).stderr
+    os.unlink(lessons / "._four-bar.toml")
     os.unlink(lessons / "pipe.toml")
     os.unlink(lessons / "broken.toml")
     (lessons / "folder.toml").rmdir()
@@ -260,6 +264,11 @@ with tempfile.TemporaryDirectory() as place:
     ]
     for arguments, words in refused:
         assert words in run("site", *arguments, status=2).stderr, (arguments, words)
+    twice = place / "twice"
+    twice.mkdir()
+    for name in ["Row.toml", "row.toml"]:
+        shutil.copy(next(file for file in lessons.rglob("*.toml") if file.name != "course.toml"), twice / name)
+    assert "differ in capitals alone" in run("site", twice, "--page", page, "--out", out, status=2).stderr
     # from within, by a path that begins with what is not there
     inside = subprocess.run([program, "site", ".", "--page", page, "--out", "public"], cwd=lessons, capture_output=True, text=True)
     assert inside.returncode == 2 and "lie in one another" in inside.stderr and not (lessons / "public").exists(), inside
