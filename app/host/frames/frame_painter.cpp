@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <future>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -14,6 +14,7 @@
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/characters.hpp"
+#include "app/session/beside/background.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/picture/pointed_thing.hpp"
 #include "render/fonts.hpp"
@@ -39,14 +40,16 @@ std::u32string characters_of(const Story& story) {
 
 /// Letters, made ready while this thread draws the first scene: either takes a third of the time to a first
 /// picture.
-std::future<render::Fonts> fonts_for(
-    int width, int height, const FrameLook& look, const std::u32string& characters) {
-    return std::async(
-        [scale = look.scale(width, height), characters] { return render::load_fonts(scale, characters); });
+using LoadingFonts = std::unique_ptr<Background<render::Fonts>>;
+LoadingFonts fonts_for(int width, int height, const FrameLook& look, const std::u32string& characters) {
+    return std::make_unique<Background<render::Fonts>>(
+        [scale = look.scale(width, height), characters](const std::stop_token&) {
+            return std::optional(render::load_fonts(scale, characters));
+        });
 }
 
 /// Letters likewise, before Mesa is loaded, which the environment is changed for: the thread reads it.
-std::future<render::Fonts> fonts_before_mesa(
+LoadingFonts fonts_before_mesa(
     int width, int height, const FrameLook& look, const std::u32string& characters) {
     render::settle_mesa();
     return fonts_for(width, height, look, characters);
@@ -128,7 +131,7 @@ struct FramePainter::Surface {
     /// Draws panels, once the letters are there. The context of ImGui must be current.
     /// @throws std::runtime_error if a font is missing
     Panels& panels() {
-        if (!made_panels) { made_panels.emplace(loading.get(), *functions); }
+        if (!made_panels) { made_panels.emplace(loading->take(), *functions); }
         return *made_panels;
     }
 
@@ -158,7 +161,7 @@ struct FramePainter::Surface {
 
     PanelContext context;
     // into the context above, which nobody else uses before they are there: see `compose_camera`
-    std::future<render::Fonts> loading;
+    LoadingFonts loading;
     render::FrameSize frame;
     render::FramePart tile;  // as large as each
     // destroyed from the last to the first: what holds GL objects goes before their context
