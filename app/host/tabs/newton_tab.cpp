@@ -20,6 +20,8 @@ using panels::Box;
 // more ghosts than this hide each other
 constexpr std::size_t kMostGhosts = 12;
 constexpr float kLeastHeight = 280.0F;  // of the comparison
+// all ways in a frame take 0.1 s up to here; of more, one a frame
+constexpr std::size_t kMostBodiesAtOnce = 50;
 
 /// The step from which the joint or driver shown was closed; where none is, of the one that tells the most.
 /// -1 if nothing is added.
@@ -76,10 +78,12 @@ void NewtonTab::controls(const LessonUi& ui) {
 void NewtonTab::compute(const Session& session, int start) {
     const NewtonPlan plan{compared_ == Compared::methods, choice_, method_, normalisation_};
     const Key key{session.told(), start, plan};
-    if (key == key_) { return; }
+    if (key == key_ && !is_comparing()) { return; }
+    if (key != key_) { runs_ = {}; }
     key_ = key;
-    runs_ = run_newton(session.story(), start, plan);
-    choose(chosen_);
+    const bool is_large = session.lesson().mechanism.bodies.size() > kMostBodiesAtOnce;
+    while (run_next_way(session.story(), start, plan, runs_) && !is_large) {}
+    if (!is_comparing()) { choose(chosen_); }
 }
 
 void NewtonTab::choose(int run) {
@@ -97,6 +101,7 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     const int start = start_of_solve(ui.session);
     if (start < 0) {
         forget_ghosts();
+        key_ = {};
         return note(ui, tr("Nothing is solved: the lesson adds neither joints nor drivers."));
     }
     const Step& from = ui.session.story().steps()[static_cast<std::size_t>(start)];
@@ -108,6 +113,9 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
     section(ui, tr("Closing {0} from the same start, compared", name).c_str());
     controls(ui);
     compute(ui.session, start);
+    if (is_comparing()) {
+        return note(ui, tr("{0} of {1} compared …", runs_.traces.size(), ways_of(key_.plan)));
+    }
     if (ghosts_.empty()) { choose(chosen_); }
 
     ImGui::TextUnformatted(tr("Iterates in the picture:"));

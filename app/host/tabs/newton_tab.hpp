@@ -21,6 +21,8 @@ public:
         return told == key_.told ? std::span<const State>(ghosts_) : std::span<const State>();
     }
     void forget_ghosts() { ghosts_.clear(); }
+    /// Some ways are still to be run, one a frame.
+    bool is_comparing() const { return key_.start >= 0 && runs_.traces.size() < ways_of(key_.plan); }
     /// Grows with every change of ghosts().
     std::uint64_t version() const { return version_; }
 

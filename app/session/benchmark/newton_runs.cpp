@@ -123,26 +123,35 @@ int start_of_closing(const Story& story, const Addition& subject) {
     return -1;
 }
 
-NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan) {
+std::size_t ways_of(const NewtonPlan& plan) {
+    return plan.by_method ? kNewtonMethods.size() : kChoices.size();
+}
+
+bool run_next_way(const Story& story, int start, const NewtonPlan& plan, NewtonRuns& runs) {
+    const std::size_t k = runs.traces.size();
+    if (k == ways_of(plan)) { return false; }
     const Step& from = story.steps()[static_cast<std::size_t>(start)];
-    NewtonRuns runs;
+    const CoordinateChoice choice = plan.by_method ? plan.choice : kChoices[k].value;
+    const NewtonMethod method = plan.by_method ? kNewtonMethods[k].value : plan.method;
     runs.title = title_of(story, start, plan);
+    runs.names.push_back(plan.by_method ? word_of(kNewtonMethods, method) : name_of_choice(choice));
+    runs.traces.push_back(with_choice(choice, [&](auto c) {
+        return trace_newton<decltype(c)>(*from.system, from.state, from.t, method, plan.normalisation_rows);
+    }));
+    const std::optional<WrongBranch>& wrong = runs.traces.back().wrong_branch;
+    runs.wrong_branches.push_back(wrong ? branch_text(*from.system, *wrong) : std::string());
+    if (k + 1 < ways_of(plan)) { return true; }
     std::vector<NewtonRun> compared;
-    const std::size_t ways = plan.by_method ? kNewtonMethods.size() : kChoices.size();
-    for (std::size_t k = 0; k < ways; ++k) {
-        const CoordinateChoice choice = plan.by_method ? plan.choice : kChoices[k].value;
-        const NewtonMethod method = plan.by_method ? kNewtonMethods[k].value : plan.method;
-        NewtonTrace trace = with_choice(choice, [&](auto c) {
-            return trace_newton<decltype(c)>(
-                *from.system, from.state, from.t, method, plan.normalisation_rows);
-        });
-        runs.names.push_back(plan.by_method ? word_of(kNewtonMethods, method) : name_of_choice(choice));
-        runs.wrong_branches.push_back(
-            trace.wrong_branch ? branch_text(*from.system, *trace.wrong_branch) : std::string());
-        compared.push_back(run_of(trace, runs.names.back()));
-        runs.traces.push_back(std::move(trace));
+    for (std::size_t way = 0; way <= k; ++way) {
+        compared.push_back(run_of(runs.traces[way], runs.names[way]));
     }
     runs.comparison = compare(compared);
+    return true;
+}
+
+NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan) {
+    NewtonRuns runs;
+    while (run_next_way(story, start, plan, runs)) {}
     return runs;
 }
 

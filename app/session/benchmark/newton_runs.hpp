@@ -47,6 +47,12 @@ struct NewtonRuns {
 /// @param start  index of a step of kind equations
 NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan);
 
+/// The same way by way, for those who do other things in between.
+/// @param runs  none at first; compared with the last one
+/// @return false if all ways had been run
+bool run_next_way(const Story& story, int start, const NewtonPlan& plan, NewtonRuns& runs);
+std::size_t ways_of(const NewtonPlan& plan);
+
 std::string describe(const NewtonRuns& runs);
 Json json_of(const NewtonRuns& runs, const Lesson& lesson);
 
