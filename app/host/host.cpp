@@ -74,10 +74,15 @@ bool Host::open(
     const ReadResult read = file.read();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return false; }
+    // found again even if its story is given up
+    shelf_.add_recent(path);
     attempt([this, file, lesson = shown_lesson(*read.lesson), at, experiments] {
         auto session = std::make_unique<Session>(lesson, true, storyteller());
         std::string said;
-        for (const std::string& text : experiments) { said = jw::carry_out(*session, text).said; }
+        for (const std::string& text : experiments) {
+            const ExperimentResult result = jw::carry_out(*session, text);
+            if (!result.said.empty()) { said = result.said; }
+        }
         take(file, std::move(session));
         say(said);
         if (const std::optional<int> step = step_at(session_->story(), at)) { session_->apply(GoTo{*step}); }
@@ -103,6 +108,7 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     state_.experiment_joint = -1;
     state_.experiment_driver = 0;
     shown_.forget_session();
+    hand_.let_go();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     desk_.open(path);
     rouse();
@@ -243,6 +249,7 @@ double Host::seconds_to_change() const {
     if (is_telling()) { return telling_.is_done() ? 0.0 : std::min(due, kTelling); }
     if (!shows_lesson()) { return due; }
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
+    if (state_.tab == Tab::newton && tabs_.newton.is_comparing()) { return 0.0; }
     if (state_.tab == Tab::exercises && tabs_.exercises.is_handing_over()) { return 0.0; }
     if (desk_.is_busy()) { due = std::min(due, kDrawingNumbers); }
     return std::min(due, state_.playback.seconds_to_change(*session_));

@@ -57,9 +57,11 @@ public:
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
 
-    /// Opens a lesson file at a step; without it the lessons are shown. A long story is told first.
+    /// Opens a lesson file at a step; without it the lessons are shown.
     /// @param experiments  to begin with, see app/session/try/carry_out.hpp
-    /// @return false if it has mistakes: they are shown, and what was open stays
+    /// @return false if it has mistakes: they are shown, and what was open stays. True: it is open, or will
+    /// be
+    ///         when its story is told (`is_telling`)
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
@@ -68,14 +70,19 @@ public:
     Address address() const;
     /// Shows what an address says, in one go: opens its lesson if another one is open, which begins a history
     /// of its own, else makes it of the lesson as it was written, which is one change.
-    /// @return false if something of it cannot be done: that is shown, and everything stays as it was
+    /// @return false if something of it cannot be done: that is shown, and everything stays as it was. True:
+    /// it
+    ///         is shown, or will be, as far as is known, when its story is told (`is_telling`)
     bool go_to(const Address& address);
 
     /// A long story is being told (host_waiting.cpp). Meanwhile nothing is carried out but giving it up, by
     /// Escape or a button, and what was open is shown.
-    bool is_telling() const { return !waiting_.empty(); }
+    bool is_telling() const { return telling_.is_busy(); }
     /// Part of it that is told, from 0 to 1.
     double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
+    /// See LongTelling.
+    int stories_told_beside() const { return telling_.told_beside(); }
+    /// Waits for the story, and does what needed it.
     void wait_for_story();
 
     /// Begins an exercise of the open lesson, and waits until it is asked.
@@ -184,6 +191,7 @@ private:
     void give_up_waiting();
     void stop_telling();
     bool act_while_telling(const InputEvent& event);
+    void pull_while_telling(const Experiment& experiment);
     Storyteller storyteller();
 
     // exercises (host_exercises.cpp)
@@ -217,8 +225,9 @@ private:
     ExerciseDesk desk_;
     LongTelling telling_;
     std::deque<std::function<void()>> waiting_;  ///< the first one for a story, the others for their turn
-    std::string wanted_exercise_;                ///< that an address has named, until it begins; mostly empty
-    bool shown_figure_ = false;                  ///< in the frame before
+    std::optional<Experiment> pulled_;  ///< last value of a slider that was pulled while a story was told
+    std::string wanted_exercise_;       ///< that an address has named, until it begins; mostly empty
+    bool shown_figure_ = false;         ///< in the frame before
 
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;                     ///< fonts are loaded before the next frame begins

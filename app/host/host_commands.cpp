@@ -195,16 +195,17 @@ void Host::carry_out_trial(int index) {
     rouse();
     // a copy: what is tried changes the lesson
     std::vector<std::string> actions = session_->lesson().trials[static_cast<std::size_t>(index)].actions;
+    session_->apply(LetGo{});
     attempt([this, actions = std::move(actions), said = std::string()]() mutable {
         while (!actions.empty()) {
             const ExperimentResult result = jw::carry_out(*session_, actions.front());
-            said += (said.empty() ? "" : "\n") + result.said;
             // what is done is not done again after a wait
             actions.erase(actions.begin(), result.done ? actions.begin() + 1 : actions.end());
+            said += (said.empty() ? "" : "\n") + result.said;
+            state_.playback.leave_freedom();
+            state_.forget_pointed();
+            say(said);
         }
-        state_.playback.leave_freedom();
-        state_.forget_pointed();
-        say(said);
     });
 }
 
@@ -256,17 +257,22 @@ void Host::use_next_language() {
     const std::span<const Language> all = languages();
     const auto present = std::ranges::find(all, language(), &Language::tag);
     const Language& next = present + 1 == all.end() ? all.front() : *(present + 1);
-    set_language(next.tag);
-    fonts_.need(panels::characters_of_messages());
-    if (session_) {
-        attempt([this] {
-            session_->tell_again();
-            need_characters_of_lesson();
-        });
-    }
-    desk_.practice().tell_again();
-    if (state_.browser) { shelf_.refresh(unsaved_.others()); }
-    say(tr("Language: {0}", next.name));
+    attempt([this, next = next] {
+        const std::string before(language());
+        set_language(next.tag);
+        try {
+            if (session_) { session_->tell_again(); }
+        } catch (...) {
+            // until the story is told, or for good
+            set_language(before);
+            throw;
+        }
+        fonts_.need(panels::characters_of_messages());
+        if (session_) { need_characters_of_lesson(); }
+        desk_.practice().tell_again();
+        if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+        say(tr("Language: {0}", next.name));
+    });
 }
 
 void Host::show_or_leave_browser() {

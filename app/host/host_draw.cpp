@@ -39,6 +39,7 @@ void Host::draw_interface() {
     notice_.draw(ui, room, session_ != nullptr);
     help_overlay(ui, layout_.whole);
     if (!is_telling()) { return carry_out(std::move(requests)); }
+    for (const Experiment& experiment : requests.experiments) { pull_while_telling(experiment); }
     if (waiting_sheet(ui, layout_.whole, told_part())) { stop_telling(); }
 }
 
@@ -73,7 +74,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
     const Pointed pointed = reachable ? pointed_at(spots, {mouse.x, mouse.y}) : Pointed{};
     const Pointable before = state_.pointed_at;
     if (!hand_.is_dragging()) { state_.pointed_at = pointed.first(); }
-    hand_.handle(ui, layout_.scene, reachable);
+    hand_.handle(ui, layout_.scene, reachable && !is_telling());
     if (state_.pointed_at != before) { rouse(); }
     predictions_.follow_mouse(ui, pointed, reachable);
 

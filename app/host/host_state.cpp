@@ -1,5 +1,6 @@
 #include "app/host/host_state.hpp"
 
+#include "app/host/parts/waiting_sheet.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
@@ -27,7 +28,7 @@ std::string state_text(const Host& host) {
     json["language"] = language();
     json["dark"] = host.state().dark;
     json["text_scale"] = host.state().text_scale;
-    json["notice"] = host.is_telling() ? tr("Solving the lesson, joint by joint …") : host.notice().text();
+    json["notice"] = host.is_telling() ? words_of_waiting() : host.notice().text();
     json["mistakes"] = host.notice().mistakes();
     if (host.is_telling()) { json["told_part"] = host.told_part(); }
     if (!host.shows_lesson()) { return json.dump(); }

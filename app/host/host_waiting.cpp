@@ -1,5 +1,6 @@
 #include <new>
 #include <utility>
+#include <variant>
 
 #include <imgui.h>
 
@@ -27,7 +28,11 @@ void Host::go_on_waiting() {
         telling_.begin();
         try {
             waiting_.front()();
-        } catch (const NotToldYet&) { return rouse(); } catch (const std::exception& error) {
+        } catch (const NotToldYet&) {
+            hand_.let_go();
+            notice_.hush();
+            return rouse();
+        } catch (const std::exception& error) {
             // the lesson is as it was before
             const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
             say(tr("This could not be done: {0}", memory ? tr("out of memory") : error.what()));
@@ -35,11 +40,13 @@ void Host::go_on_waiting() {
         waiting_.pop_front();
         telling_.forget();
     }
+    if (pulled_) { apply(*std::exchange(pulled_, std::nullopt)); }
 }
 
 void Host::give_up_waiting() {
     if (!is_telling()) { return; }
     waiting_.clear();
+    pulled_.reset();
     telling_.forget();
     rouse();
 }
@@ -54,6 +61,13 @@ bool Host::act_while_telling(const InputEvent& event) {
     if (!is_telling()) { return false; }
     if (event.key == Key::escape && event.down) { stop_telling(); }
     return true;
+}
+
+/// A slider that is still held goes where the pointer is when the story is there.
+void Host::pull_while_telling(const Experiment& experiment) {
+    const bool is_slider =
+        std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);
+    if (is_slider) { pulled_ = experiment; }
 }
 
 void Host::wait_for_story() {

@@ -138,7 +138,11 @@ void Screen::draw() {
     s.targets->begin_2d();
     if (const ImDrawData* data = ImGui::GetDrawData()) { s.panels.draw(*data, s.targets->size()); }
     carry_out_task();
-    if (!host_->shows_lesson()) { draw_one_thumbnail(); }
+    if (host_->shows_lesson() || host_->is_telling()) {
+        s.telling.forget();
+    } else {
+        draw_one_thumbnail();
+    }
     complaint_ = render::take_gl_errors(gl_);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include <imgui.h>
 
@@ -75,12 +76,14 @@ double Page::frame(double seconds) {
     const bool is_lost = !screen_ && !canvas_.empty();
     if (is_lost) { return std::numeric_limits<double>::infinity(); }
     host_.look_at_file();
-    if (seconds >= host_.seconds_to_change()) {
-        host_.frame(seconds);
+    // turns come sooner where work waits between two pictures
+    since_frame_ += seconds;
+    if (since_frame_ >= host_.seconds_to_change()) {
+        host_.frame(std::exchange(since_frame_, 0.0));
         if (screen_ && screen_->draw()) { screen_->show(); }
         give_downloads();
     }
-    return host_.seconds_to_change();
+    return std::max(0.0, host_.seconds_to_change() - since_frame_);
 }
 
 void Page::lose_context() { screen_.reset(); }

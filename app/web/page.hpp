@@ -65,6 +65,7 @@ private:
     std::unique_ptr<render::HeadlessContext> context_;
     host::Host host_;
     std::unique_ptr<host::GuardedScreen> screen_;
+    double since_frame_ = 0.0;  ///< [s]
 };
 
 /// Mistakes and warnings of a lesson's text, as JSON: a list of line, column, severity and message.

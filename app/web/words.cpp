@@ -22,6 +22,7 @@ constexpr std::array kWords{
     tr_later("Text of the step"),
     tr_later("Full screen"),
     tr_later("Keys"),
+    tr_later("Stop"),
     tr_later("Open …"),
     tr_later("Save"),
     tr_later("Close"),

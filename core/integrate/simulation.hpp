@@ -171,7 +171,8 @@ private:
 /// A run of a simulation, step by step: for those who do other things in between.
 class SimulationRun {
 public:
-    /// As Simulation::run, up to the start. `simulation` must outlive this.
+    /// Passes the state at the first of `times` (see Simulation::run), and takes no step. `simulation` must
+    /// outlive this.
     SimulationRun(
         Simulation& simulation, const std::vector<double>& times, Sampler::Receive receive,
         RunWatch watch = {});

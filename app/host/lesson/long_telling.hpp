@@ -18,8 +18,8 @@ struct NotToldYet {};
 /// A lesson whose story is told beside the pictures, from a part that may have been told already.
 class ToldBeside {
 public:
+    /// @param telling  of that lesson
     ToldBeside(std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling);
-    ToldBeside(std::shared_ptr<const Lesson> lesson, const StoryOptions& options);
 
     /// Part of the story that is told, from 0 to 1.
     double progress() const { return *part_; }
@@ -36,7 +36,8 @@ private:
 };
 
 /// The storyteller of a window: short stories at once, long ones beside the pictures. What has met NotToldYet
-/// is done again from its beginning, and asks for the same stories in the same order.
+/// is done again, and asks for the same stories in the same order, but for those of what it need not do
+/// again. Stories are known by the text of their lesson, and kept until nothing needs them.
 class LongTelling {
 public:
     /// As Storyteller. @throws NotToldYet if it takes long
@@ -46,17 +47,21 @@ public:
     /// Nothing needs the stories any more.
     void forget();
 
-    /// A story is told beside; once `is_done`, what needs it can be done again.
+    /// A story is told beside; only then the others may be asked for. Once `is_done`, what needs it can be
+    /// done again.
     bool is_busy() const { return beside_ != nullptr; }
     bool is_done() const { return beside_->is_done(); }
     double progress() const { return beside_->progress(); }
     void wait() { beside_->wait(); }
+    /// Number of stories that were begun beside the pictures, for tests.
+    int told_beside() const { return told_beside_; }
 
 private:
     ToldLesson keep(ToldLesson told);
 
     std::vector<ToldLesson> told_;  ///< in the order in which they were asked for
     std::size_t asked_ = 0;         ///< of them, since `begin`
+    int told_beside_ = 0;
     std::unique_ptr<ToldBeside> beside_;
     std::vector<std::unique_ptr<BackgroundWork>> stopped_;  ///< not ended yet
 };

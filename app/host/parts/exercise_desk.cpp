@@ -25,16 +25,6 @@ bool works_on_lesson(ExerciseKind kind) {
 
 bool shows_motion(const Exercise& exercise) { return exercise.kind != ExerciseKind::experiment; }
 
-/// Session of a lesson that is told already.
-std::unique_ptr<Session> session_of(ToldLesson first, const Task& task, const Storyteller& tell) {
-    const Lesson lesson = *first.lesson;
-    const auto begin = [first = std::optional(std::move(first)), tell](
-                           const auto& asked, const StoryOptions& how) mutable {
-        return first ? *std::exchange(first, std::nullopt) : tell(asked, how);
-    };
-    return std::make_unique<Session>(lesson, shows_motion(task.exercise()), begin);
-}
-
 }  // namespace
 
 ExerciseDesk::ExerciseDesk(PracticeSetup setup, fs::path programs)
@@ -85,7 +75,8 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
     }
     if (telling_ && telling_->is_done()) {
         const auto done = std::move(telling_);
-        std::unique_ptr<Session> told = session_of(done->take(), *practice_.task(), open.tell);
+        std::unique_ptr<Session> told =
+            std::make_unique<Session>(done->take(), shows_motion(practice_.task()->exercise()), open.tell);
         if (!aside_) { aside_ = SetAside{std::move(open.file), std::move(open.session)}; }
         open.session = std::move(told);
         open.file = work_.file.empty() ? LessonFile() : LessonFile(work_.file);
@@ -139,7 +130,8 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
     if (!read.lesson) { return; }
     StoryOptions how;
     how.with_motion = shows_motion(exercise);
-    telling_ = std::make_unique<ToldBeside>(std::make_shared<const Lesson>(std::move(*read.lesson)), how);
+    const auto lesson = std::make_shared<const Lesson>(std::move(*read.lesson));
+    telling_ = std::make_unique<ToldBeside>(lesson, std::make_unique<StoryTelling>(*lesson, how));
 }
 
 std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answer) {

@@ -13,6 +13,8 @@ class Notice {
 public:
     /// In place of what was said before, unless there is nothing to say.
     void say(const std::string& message);
+    /// What was said is over.
+    void hush() { text_.clear(); }
     /// @return true if it went out
     bool advance(double seconds);
     /// Mistakes in place of those before; empty: there are none any more.

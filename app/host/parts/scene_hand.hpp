@@ -38,6 +38,8 @@ public:
     /// The view turns, or something is held.
     bool is_busy() const { return turned_ < 1.0 || (mode_ != Mode::idle && moved_); }
     bool is_dragging() const { return mode_ == Mode::drag; }
+    /// Holds nothing any more, wherever the mouse is.
+    void let_go() { mode_ = Mode::idle; }
 
 private:
     enum class Mode { idle, orbit, pan, drag };

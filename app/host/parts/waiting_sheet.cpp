@@ -17,6 +17,8 @@ constexpr float kSheetWidth = 380.0F;
 
 }  // namespace
 
+const char* words_of_waiting() { return tr("Solving the lesson, joint by joint …"); }
+
 bool waiting_sheet(const Ui& ui, const panels::Box& room, double part) {
     const float width = std::min(ui.px(kSheetWidth), room.width);
     const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -26,12 +28,12 @@ bool waiting_sheet(const Ui& ui, const panels::Box& room, double part) {
         room.x + 0.5F * (room.width - width), room.y + 0.5F * (room.height - height), width, height};
     ImGui::SetNextWindowPos({sheet.x, sheet.y});
     ImGui::SetNextWindowSize({sheet.width, sheet.height});
-    // above the widgets of the lesson that is still shown
-    ImGui::SetNextWindowFocus();
+    // above the widgets of the lesson that is still shown, but a slider that is held stays held
+    if (!ImGui::IsAnyItemActive()) { ImGui::SetNextWindowFocus(); }
     ImGui::Begin(
         "waiting", nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-            ImGuiWindowFlags_NoBackground);
+            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::SetCursorPos({margin, margin});
     ImGui::BeginGroup();
     const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
@@ -40,7 +42,7 @@ bool waiting_sheet(const Ui& ui, const panels::Box& room, double part) {
         sheet.x + line_width, sheet.y + line_width, sheet.width - 2.0F * line_width,
         sheet.height - 2.0F * line_width};
     panels::sheet(canvas, inside, panels::theme::kWhite, panels::theme::kAccent);
-    ImGui::TextUnformatted(tr("Solving the lesson, joint by joint …"));
+    ImGui::TextUnformatted(words_of_waiting());
     ImGui::ProgressBar(static_cast<float>(part), {width - 2.0F * margin, line});
     const bool pressed = ImGui::Button(tr("Stop"));
     if (!is_for_fingers()) {

@@ -55,6 +55,7 @@ struct PictureStyle {
     double newton = 0.0;        ///< length of an arrow for 1 N; 0: there are no forces
     double newton_metre = 0.0;  ///< and for 1 N m
 };
+/// Style of a story that has kept its steps.
 PictureStyle picture_style(const Story& story);
 
 /// @param index of the step in the story

@@ -27,6 +27,7 @@ public:
         return true;
     }
     double progress() const override { return static_cast<double>(moment_) / (intervals_ + 1); }
+    double work_of_piece() const override { return static_cast<double>(lesson_->mechanism.bodies.size()); }
 
 private:
     Step present(bool switched) const {
@@ -60,26 +61,6 @@ private:
 std::unique_ptr<MotionTelling> tell_prescribed_motion(
     const Assembled& from, const MotionPlan& plan, const StoryOptions& options) {
     return std::make_unique<PrescribedMotion>(from, plan, options);
-}
-
-bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched) {
-    rows_switched = false;
-    const auto advance = [&](double next) {
-        const bool ok = tracker.advance_to(next);
-        rows_switched = rows_switched || tracker.frame().rows_switched;
-        return ok;
-    };
-    if (lesson.motion) {
-        const MotionPlan& plan = *lesson.motion;
-        const double interval = (plan.to - plan.from) / plan.steps;
-        for (int k = 1; k <= plan.steps; ++k) {
-            const double moment = plan.from + k * interval;
-            // nearer than a thousandth of an interval they count as one
-            if (moment <= tracker.frame().t + 1e-3 * interval || moment >= t - 1e-3 * interval) { continue; }
-            if (!advance(moment)) { return false; }
-        }
-    }
-    return advance(t);
 }
 
 }  // namespace jw

@@ -66,4 +66,24 @@ int Story::last_assembled() const {
     return index;
 }
 
+bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched) {
+    rows_switched = false;
+    const auto advance = [&](double next) {
+        const bool ok = tracker.advance_to(next);
+        rows_switched = rows_switched || tracker.frame().rows_switched;
+        return ok;
+    };
+    if (lesson.motion) {
+        const MotionPlan& plan = *lesson.motion;
+        const double interval = (plan.to - plan.from) / plan.steps;
+        for (int k = 1; k <= plan.steps; ++k) {
+            const double moment = plan.from + k * interval;
+            // nearer than a thousandth of an interval they count as one
+            if (moment <= tracker.frame().t + 1e-3 * interval || moment >= t - 1e-3 * interval) { continue; }
+            if (!advance(moment)) { return false; }
+        }
+    }
+    return advance(t);
+}
+
 }  // namespace jw

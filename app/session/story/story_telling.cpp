@@ -49,9 +49,10 @@ bool StoryTelling::end() {
 
 bool StoryTelling::go_on() {
     if (ended_) { return false; }
+    work_ += motion_ ? motion_->work_of_piece() : static_cast<double>(lesson_->mechanism.bodies.size());
     if (motion_) {
         if (motion_->go_on(told_->steps, told_->curve)) { return true; }
-        end_motion();
+        if (!told_->steps.back().failed()) { ask(Question::Place::motion, nullptr, Step::Kind::answer); }
     } else {
         if (is_enough()) { return end(); }
         if (added_ < additions_) {
@@ -67,9 +68,13 @@ bool StoryTelling::go_on() {
     return end();
 }
 
+std::optional<MotionPlan> StoryTelling::motion_to_tell() const {
+    const bool all = additions_ == static_cast<int>(lesson_->order.size());
+    return options_.with_motion && all ? shown_motion(*lesson_) : std::nullopt;
+}
+
 bool StoryTelling::begin_motion() {
-    if (!options_.with_motion || additions_ < static_cast<int>(lesson_->order.size())) { return false; }
-    const std::optional<MotionPlan> plan = shown_motion(*lesson_);
+    const std::optional<MotionPlan> plan = motion_to_tell();
     if (!plan) { return false; }
     ask(Question::Place::motion, nullptr, Step::Kind::question);
     const Assembled from{*lesson_, system_, state_};
@@ -78,13 +83,9 @@ bool StoryTelling::begin_motion() {
     return true;
 }
 
-void StoryTelling::end_motion() {
-    if (!told_->steps.back().failed()) { ask(Question::Place::motion, nullptr, Step::Kind::answer); }
-}
-
 double StoryTelling::progress() const {
     if (ended_) { return 1.0; }
-    const std::optional<MotionPlan> plan = options_.with_motion ? shown_motion(*lesson_) : std::nullopt;
+    const std::optional<MotionPlan> plan = motion_to_tell();
     // a moment of the motion takes about as long as a joint
     const double moments = plan ? plan->steps : 0;
     const double moved = motion_ ? motion_->progress() : 0.0;
@@ -182,7 +183,6 @@ bool StoryTelling::tell_addition(int count) {
 bool StoryTelling::close_addition(int count) {
     auto system = std::make_shared<System>(lesson_->mechanism, selection_of(*lesson_, count));
     system->inherit_rows(*system_);
-    const std::shared_ptr<const System> before = system_;
     system->choose_rows(state_);
     system_ = system;
 

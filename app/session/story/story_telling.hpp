@@ -23,6 +23,9 @@ public:
     bool go_on();
     /// Part of the story that is told, from 0 to 1.
     double progress() const;
+    /// What the pieces so far took: the bodies of the mechanism for each joint, and for each moment of a
+    /// motion; an estimate that is the same on every machine.
+    double work() const { return work_; }
     /// The story, once all is told.
     Story story() const { return {*lesson_, told_}; }
 
@@ -33,8 +36,8 @@ private:
     bool tell_quietly(int count);
     bool fits_as_it_is(const Addition& added) const;
     void forget_poses();
+    std::optional<MotionPlan> motion_to_tell() const;
     bool begin_motion();
-    void end_motion();
     void ask(Question::Place place, const Addition* added, Step::Kind kind);
     void find_featured_joint();
     bool is_enough() const;
@@ -48,6 +51,7 @@ private:
     int additions_ = 0;  ///< to be told
     int added_ = 0;
     bool ended_ = false;
+    double work_ = 0.0;
     std::shared_ptr<const System> system_;
     State state_;
     bool is_exact_ = false;      ///< the pose satisfies all equations so far to the tolerance of Newton

@@ -42,6 +42,17 @@ std::string drag_to_the_end(Session& session, const Drag& drag) {
     return said;
 }
 
+/// Makes the pose in the hand the start pose. Where its story is told later, the pose is that of the step
+/// again: what led to it is done again, too.
+std::string released(Session& session) {
+    try {
+        return session.apply(Release{});
+    } catch (...) {
+        session.apply(LetGo{});
+        throw;
+    }
+}
+
 /// Drags, or follows a free motion, and makes the pose that was reached the start pose.
 ExperimentResult move(Session& session, const Experiment& experiment) {
     const int index = session.index();
@@ -65,7 +76,7 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
         what = tr("{0} dragged to {1}", body.name, vector_text(point_at(session, *drag)));
     }
     const std::uint64_t told = session.told();
-    const std::string refused = session.apply(Release{});
+    const std::string refused = released(session);
     if (session.told() == told && !refused.empty()) { return {false, refused}; }
     return {true, what + (said.empty() ? "" : ": " + said)};
 }

@@ -39,18 +39,23 @@ struct Session::Cache {
 };
 
 Session::Session(Lesson lesson, bool with_motion, Storyteller tell)
+    : Session(
+          tell(std::make_shared<const Lesson>(std::move(lesson)), {.with_motion = with_motion}), with_motion,
+          tell) {}
+
+Session::Session(ToldLesson told, bool with_motion, Storyteller tell)
     : tell_(std::move(tell)),
-      written_(std::make_shared<Lesson>(std::move(lesson))),
-      lesson_(written_),
+      how_{.with_motion = with_motion},
+      written_(told.lesson),
+      lesson_(told.lesson),
+      story_(std::make_unique<Story>(std::move(told.story))),
       cache_(std::make_unique<Cache>()) {
-    how_.with_motion = with_motion;
-    take_over(written_);
-    written_ = lesson_;
+    told_anew();
 }
 
 Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller tell)
     : tell_(std::move(tell)),
-      written_(std::make_shared<Lesson>(std::move(lesson))),
+      written_(std::make_shared<const Lesson>(std::move(lesson))),
       lesson_(written_),
       cache_(std::make_unique<Cache>()) {
     for (const CarriedOut& one : done) {
@@ -58,7 +63,7 @@ Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller
         edits_ = tried_with(std::move(edits_), std::span(&one.edit, 1), {*written_, *lesson_, *one.lesson});
         lesson_ = one.lesson;
     }
-    take_over(std::shared_ptr<const Lesson>(lesson_));
+    take_over(lesson_);
     if (done.empty()) { written_ = lesson_; }
 }
 
@@ -74,10 +79,7 @@ std::string Session::apply(const Experiment& experiment) {
     return std::visit([this](const auto& e) { return perform(e); }, experiment);
 }
 
-std::string Session::perform(const EditsLesson auto& experiment) {
-    leave_hand();
-    return edit(experiment);
-}
+std::string Session::perform(const EditsLesson auto& experiment) { return edit(experiment); }
 
 std::string Session::perform(const Drag& experiment) { return drag(experiment); }
 
@@ -102,19 +104,15 @@ std::string Session::perform(const GoTo& experiment) {
     return {};
 }
 
-std::string Session::perform(const Undo& /*experiment*/) {
-    leave_hand();
-    return step_back_in_history(undo_, redo_);
-}
+std::string Session::perform(const Undo& /*experiment*/) { return step_back_in_history(undo_, redo_); }
 
-std::string Session::perform(const Redo& /*experiment*/) {
-    leave_hand();
-    return step_back_in_history(redo_, undo_);
-}
+std::string Session::perform(const Redo& /*experiment*/) { return step_back_in_history(redo_, undo_); }
 
 std::string Session::perform(const StartOver& /*experiment*/) {
-    leave_hand();
-    if (!is_changed()) { return tr("Nothing was changed."); }
+    if (!is_changed()) {
+        leave_hand();
+        return tr("Nothing was changed.");
+    }
     Past past = present(tr("start over"));
     take_over(written_);
     written_ = lesson_;
@@ -132,7 +130,10 @@ void Session::leave_hand() {
 
 std::string Session::edit(const Experiment& experiment) {
     Edit result = edited(*lesson_, *written_, experiment);
-    if (!result.lesson) { return result.what; }
+    if (!result.lesson) {
+        leave_hand();
+        return result.what;
+    }
     const std::size_t gesture = gesture_of(experiment);
     Past past = present(result.what);
     std::vector<Experiment> edits =
@@ -148,6 +149,7 @@ std::string Session::edit(const Experiment& experiment) {
 std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<Past>& to) {
     gesture_ = 0;
     if (from.empty()) {
+        leave_hand();
         return tr(
             &from == &undo_ ? tr_later("There is nothing to undo.") : tr_later("There is nothing to redo."));
     }
@@ -207,13 +209,14 @@ const std::vector<std::string>& Session::tried() const {
 }
 
 /// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
-void Session::take_over(const std::shared_ptr<const Lesson>& lesson) {
-    ToldLesson told = tell_(lesson, how_);
+void Session::take_over(std::shared_ptr<const Lesson> lesson) {
+    ToldLesson told = tell_(std::move(lesson), how_);
     auto story = std::make_unique<Story>(std::move(told.story));
     if (story_) {
         index_ = find_place(*story, place_of(*story_, index_));
         const int chosen = story_->chosen_joint();
-        story->choose_joint(chosen < static_cast<int>(lesson->mechanism.joints.size()) ? chosen : -1);
+        const auto joints = static_cast<int>(told.lesson->mechanism.joints.size());
+        story->choose_joint(chosen < joints ? chosen : -1);
     }
     hand_.reset();
     story_ = std::move(story);

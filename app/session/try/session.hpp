@@ -28,6 +28,8 @@ class Session {
 public:
     /// @param with_motion  false: the story ends where everything is put together
     explicit Session(Lesson lesson, bool with_motion = true, Storyteller tell = tell_at_once);
+    /// Session of a lesson that is told already, with its motion or without.
+    Session(ToldLesson told, bool with_motion, Storyteller tell);
     /// Session of a lesson in which `done` was carried out; each of them can be undone.
     Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller tell = tell_at_once);
     ~Session();
@@ -127,7 +129,7 @@ private:
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
     void push_past(Past past);
-    void take_over(const std::shared_ptr<const Lesson>& lesson);
+    void take_over(std::shared_ptr<const Lesson> lesson);
     void told_anew();
     void changed();
 

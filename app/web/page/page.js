@@ -2,7 +2,7 @@
 import createJointwise from "./jointwise.js";
 import { listen, press } from "./input.js";
 import { ScreenKeyboard } from "./screen_keyboard.js";
-import { Address } from "./address.js";
+import { Address, isTelling } from "./address.js";
 import { keepFolder, restoreFolder, store, stored, writeFiles } from "./kept.js";
 
 const $ = (id) => document.getElementById(id);
@@ -336,6 +336,7 @@ async function begin() {
       }
       story.tell(state);
       address.follow(state);
+      $("stop").hidden = !isTelling(state);
       settings.keep(state);
       document.documentElement.style.colorScheme = state.dark ? "dark" : "light";
       document.documentElement.classList.toggle("dark", state.dark);
@@ -360,6 +361,12 @@ async function begin() {
   }
   // a page around leads the keyboard into this one, and then it is the program's
   window.addEventListener("focus", () => { if (document.activeElement === document.body) { canvas.focus({ preventScroll: true }); } });
+  // wherever the keyboard is: the sheet says so
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || event.target === canvas || !isTelling(program.state())) { return; }
+    press(program, "Escape");
+    loop.rouse();
+  });
   address.open(() => loop.rouse());
 
   listenToButtons({ program, loop, address });
