@@ -109,6 +109,7 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     state_.experiment_driver = 0;
     shown_.forget_session();
     hand_.let_go();
+    pulled_.reset();
     tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
     desk_.open(path);
     rouse();

@@ -264,20 +264,23 @@ TEST_CASE("nothing is written outside of the golden folder, whatever a lesson is
     std::filesystem::create_directories(folder.path("shared"));
     folder.file("shared/crank.toml", kCrank);
     std::filesystem::create_symlink("../shared/crank.toml", folder.path("lessons/link.toml"));
-    const auto record = [&] {
+    const auto record = [&](const char* what) {
         return Suite::snapshot(
-            {"record", folder.path("lessons"), "--golden", folder.path("golden"), "--only", "bodies"});
+            {"record", folder.path(what), "--golden", folder.path("golden"), "--only", "bodies"});
     };
-    CHECK(record().status == 0);
+    CHECK(record("lessons").status == 0);
     CHECK(std::filesystem::exists(folder.path("golden/link/bodies.json")));
     CHECK_FALSE(std::filesystem::exists(folder.path("shared/crank")));
     for (const char* const name : {"lessons/...toml", "lessons/..toml"}) {
         folder.file(name, kCrank);
-        const Ran ran = record();
+        // hidden in its folder
+        CHECK(record("lessons").status == 0);
+        const Ran ran = record(name);
         CHECK(ran.status == 2);
         CHECK(says(ran, "cannot give a folder of snapshots its name"));
         CHECK_FALSE(std::filesystem::exists(folder.path("snapshots.json")));
         CHECK_FALSE(std::filesystem::exists(folder.path("golden/snapshots.json")));
+        CHECK_FALSE(std::filesystem::exists(folder.path("bodies.json")));
         std::filesystem::remove(folder.path(name));
     }
 }
