@@ -59,9 +59,8 @@ public:
 
     /// Opens a lesson file at a step; without it the lessons are shown.
     /// @param experiments  to begin with, see app/session/try/carry_out.hpp
-    /// @return false if it has mistakes: they are shown, and what was open stays. True: it is open, or will
-    /// be
-    ///         when its story is told (`is_telling`)
+    /// @return false if it has mistakes: they are shown, and what was open stays. True also where it opens
+    ///         later, when its story is told (`is_telling`)
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
@@ -70,9 +69,8 @@ public:
     Address address() const;
     /// Shows what an address says, in one go: opens its lesson if another one is open, which begins a history
     /// of its own, else makes it of the lesson as it was written, which is one change.
-    /// @return false if something of it cannot be done: that is shown, and everything stays as it was. True:
-    /// it
-    ///         is shown, or will be, as far as is known, when its story is told (`is_telling`)
+    /// @return false if something of it cannot be done: that is shown, and everything stays as it was. True
+    ///         also where this is not known yet, before its story is told (`is_telling`)
     bool go_to(const Address& address);
 
     /// A long story is being told (host_waiting.cpp). Meanwhile nothing is carried out but giving it up, by
@@ -80,7 +78,7 @@ public:
     bool is_telling() const { return telling_.is_busy(); }
     /// Part of it that is told, from 0 to 1.
     double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
-    /// See LongTelling.
+    /// Number of stories that were told beside the pictures, for tests.
     int stories_told_beside() const { return telling_.told_beside(); }
     /// Waits for the story, and does what needed it.
     void wait_for_story();

@@ -7,7 +7,7 @@
 #include "app/host/host.hpp"
 #include "app/session/wording/messages.hpp"
 
-/// What needs stories: done at once where they are short, else done again when a story has been told.
+/// Acts that need stories: done at once where these are short, else done again when they have been told.
 namespace jw::host {
 
 Storyteller Host::storyteller() {

@@ -14,7 +14,7 @@ namespace {
 // machine is
 constexpr double kMostAtOnce = 25'000.0;
 
-/// The same lesson, perhaps in two copies.
+/// True if two lessons are the same, perhaps in two copies.
 bool are_same(const Lesson& a, const Lesson& b) {
     if (&a == &b) { return true; }
     try {
@@ -52,8 +52,7 @@ ToldLesson LongTelling::tell(const std::shared_ptr<const Lesson>& lesson, const 
         if (are_same(*lesson, *told_[asked_].lesson)) { return told_[asked_++]; }
         told_.erase(told_.begin() + static_cast<std::ptrdiff_t>(asked_));
     }
-    if (beside_) { stopped_.push_back(beside_->stop()); }
-    beside_.reset();
+    stop();
     auto telling = std::make_unique<StoryTelling>(*lesson, options);
     while (telling->work() < kMostAtOnce) {
         if (!telling->go_on()) { return keep({lesson, telling->story()}); }
@@ -68,10 +67,14 @@ ToldLesson LongTelling::keep(ToldLesson told) {
     return told_[asked_++];
 }
 
-void LongTelling::forget() {
+void LongTelling::stop() {
     std::erase_if(stopped_, [](const auto& work) { return work->is_done(); });
     if (beside_) { stopped_.push_back(beside_->stop()); }
     beside_.reset();
+}
+
+void LongTelling::forget() {
+    stop();
     told_.clear();
     asked_ = 0;
 }

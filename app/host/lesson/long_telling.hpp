@@ -42,9 +42,9 @@ class LongTelling {
 public:
     /// As Storyteller. @throws NotToldYet if it takes long
     ToldLesson tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options);
-    /// What needs stories begins, for the first time or again.
+    /// Begins an act that needs stories, for the first time or again.
     void begin() { asked_ = 0; }
-    /// Nothing needs the stories any more.
+    /// Drops all stories, which nothing needs any more, and stops the one under way.
     void forget();
 
     /// A story is told beside; only then the others may be asked for. Once `is_done`, what needs it can be
@@ -58,6 +58,7 @@ public:
 
 private:
     ToldLesson keep(ToldLesson told);
+    void stop();
 
     std::vector<ToldLesson> told_;  ///< in the order in which they were asked for
     std::size_t asked_ = 0;         ///< of them, since `begin`

@@ -13,7 +13,7 @@ class Notice {
 public:
     /// In place of what was said before, unless there is nothing to say.
     void say(const std::string& message);
-    /// What was said is over.
+    /// Takes the message away.
     void hush() { text_.clear(); }
     /// @return true if it went out
     bool advance(double seconds);

@@ -47,7 +47,7 @@ struct NewtonRuns {
 /// @param start  index of a step of kind equations
 NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan);
 
-/// The same way by way, for those who do other things in between.
+/// Runs the next way of a comparison, for those who do other things in between.
 /// @param runs  none at first; compared with the last one
 /// @return false if all ways had been run
 bool run_next_way(const Story& story, int start, const NewtonPlan& plan, NewtonRuns& runs);

@@ -19,7 +19,7 @@ public:
     virtual bool go_on(std::vector<Step>& steps, std::vector<Step>& curve) = 0;
     /// Part of the motion that is told, from 0 to 1.
     virtual double progress() const = 0;
-    /// What `go_on` takes, see StoryTelling::work.
+    /// Estimate of what `go_on` takes, see StoryTelling::work.
     virtual double work_of_piece() const = 0;
 };
 

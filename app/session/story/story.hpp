@@ -159,7 +159,7 @@ public:
 
 private:
     friend class StoryTelling;
-    /// What does not change once it is told.
+    /// Steps and curve, which stay as they are once told.
     struct Told {
         std::vector<Step> steps;
         std::vector<Step> curve;

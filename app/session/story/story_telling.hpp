@@ -23,8 +23,8 @@ public:
     bool go_on();
     /// Part of the story that is told, from 0 to 1.
     double progress() const;
-    /// What the pieces so far took: the bodies of the mechanism for each joint, and for each moment of a
-    /// motion; an estimate that is the same on every machine.
+    /// Estimate of what the pieces so far took: the bodies of the mechanism for each joint, and for each
+    /// moment of a motion; the same on every machine.
     double work() const { return work_; }
     /// The story, once all is told.
     Story story() const { return {*lesson_, told_}; }
