@@ -3,23 +3,9 @@
 #include <bit>
 #include <limits>
 
-#include <Eigen/LU>
-
-#include "core/numerics/flatten.hpp"
-
 namespace jw {
 
 namespace {
-
-std::vector<MovingBody> moving_bodies(const Centroidal& scene) {
-    std::vector<MovingBody> moving;
-    for (std::size_t b = 0; b < scene.mechanism.bodies.size(); ++b) {
-        if (scene.mechanism.bodies[b].fixed) { continue; }
-        const MassProperties& m = *scene.loads.masses[b];
-        moving.push_back({static_cast<int>(b), m.mass, 1.0 / m.mass, m.J_local, m.J_local.inverse()});
-    }
-    return moving;
-}
 
 /// Neighbours of every node: nodes that share a moving body with it.
 std::vector<std::vector<int>> neighbours_of(const std::vector<Node>& nodes, std::size_t bodies) {
@@ -50,40 +36,15 @@ constexpr double kFewDigitsAreLost = 1e-3;
 template <int B>
 BlockEquations<B>::BlockEquations(
     const Centroidal& scene, std::vector<Link> links, const Baumgarte& baumgarte)
-    : scene_(&scene),
-      baumgarte_(baumgarte),
-      moving_(moving_bodies(scene)),
-      order_of_body_(scene.mechanism.bodies.size(), -1),
+    : LinkRows(scene, std::move(links), baumgarte, B),
+      scene_(&scene),
       matrix_(structure_),
-      bodies_(scene.mechanism.bodies.size()),
       forces_(scene.mechanism.bodies.size()),
       six_(6 * moving_.size(), 0.0),
       extent_(extent(scene.mechanism)) {
-    for (std::size_t m = 0; m < moving_.size(); ++m) {
-        order_of_body_[at(moving_[m].body)] = static_cast<int>(m);
-    }
-    for (Link& link : links) {
-        const int i = order_of_body_[at(link.body_i)];
-        const int j = order_of_body_[at(link.body_j)];
-        if (i < 0 && j < 0) { continue; }  // between fixed bodies
-        const unsigned all = (1U << link.rows) - 1U;
-        has_screws_ = has_screws_ || std::ranges::any_of(link.equations, [](const LinkEquation& e) {
-                          return std::holds_alternative<ScrewTurned>(e.primitive);
-                      });
-        nodes_.push_back({std::move(link), i, j, all});
-    }
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const Body& body = scene.mechanism.bodies[b];
-        bodies_[b].r = body.r;
-        bodies_[b].p = body.p;
-        bodies_[b].A = OmegaLocal::rotation(body.p);
-    }
     build_structure();
-    j_.assign(2 * nodes_.size() * kSide, 0.0);
     w_.assign(2 * nodes_.size() * kSide, 0.0);
-    for (std::vector<double>* v : {&phi_, &nu_, &gamma_, &lambda_, &row_size_}) {
-        v->assign(nodes_.size() * B, 0.0);
-    }
+    for (std::vector<double>* v : {&lambda_, &row_size_}) { v->assign(nodes_.size() * B, 0.0); }
     inverse_unit_.assign(nodes_.size() * B, 1.0);
 }
 
@@ -100,92 +61,6 @@ void BlockEquations<B>::build_structure() {
                 const int node_b = b / 2;
                 if (structure_.position(node_a) > structure_.position(node_b)) { continue; }
                 products_.push_back({structure_.block_of(node_a, node_b), a, b});
-            }
-        }
-    }
-}
-
-template <int B>
-template <bool WithMotion>
-JW_FLATTEN void BlockEquations<B>::set_bodies(const double* y) {
-    for (const MovingBody& moving : moving_) {
-        Kinematics6& body = bodies_[at(moving.body)];
-        body.r = vec3(y);
-        body.p = vec4(y + 3);
-        body.A = OmegaLocal::rotation(body.p);
-        if constexpr (WithMotion) {
-            body.r_dot = vec3(y + 7);
-            OmegaLocal::set_motion(body, vec3(y + 10));
-        }
-        y += kNumbersPerBody;
-    }
-}
-
-template <int B>
-void BlockEquations<B>::tell_turns_at(Turns turns, double t, const double* y) {
-    if (!has_screws_) { return; }
-    set_bodies<true>(y);
-    for (Node& node : nodes_) {
-        for (LinkEquation& equation : node.link.equations) {
-            tell_turns(
-                equation.primitive, turns, t, bodies_[at(node.link.body_i)], bodies_[at(node.link.body_j)]);
-        }
-    }
-}
-
-/// Writes the Jacobian blocks of kept rows; other rows stay zero.
-template <int B>
-template <class Jet>
-void BlockEquations<B>::write_jacobian(
-    const Node& node, int side, const LinkEquation& equation, const Jet& jet) {
-    int row = equation.first_row;
-    for (int component = 0; component < Jet::kDim; ++component) {
-        if (has(equation.left_out, component)) { continue; }
-        if (has(node.kept, row)) {
-            if constexpr ((Jet::kSides & kBodyI) != 0) {
-                double* target = &j_[side_at(side)] + row;
-                for (int k = 0; k < 6; ++k) { target[k * B] = jet.block_i(component, k); }
-            }
-            if constexpr ((Jet::kSides & kBodyJ) != 0) {
-                double* target = &j_[side_at(side + 1)] + row;
-                for (int k = 0; k < 6; ++k) { target[k * B] = jet.block_j(component, k); }
-            }
-        }
-        ++row;
-    }
-}
-
-template <int B>
-template <bool WithMotion>
-JW_FLATTEN void BlockEquations<B>::evaluate_links(double t) {
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        const Node& node = nodes_[n];
-        const Kinematics6& i = bodies_[at(node.link.body_i)];
-        const Kinematics6& j = bodies_[at(node.link.body_j)];
-        for (const LinkEquation& equation : node.link.equations) {
-            const auto each_row = [&](int components, auto&& write) {
-                std::size_t row = n * B + at(equation.first_row);
-                for (int k = 0; k < components; ++k) {
-                    if (!has(equation.left_out, k)) { write(row++, k); }
-                }
-            };
-            visit_rows<Content::jacobian>(
-                equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double) {
-                    write_jacobian(node, 2 * static_cast<int>(n), equation, jet);
-                    each_row(jet.kDim, [&](std::size_t row, int k) {
-                        phi_[row] = jet.value(k);
-                        nu_[row] = f_dot;
-                    });
-                });
-            if constexpr (WithMotion) {
-                visit_rows<Content::motion>(
-                    equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double f_ddot) {
-                        each_row(jet.kDim, [&](std::size_t row, int k) {
-                            gamma_[row] = f_ddot - jet.bias(k) -
-                                          2.0 * baumgarte_.alpha * (jet.rate(k) - f_dot) -
-                                          baumgarte_.beta * baumgarte_.beta * phi_[row];
-                        });
-                    });
             }
         }
     }
@@ -352,13 +227,6 @@ int BlockEquations<B>::rows_left_out() const {
 template class BlockEquations<3>;
 template class BlockEquations<5>;
 template class BlockEquations<6>;
-// members that the other sources need
-template void BlockEquations<3>::evaluate_links<false>(double);
-template void BlockEquations<5>::evaluate_links<false>(double);
-template void BlockEquations<6>::evaluate_links<false>(double);
-template void BlockEquations<3>::set_bodies<false>(const double*);
-template void BlockEquations<5>::set_bodies<false>(const double*);
-template void BlockEquations<6>::set_bodies<false>(const double*);
 
 std::unique_ptr<DrivableEquations> block_equations(const Centroidal& centroidal, const Baumgarte& baumgarte) {
     std::vector<Link> links = with_drivers_joined(links_of(centroidal.mechanism));

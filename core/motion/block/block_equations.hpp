@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/equations/link_equations.hpp"
+#include "core/motion/block/link_rows.hpp"
 #include "core/motion/forces.hpp"
 #include "core/motion/motion_equations.hpp"
 #include "core/numerics/block_matrix.hpp"
@@ -10,25 +10,6 @@
 /// Equations of motion over the graph of joints: Φq M⁻¹ Φqᵀ is a block-sparse matrix with one block of B x B
 /// for every pair of links that share a moving body. Included only by the sources that implement it.
 namespace jw {
-
-using Kinematics6 = BodyKinematics<OmegaLocal>;
-
-/// Moving body: its index in the mechanism, its M and M⁻¹.
-struct MovingBody {
-    int body = 0;
-    double mass = 0.0;
-    double inverse_mass = 0.0;
-    Mat3 J = Mat3::Zero();
-    Mat3 inverse_J = Mat3::Zero();
-};
-
-/// Node of the graph: a link with its equations, its bodies and the kept rows.
-struct Node {
-    Link link;
-    int moving_i = -1;  ///< index among the moving bodies, -1 for a fixed one
-    int moving_j = -1;
-    unsigned kept = 0;  ///< bit r: row r is kept
-};
 
 /// One product W Jᵀ of Φq M⁻¹ Φqᵀ; the index of a side is 2 node (+ 1 for body j).
 struct Product {
@@ -38,7 +19,7 @@ struct Product {
 };
 
 template <int B>
-class BlockEquations final : public DrivableEquations {
+class BlockEquations final : public DrivableEquations, private LinkRows {
 public:
     BlockEquations(const Centroidal& scene, std::vector<Link> links, const Baumgarte& baumgarte);
 
@@ -68,7 +49,6 @@ private:
     static constexpr int kSide = 6 * B;
     /// Offset of a side in j_ and w_.
     static std::size_t side_at(int side) { return static_cast<std::size_t>(side) * kSide; }
-    static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
     /// Calls `f(n, side, moving)` for every side of node n whose body moves.
     template <class F>
     void for_each_side(F&& f) const {
@@ -80,14 +60,6 @@ private:
     }
 
     void build_structure();
-    void tell_turns_at(Turns turns, double t, const double* y);
-    template <bool WithMotion>
-    void set_bodies(const double* y);
-    /// Evaluates Φ and Φq of every link, and γ with motion.
-    template <bool WithMotion>
-    void evaluate_links(double t);
-    template <class Jet>
-    void write_jacobian(const Node& node, int side, const LinkEquation& equation, const Jet& jet);
     /// W = J M⁻¹ of every side. Metric::geometry replaces M by one without masses: a rotation counts as the
     /// displacement of a point one extent away.
     enum class Metric { mass, geometry };
@@ -134,21 +106,12 @@ private:
     void add_reactions(const double* lambda, double* x) const;
 
     const Centroidal* scene_;
-    Baumgarte baumgarte_;
-    std::vector<MovingBody> moving_;
-    std::vector<int> order_of_body_;
-    std::vector<Node> nodes_;
     std::vector<unsigned> kept_before_;  ///< rows of every node before the last choice
     std::vector<Product> products_;
     BlockStructure structure_;
     BlockMatrix<B> matrix_;
-    std::vector<Kinematics6> bodies_;  ///< kinematics of all bodies, fixed ones included
-    std::vector<BodyForce> forces_;    ///< loads on all bodies
-    std::vector<double> j_;            ///< Jᵀ of every side, 6 x B row-major
-    std::vector<double> w_;            ///< J M⁻¹ of every side, B x 6 row-major
-    std::vector<double> phi_;
-    std::vector<double> nu_;
-    std::vector<double> gamma_;
+    std::vector<BodyForce> forces_;  ///< loads on all bodies
+    std::vector<double> w_;          ///< J M⁻¹ of every side, B x 6 row-major
     std::vector<double> lambda_;
     std::vector<double> inverse_unit_;  ///< 1 / change of every equation when bodies move by one extent
     std::vector<double> row_size_;      ///< diagonal of Φq M⁻¹ Φqᵀ
@@ -156,7 +119,6 @@ private:
     std::vector<double> kept_pivots_;   ///< reference of share_of_pivots, one per row
     double extent_ = 1.0;
     bool forgets_masses_ = false;
-    bool has_screws_ = false;
     bool masses_apart_ = false;         ///< light bodies carry heavy ones: see block_pivoting.cpp
     bool masses_apart_before_ = false;  ///< its value before the last choice of rows
 };
