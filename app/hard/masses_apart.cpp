@@ -1,10 +1,9 @@
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
 #include "app/hard/shipped.hpp"
+#include "core/eigen/decompositions.hpp"
 #include "core/motion/dense/dense_equations.hpp"
 
 namespace jw::hard {

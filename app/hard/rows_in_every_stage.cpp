@@ -1,9 +1,8 @@
 #include <algorithm>
 
-#include <Eigen/QR>
-
 #include "app/hard/cases.hpp"
 #include "app/hard/dynamic_scene.hpp"
+#include "core/eigen/decompositions.hpp"
 #include "core/integrate/explicit_integrator.hpp"
 #include "core/motion/dense/dense_equations.hpp"
 

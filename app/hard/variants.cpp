@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "app/hard/shipped.hpp"
 #include "app/session/story/story.hpp"
+#include "core/eigen/decompositions.hpp"
 #include "core/equations/assembler.hpp"
 
 namespace jw::hard {

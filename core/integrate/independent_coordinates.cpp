@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/jets/body_kinematics.hpp"
 #include "core/model/joint_types.hpp"
 #include "core/numerics/variants.hpp"
@@ -112,7 +111,7 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     const double length = extent(scene_->mechanism);
     for (Eigen::Index k = 0; k < free.rows(); ++k) { free.row(k) *= k % 6 < 3 ? 1.0 : length; }
     const Eigen::Index d = free.cols();
-    free = (Eigen::HouseholderQR<MatrixX>(free).householderQ() * MatrixX::Identity(free.rows(), d)).eval();
+    free = orthonormal_columns(free);
     const auto choose_from = [&](const std::vector<IndependentCoordinate>& candidates) {
         // projection of unit gradients; a coordinate at the end of its range is insensitive to any motion
         MatrixX rows = gradients(candidates, y);

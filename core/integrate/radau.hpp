@@ -3,8 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/equations/constraint_rounding.hpp"
 #include "core/integrate/reduced_coordinates.hpp"
 

@@ -1,8 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/integrate/radau.hpp"
 
@@ -39,6 +38,16 @@ VectorX radau_nodes(int stages) {
     return c;
 }
 
+/// The one real eigenvalue of `a`, whose number of rows is odd.
+double real_eigenvalue(const MatrixX& a) {
+    const Eigen::RealSchur<MatrixX> schur(a, false);
+    const MatrixX& T = schur.matrixT();
+    // a pair of complex eigenvalues is a block of two rows
+    Eigen::Index k = 0;
+    while (k + 1 < T.rows() && T(k + 1, k) != 0.0) { k += 2; }
+    return T(k, k);
+}
+
 }  // namespace
 
 RadauTable radau_table(int stages) {
@@ -54,16 +63,15 @@ RadauTable radau_table(int stages) {
             integrals(i, k) = elementary::pow(table.c(i), k + 1) / (k + 1);
         }
     }
-    table.a = powers.transpose().fullPivLu().solve(integrals.transpose()).transpose();
-    for (const auto& eigenvalue : table.a.eigenvalues()) {
-        if (std::abs(eigenvalue.imag()) < 1e-9) { table.gamma_0 = eigenvalue.real(); }
-    }
+    const auto powers_lu = powers.transpose().fullPivLu();
+    table.a = powers_lu.solve(integrals.transpose()).transpose();
+    table.gamma_0 = real_eigenvalue(table.a);
     // quadrature of order s with the node 0 besides, weight gamma_0
     VectorX moments(stages);
     for (int k = 0; k < stages; ++k) { moments(k) = 1.0 / (k + 1) - (k == 0 ? table.gamma_0 : 0.0); }
-    const VectorX b_hat = powers.transpose().fullPivLu().solve(moments);
-    const VectorX b = table.a.row(stages - 1).transpose();
-    table.e = table.a.transpose().fullPivLu().solve(b_hat - b);
+    const VectorX b_hat = powers_lu.solve(moments);
+    const VectorX difference = b_hat - table.a.row(stages - 1).transpose();
+    table.e = table.a.transpose().fullPivLu().solve(difference);
     return table;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
+#include "core/eigen/decompositions.hpp"
 
 namespace jw {
 

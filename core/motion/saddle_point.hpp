@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/poses/least_squares.hpp"
 #include "core/poses/rank.hpp"
 

@@ -2,8 +2,9 @@
 
 #include <cstddef>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include "core/eigen/kernels.hpp"
 
 /// Small fixed-size algebra in the notation of the book: tilde and bar operators.
 namespace jw {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 
 namespace jw {
@@ -63,8 +62,7 @@ std::array<double, 2> smallest_singular_values(const SparseQr& qr, Eigen::Index 
     for (const int row : qr.repeating()) { basis.row(row).setZero(); }
     std::array<double, 2> values{0.0, 0.0};
     for (int step = 0; step < kInverseSteps; ++step) {
-        const Eigen::HouseholderQR<MatrixX> orthogonal(basis);
-        const MatrixX Q = orthogonal.householderQ() * MatrixX::Identity(rows, count);
+        const MatrixX Q = orthonormal_columns(basis);
         for (Eigen::Index k = 0; k < count; ++k) { basis.col(k) = inverse_product(qr, Q.col(k)); }
         VectorX sizes = basis.colwise().norm();
         std::ranges::sort(sizes, std::greater<>());

@@ -6,8 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/numerics/jacobi.hpp"
 
 namespace jw {
@@ -86,9 +85,9 @@ Factors factors_of(const MatrixX& tall, Eigen::Index left_columns) {
     const Spectrum spectrum = sorted(X, J);
     out.sigma.head(rank) = spectrum.sigma;
     out.left = bordered(spectrum.W, tall.rows(), left_columns);
-    out.left.applyOnTheLeft(qr.householderQ());
+    multiply_by_q(qr.householderQ(), out.left);
     out.right = bordered(spectrum.J, columns, columns);
-    out.right.applyOnTheLeft(second.householderQ());
+    multiply_by_q(second.householderQ(), out.right);
     out.right.applyOnTheLeft(qr.colsPermutation());
     return out;
 }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/poses/newton.hpp"
 
 namespace jw {

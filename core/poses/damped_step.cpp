@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
+
+#include "core/eigen/decompositions.hpp"
 
 namespace jw {
 

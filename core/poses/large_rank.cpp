@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/numerics/sparse_rank.hpp"
 #include "core/poses/least_squares.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
+#include "core/eigen/decompositions.hpp"
 
 namespace jw {
 

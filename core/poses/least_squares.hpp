@@ -3,8 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/sparse_qr.hpp"
 

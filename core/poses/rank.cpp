@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 

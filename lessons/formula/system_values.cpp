@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/jets/body_kinematics.hpp"
 
@@ -171,7 +170,8 @@ private:
     /// The smallest ones that the motion needs.
     VectorX multipliers() {
         const MatrixX transposed = assembler_.jacobian().transpose();
-        return transposed.completeOrthogonalDecomposition().solve(mass_matrix() * columns(2) - forces());
+        const VectorX missing = mass_matrix() * columns(2) - forces();
+        return transposed.completeOrthogonalDecomposition().solve(missing);
     }
 
     const Instant* instant_;

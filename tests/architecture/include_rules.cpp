@@ -112,8 +112,9 @@ constexpr std::array kFolders{
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 34> kRooms{
+constexpr std::array<std::string_view, 35> kRooms{
     "core/elementary/",
+    "core/eigen/",
     "core/numerics/",
     "core/jets/",
     "core/model/",

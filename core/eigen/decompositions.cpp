@@ -1,0 +1,23 @@
+#include "core/eigen/decompositions.hpp"
+
+namespace Eigen {
+
+#define JW_CLASS_HERE(...) template class __VA_ARGS__;
+#define JW_FUNCTION_HERE(...) template __VA_ARGS__;
+JW_EIGEN_DECOMPOSITIONS(JW_CLASS_HERE, JW_FUNCTION_HERE)
+
+}  // namespace Eigen
+
+namespace jw {
+
+void multiply_by_q(
+    const Eigen::HouseholderSequence<Eigen::MatrixXd, Eigen::VectorXd>& Q, Eigen::MatrixXd& m) {
+    m.applyOnTheLeft(Q);
+}
+
+Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& A) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
+    return qr.householderQ() * Eigen::MatrixXd::Identity(A.rows(), A.cols());
+}
+
+}  // namespace jw

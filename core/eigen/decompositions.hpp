@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "core/eigen/kernels.hpp"
+
+/// Eigen's decompositions of matrices of any size, compiled once as its kernels are. Sources include this
+/// header instead of <Eigen/QR> and the like.
+namespace Eigen {
+
+/// CLASS(class) for each class, FUNCTION(function) for its members that are templates themselves.
+// clang-format off
+#define JW_EIGEN_DECOMPOSITIONS(CLASS, FUNCTION)                                                                       \
+    CLASS(ColPivHouseholderQR<MatrixXd>)                                                                               \
+    CLASS(HouseholderQR<MatrixXd>)                                                                                     \
+    CLASS(PartialPivLU<MatrixXd>)                                                                                      \
+    CLASS(CompleteOrthogonalDecomposition<MatrixXd>)                                                                   \
+    CLASS(LDLT<MatrixXd, Lower>)                                                                                       \
+    CLASS(SelfAdjointEigenSolver<MatrixXd>)                                                                            \
+    FUNCTION(void ColPivHouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const)                        \
+    FUNCTION(void HouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const)                              \
+    FUNCTION(void CompleteOrthogonalDecomposition<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const)            \
+    FUNCTION(void PartialPivLU<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const)                               \
+    FUNCTION(void LDLT<MatrixXd, Lower>::_solve_impl(const VectorXd&, VectorXd&) const)                                \
+    FUNCTION(LDLT<MatrixXd, Lower>& LDLT<MatrixXd, Lower>::compute(const EigenBase<MatrixXd>&))                        \
+    FUNCTION(SelfAdjointEigenSolver<MatrixXd>& SelfAdjointEigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, int))
+// clang-format on
+
+#define JW_CLASS_ELSEWHERE(...) extern template class __VA_ARGS__;
+#define JW_FUNCTION_ELSEWHERE(...) extern template __VA_ARGS__;
+JW_EIGEN_DECOMPOSITIONS(JW_CLASS_ELSEWHERE, JW_FUNCTION_ELSEWHERE)
+
+}  // namespace Eigen
+
+namespace jw {
+
+/// Products with Q of A = Q R: Eigen writes them in its classes, where a compiler has to read them in each
+/// source. Q applied to `m` in place; `Q` is householderQ() of a decomposition.
+void multiply_by_q(const Eigen::HouseholderSequence<Eigen::MatrixXd, Eigen::VectorXd>& Q, Eigen::MatrixXd& m);
+/// The first columns of Q, as many as `A` has: an orthonormal basis of what its columns span if their rank is
+/// full.
+Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& A);
+
+}  // namespace jw
