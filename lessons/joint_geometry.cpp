@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/elementary/elementary.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -140,7 +141,8 @@ void set_sides(const Vec3& side_i, const Vec3& side_j, JointGeometry& g) {
 void set_global_sides(const BodyPair& pair, const JointType& type, const Vec3& side, JointGeometry& g) {
     const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
     const Vec3 axis_j = rotation_of(*pair.j) * g.s_j_local.normalized();
-    const Mat3 back = Eigen::Quaterniond::FromTwoVectors(axis, axis_j).toRotationMatrix();
+    const Vec4 p = euler_parameters_between(axis, axis_j);
+    const Mat3 back = Eigen::Quaterniond(p(0), p(1), p(2), p(3)).toRotationMatrix();
     const Vec3 other = type.has_angle() ? side : axis.cross(side);
     set_sides(pair.vector_i(side), pair.vector_j(back * other), g);
 }

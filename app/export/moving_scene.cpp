@@ -1,9 +1,8 @@
 #include "app/export/moving_scene.hpp"
 
-#include <Eigen/Geometry>
-
 #include "app/export/rigid_parts.hpp"
 #include "app/session/picture/picture_parts.hpp"
+#include "core/jets/euler_parameters.hpp"
 #include "render/instances.hpp"
 
 namespace jw {
@@ -14,13 +13,16 @@ std::array<float, 3> floats(const Vec3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
+/// Unit p as glTF has it: the scalar comes last.
+std::array<float, 4> rotation_of(const Vec4& p) {
+    return {
+        static_cast<float>(p[1]), static_cast<float>(p[2]), static_cast<float>(p[3]),
+        static_cast<float>(p[0])};
+}
+
 gltf::Pose pose_of(const State& state, int body) {
     const auto b = static_cast<std::size_t>(body);
-    const Vec4 p = state.p[b].normalized();
-    return {
-        floats(state.r[b]),
-        {static_cast<float>(p[1]), static_cast<float>(p[2]), static_cast<float>(p[3]),
-         static_cast<float>(p[0])}};
+    return {floats(state.r[b]), rotation_of(state.p[b].normalized())};
 }
 
 /// Steps of the motion; where nothing moves, the one at which everything is put together.
@@ -67,11 +69,8 @@ gltf::Mesh mesh_of(const RigidPart& part) {
 }
 
 gltf::Pose turned_to_y(const Vec3& up) {
-    const Eigen::Quaterniond q = Eigen::Quaterniond::FromTwoVectors(up, Vec3::UnitY());
     gltf::Pose pose;
-    pose.rotation = {
-        static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z()),
-        static_cast<float>(q.w())};
+    pose.rotation = rotation_of(euler_parameters_between(up, Vec3::UnitY()));
     return pose;
 }
 

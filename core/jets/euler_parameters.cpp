@@ -60,6 +60,37 @@ Vec4 euler_parameters_of(const Vec3& axis, double angle) {
     return p;
 }
 
+namespace {
+
+/// Unit vector perpendicular to the unit vector `a`: the image of the z axis in the reflection that takes `a`
+/// onto the x axis.
+Vec3 across(const Vec3& a) {
+    const double share = a.z() / (1.0 + std::abs(a.x()));
+    return {a.x() < 0.0 ? a.z() : -a.z(), -share * a.y(), 1.0 - share * a.z()};
+}
+
+}  // namespace
+
+// Written out: Eigen's FromTwoVectors takes the axis of a half turn from a singular value decomposition,
+// which is most of what a source that calls it costs to compile. Turns are the same.
+Vec4 euler_parameters_between(const Vec3& from, const Vec3& to) {
+    // 1 + cosine below which the axis that both span is lost in rounding
+    constexpr double kOpposite = 1e-12;
+    constexpr double kNearlyOpposite = -0.9;
+    const Vec3 a = from.normalized();
+    const Vec3 b = to.normalized();
+    const double cosine = b.dot(a);
+    Vec4 p;
+    if (cosine < kOpposite - 1.0) {
+        p << 0.0, across(a);
+    } else {
+        // of nearly opposite directions 1 + cosine is rounding for the most part, their sum is not
+        const double twice = cosine > kNearlyOpposite ? std::sqrt((1.0 + cosine) * 2.0) : (a + b).norm();
+        p << twice * 0.5, a.cross(b) * (1.0 / twice);
+    }
+    return p;
+}
+
 Vec4 turned_local(const Vec4& p, const Vec3& turn_local) {
     return product(p, exponential(turn_local)).normalized();
 }

@@ -58,6 +58,10 @@ Vec4 euler_parameters_of(const Mat3& A);
 /// Unit p of a turn by `angle` [rad] about `axis` (any length, not zero).
 Vec4 euler_parameters_of(const Vec3& axis, double angle);
 
+/// p of the shortest turn of the direction `from` onto that of `to` (any lengths, not zero); where they are
+/// opposite, a half turn about some axis perpendicular to both.
+Vec4 euler_parameters_between(const Vec3& from, const Vec3& to);
+
 /// Quaternion product a b: first turn by b, then by a (both in the frame that a lives in).
 inline Vec4 product(const Vec4& a, const Vec4& b) {
     const Vec3 a_e = a.tail<3>();

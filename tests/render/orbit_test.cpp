@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -193,6 +194,18 @@ TEST_CASE("from the front to the back a blend goes around, level", "[render][orb
     const Camera half = blended(front, back, 0.5);
     CHECK(std::abs(half.eye.z() - front.eye.z()) < 1e-9);
     CHECK(half.distance() == Approx(front.distance()));
+}
+
+TEST_CASE("a blend between opposite ups turns over once, and keeps its distance", "[render][orbit]") {
+    Camera from = standard_view(Camera{}, StandardView::front);
+    Camera to = from;
+    to.up = -from.up;
+    for (int n = 0; n <= 10; ++n) {
+        const Camera camera = blended(from, to, n / 10.0);
+        CHECK(camera.up.norm() == Approx(1.0));
+        CHECK(camera.up.dot(from.up) == Approx(std::cos(std::numbers::pi * n / 10.0)).margin(1e-9));
+        CHECK(camera.distance() == Approx(from.distance()));
+    }
 }
 
 TEST_CASE("what is grabbed stays under the pointer and in its depth", "[render][orbit]") {
