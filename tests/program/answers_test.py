@@ -230,6 +230,10 @@ def main():
             told = given_on(place / "in" / student)
             right[student] = {name: solve(told[name]) for name, solve in SOLVERS.items()}
         grade(place, right, "right")
+        # for mistakes a half of them is enough
+        for student in students[1::2]:
+            shutil.rmtree(place / "in" / student)
+            del right[student]
         # the widest tolerance of these exercises is one percent
         wrong = {student: {name: changed(value, 0.012 * max(map(abs, entries_of(value))))
                            for name, value in values.items() if not isinstance(value, int)} for student, values in right.items()}

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Grades a class of which a tenth is malformed or hostile: class_test.py JOINTWISE EXERCISES [STUDENTS]
+"""Grades a class in which submissions of every kind are malformed or hostile: class_test.py JOINTWISE EXERCISES [STUDENTS]
+
+The first students are hostile, each kind once, but every fourth; of a larger class a tenth is.
 
 Every honest submission has to get all of its points whatever its neighbours do, every program with a known mistake the name of that
 mistake, every other submission a result and a reason; grading twice gives the same; nobody reads the key or another submission, writes
@@ -11,6 +13,7 @@ import html.parser
 import io
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -20,8 +23,9 @@ import time
 import zipfile
 
 program, exercises = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-count = int(sys.argv[3]) if len(sys.argv) > 3 else 60
 code = "n1-row-code"
+# of the file those of each kind of answer: more of them would be more of the same
+ASKED = ["n1-row", code, "n1-which", "n2-row", "s-row", "n1-gamma"]
 
 RIGHT = """
 import json, sys
@@ -146,16 +150,29 @@ def hostile_answers(kind, place, folder):
 
 BAD_ANSWERS = ["binary", "link", "pipe", "large", "brackets", "parentheses", "name", "escape", "bomb", "huge", "sparse", "folder", "socket",
                "device", "link to itself", "link to another"]
+KINDS = [*((name, "wrong program") for name in PROGRAMS), *((name, "bad answers") for name in BAD_ANSWERS)]
+# three of four students until each kind was there
+fewest = -(-4 * len(KINDS) // 3) + 1
+count = int(sys.argv[3]) if len(sys.argv) > 3 else fewest
+if count < fewest:
+    sys.exit(f"class_test: {count} students are too few for {len(KINDS)} kinds; expected at least {fewest}")
+
+
+def write_exercises(file):
+    head, *tables = (exercises / "jacobians.toml").read_text().split("[[exercise]]\n")
+    kept = [table for table in tables if re.match(r'name = "(.*)"', table).group(1) in ASKED]
+    check(len(kept) == len(ASKED), f"{len(kept)} of the exercises {ASKED} are there")
+    file.write_text("[[exercise]]\n".join([head, *kept]).replace('scene = "', f'scene = "{exercises}/'))
 
 
 def prepare(place):
-    (place / "key.toml").write_text(f'format = 1\nsecret = "a secret for tests"\nexercises = ["{exercises}/jacobians.toml"]\n')
+    write_exercises(place / "asked.toml")
+    (place / "key.toml").write_text(f'format = 1\nsecret = "a secret for tests"\nexercises = ["{place}/asked.toml"]\n')
     students = [f"s{k:04d}" for k in range(count)]
     (place / "roster.csv").write_text("student\n" + "\n".join(students) + "\n")
-    made = run("sheet", exercises / "jacobians.toml", "--class", place / "roster.csv", "--key", place / "key.toml", "--out",
+    made = run("sheet", place / "asked.toml", "--class", place / "roster.csv", "--key", place / "key.toml", "--out",
                place / "in", "--solution", "--no-figures")
     check(made.returncode == 0, made.stderr)
-    kinds = [*((name, "wrong program") for name in PROGRAMS), *((name, "bad answers") for name in BAD_ANSWERS)]
     expected = {}
     hostile = 0
     for k, student in enumerate(students):
@@ -164,18 +181,18 @@ def prepare(place):
         shutil.rmtree(folder / "solution")
         (folder / (code + ".py")).write_text(RIGHT.replace("SIGN", "-1"))
         expected[student] = "right"
-        if k % 10 == 3:
+        if k % 12 == 4:
             expected[student] = "sign"
             (folder / (code + ".py")).write_text(RIGHT.replace("SIGN", "1"))
-        # each kind at least once, and a tenth of a large class
-        if k % 10 != 7 and (k % 10 != 2 or hostile >= len(kinds)):
+        if k % 4 == 0 or (k % 10 != 7 and hostile >= len(KINDS)):
             continue
-        name, expected[student] = kinds[hostile % len(kinds)]
+        name, expected[student] = KINDS[hostile % len(KINDS)]
         hostile += 1
         if expected[student] == "wrong program":
             (folder / (code + ".py")).write_text(PROGRAMS[name].replace("PLACE", str(place)))
         else:
             hostile_answers(name, place, folder)
+    check(hostile >= len(KINDS), f"only {hostile} of {len(KINDS)} kinds of hostile submissions")
     (place / "in" / "late.zip").write_bytes(zip_bomb())
     return expected
 

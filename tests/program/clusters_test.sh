@@ -9,11 +9,12 @@ lesson=$sources/lessons/catalogue/loops/four-bar.toml
 options=(--from B --to 9 --no-panel --size 320x200 --fps 10)
 folder=$(mktemp -d)
 stop() {
-    local file pid k
+    local file pid k pids=()
     for file in "$folder"/*.pid; do
-        [ -e "$file" ] || continue
-        pid=$(cat "$file")
-        kill "$pid" 2>/dev/null
+        [ ! -e "$file" ] || pids+=("$(cat "$file")")
+    done
+    kill "${pids[@]}" 2>/dev/null
+    for pid in "${pids[@]}"; do
         for ((k = 0; k < 100; ++k)); do
             kill -0 "$pid" 2>/dev/null || break
             sleep 0.1
@@ -75,7 +76,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SwitchType=switch/none
 MpiDefault=none
-SchedulerParameters=sched_min_interval=0,bf_interval=1
+SchedulerParameters=sched_min_interval=0,batch_sched_delay=0,bf_interval=1
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc)
 PartitionName=all Nodes=ALL Default=YES State=UP
 CONF
@@ -84,9 +85,9 @@ munged --force --socket="$folder/munge.socket" --key-file=munge/key --pid-file="
     --log-file="$folder/munge/log" --seed-file="$folder/munge/seed" && slurmctld -c && slurmd ||
     fail "Slurm's daemons do not start: $(cat ./*.log)"
 "$sources/docs/films/slurm.sh" "$lesson" slurm.gif 3 "${options[@]}" >log 2>&1 || fail "slurm: $(cat log)"
-for ((k = 0; k < 240; ++k)); do
+for ((k = 0; k < 600; ++k)); do
     [ -n "$(squeue --noheader 2>/dev/null)" ] || break
-    sleep 0.5
+    sleep 0.2
 done
 is_that_film Slurm slurm.gif
 [ "$failures" -eq 0 ] || cat slurm.gif.slurm*.log

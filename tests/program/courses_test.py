@@ -83,7 +83,8 @@ with tempfile.TemporaryDirectory() as folder:
         "--format", "moodle", "--no-figures")
     counts = check_moodle((root / "quiz" / "moodle.xml").read_text())
     assert all(counts[kind] >= 2 for kind in ("cloze", "numerical", "multichoice", "shortanswer")), counts
-    run(program, "sheet", files[0], "--student", "ann", "--key", root / "grade" / "tests" / "key.toml", "--out", root / "drawn",
+    drawn = project / "lessons" / "exercises" / "hard.toml"
+    run(program, "sheet", drawn, "--student", "ann", "--key", root / "grade" / "tests" / "key.toml", "--out", root / "drawn",
         "--format", "moodle")
     assert "@@PLUGINFILE@@" in (root / "drawn" / "moodle.xml").read_text()
     check_moodle((root / "drawn" / "moodle.xml").read_text())

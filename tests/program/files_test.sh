@@ -37,9 +37,28 @@ ln -s loop-a loop-b
 ln -s loop-b loop-a
 ln -s nowhere dangling
 cp "$four_bar" mine.toml
+# those that wait for a pipe wait beside the others: each in a shell of its own, with files of its own
+waiting=()
+in_background() {
+    mkdir "waits-${#waiting[@]}"
+    (
+        cd "waits-${#waiting[@]}" || exit 1
+        failures=0
+        "$@"
+        exit "$failures"
+    ) &
+    waiting+=("$!")
+}
+mkfifo unwritten held
 for command in step check bench; do
-    expect 2 "a pipe that nothing is written into" "$command of a silent pipe" "$program" $command pipe
+    in_background expect 2 "a pipe that nothing is written into" "$command of a silent pipe" "$program" $command ../unwritten
 done
+silent_writer() {
+    exec 3<>../held
+    timeout 100 "$program" step ../held >out 2>err && fail "a pipe that stays silent is read"
+    grep -qF "nothing more was written into this pipe" err || fail "a pipe whose writer stays silent is not named"
+}
+in_background silent_writer
 expect 2 "a link that leads back to itself" "a loop of links" "$program" step loop-a
 expect 2 "a link to 'nowhere', and there is no such file" "a dangling link" "$program" step dangling
 expect 2 "this is a folder" "a folder" "$program" step folder.toml
@@ -48,8 +67,6 @@ expect 2 "there is no such file" "no file" "$program" step missing.toml
 expect 2 "the name is too long" "a long name" "$program" step "$(printf 'x%.0s' {1..300})"
 expect 2 "larger than 10 MB" "a device without end" "$program" step /dev/zero
 expect 2 "the file is empty" "an empty device" "$program" step /dev/null
-bash -c 'exec 3<>pipe; exec timeout 100 "$0" step pipe' "$program" >out 2>err && fail "a pipe that stays silent is read"
-grep -qF "nothing more was written into this pipe" err || fail "a pipe whose writer stays silent is not named"
 "$program" step <(cat mine.toml) >out 2>err || fail "a lesson does not come through a pipe"
 (sleep 0.3; cat mine.toml) | "$program" step /dev/stdin >out 2>err || fail "a late lesson does not come through a pipe"
 
@@ -112,11 +129,11 @@ no_draft . "a limit of the size of files"
 # ---- killed in the middle: the pictures before are all there, no draft, and the next run clears up
 "$program" render mine.toml --out killed --size 960x540 --frames 0 >out 2>err || fail "the run before the killed one"
 cp -r killed before
-"$program" render mine.toml --out killed >out 2>err &
+"$program" render mine.toml --out killed --size 1000x560 >out 2>err &
 pid=$!
-for ((k = 0; k < 2000; ++k)); do
+for ((k = 0; k < 10000; ++k)); do
     [ ! -e killed/unfinished-frames/frame_00002.png ] || break
-    sleep 0.05
+    sleep 0.01
 done
 kill -9 $pid
 wait $pid 2>/dev/null
@@ -129,7 +146,15 @@ expect 0 "1 picture and manifest.json" "the run after a killed one" \
 
 # ---- interrupted (Ctrl-C) in the middle: what was printed stays
 got=0
-timeout --preserve-status -s INT 2 "$program" try "$2/../benchmark/four-bar-16.toml" >out 2>err || got=$?
+# a shell lets its background processes ignore Ctrl-C
+env --default-signal=INT "$program" try "$2/../benchmark/four-bar-16.toml" >out 2>err &
+pid=$!
+for ((k = 0; k < 10000; ++k)); do
+    [ "$(wc -l <out)" -lt 3 ] || break
+    sleep 0.01
+done
+kill -INT $pid
+wait $pid || got=$?
 [ "$got" -eq 130 ] || [ "$got" -eq 0 ] || fail "interrupted, try ends with status $got"
 [ "$(wc -l <out)" -ge 3 ] || fail "interrupted, try has printed $(wc -l <out) lines"
 
@@ -144,6 +169,10 @@ done
 expect 2 "something needed is damaged" "doctor with half a font" "$program" doctor
 unset JOINTWISE_FONTS
 JOINTWISE_LESSONS="$folder/none" expect 2 "something needed is missing" "doctor without lessons" "$program" doctor
+
+for pid in "${waiting[@]}"; do
+    wait "$pid" || failures=$((failures + 1))
+done
 
 [ "$failures" -eq 0 ] || exit 1
 echo "files test: passed"

@@ -3,7 +3,8 @@
 
 Takes the right answers from the key (`sheet --solution`), writes each in a notation drawn at random (decimals of enough digits, commas,
 fractions, roots, powers of ten, units, other brackets and signs), hands them in and asks the grader: all have to be right. Then the answer
-of each known mistake that the key lists, written in decimals: none may be right, and each has to be named.
+of each known mistake that the key lists, written in decimals: none may be right, and each has to be named. There must be enough students for
+every way to write and every kind of mistake; 15 make every mistake of every exercise.
 """
 
 import math
@@ -23,6 +24,7 @@ count = int(sys.argv[3]) if len(sys.argv) > 3 else 15
 seed = int(sys.argv[4]) if len(sys.argv) > 4 else 17
 files = [file for file in sorted(exercises.glob("*.toml")) if file.stem not in ("clinic", "building", "experiments")]
 draw = random.Random(seed)
+never = {}  # of each choice the ways that were not drawn yet
 
 
 def run(*arguments):
@@ -30,6 +32,18 @@ def run(*arguments):
     if done.returncode != 0:
         sys.exit(f"notations_test: {' '.join(map(str, arguments))}: {done.stderr}")
     return done.stdout
+
+
+def choice(where, ways, write=lambda way: way):
+    """One of the ways that can be written, by chance, those before others that were not drawn yet; `where` names the choice."""
+    unused = sorted(never.setdefault(where, set(range(len(ways)))))
+    draw.shuffle(unused)
+    while True:
+        k = unused.pop() if unused else draw.randrange(len(ways))
+        text = write(ways[k])
+        if text is not None:
+            never[where].discard(k)
+            return text
 
 
 # ---- a number, written -------------------------------------------------------------------------
@@ -48,14 +62,14 @@ def root(x):
     if x == 0 or abs(math.sqrt(near) - abs(x)) > 1e-7 * max(1.0, abs(x)):
         return None
     sign = "-" if x < 0 else ""
-    return draw.choice((f"{sign}sqrt({near})", f"{sign}√({near})", f"{sign}({near})^(1/2)", f"{sign}({near})**0.5"))
+    return choice("root", (f"{sign}sqrt({near})", f"{sign}√({near})", f"{sign}({near})^(1/2)", f"{sign}({near})**0.5"))
 
 
 def power(x):
     if x == 0:
         return None
     of_ten = math.floor(math.log10(abs(x)))
-    return f"{x / 10**of_ten:.7g}" + draw.choice((f"e{of_ten}", f"E{of_ten}", f"*10^{of_ten}", f"*10^({of_ten})", f" × 10^{of_ten}"))
+    return f"{x / 10**of_ten:.7g}" + choice("power", (f"e{of_ten}", f"E{of_ten}", f"*10^{of_ten}", f"*10^({of_ten})", f" × 10^{of_ten}"))
 
 
 def product(x): return f"2*{x / 2:.8g}"
@@ -69,11 +83,8 @@ def no_zero(x): return decimal(x).replace("0.", ".", 1) if 0 < x < 1 and "e" not
 NOTATIONS = (decimal, shorter, fraction, root, power, product, bracketed, unicode_minus, full_width, with_plus, no_zero)
 
 
-def number(x):
-    while True:
-        text = draw.choice(NOTATIONS)(x)
-        if text is not None:
-            return text
+def number(x, where):
+    return choice("number in " + where, NOTATIONS, lambda way: way(x))
 
 
 def comma(x): return decimal(x).replace(".", ",")
@@ -84,8 +95,9 @@ def comma(x): return decimal(x).replace(".", ",")
 def in_list(values):
     """Decimals, or each entry in a notation of its own; the places of an order as whole numbers."""
     is_order = sorted(values) == list(range(1, len(values) + 1))
-    entries = [number(x) for x in values] if draw.random() < 0.5 and not is_order else [decimal(x) for x in values]
-    return draw.choice(("[{}]", "({})", "{}", "[ {} ]")).format(draw.choice((", ", ",", "; ", "  ")).join(entry.replace(" × ", "×") for entry in entries))
+    entries = [number(x, "a list") for x in values] if draw.random() < 0.5 and not is_order else [decimal(x) for x in values]
+    brackets = choice("brackets", ("[{}]", "({})", "{}", "[ {} ]"))
+    return brackets.format(choice("between", (", ", ",", "; ", "  ")).join(entry.replace(" × ", "×") for entry in entries))
 
 
 def in_list_with_commas(values):
@@ -93,9 +105,9 @@ def in_list_with_commas(values):
 
 
 def in_rows(rows):
-    entries = [[number(x).replace(" × ", "×") for x in row] for row in rows]
+    entries = [[number(x, "rows").replace(" × ", "×") for x in row] for row in rows]
     lines = [", ".join(row) for row in entries]
-    return draw.choice((
+    return choice("rows", (
         "[" + ", ".join(f"[{line}]" for line in lines) + "]",
         "[" + "; ".join(lines) + "]",
         "; ".join(lines),
@@ -105,23 +117,23 @@ def in_rows(rows):
 def with_unit(x, unit):
     """The same angle in the other unit, or the unit written behind the answer."""
     if unit == "deg":
-        return draw.choice((f"{decimal(x)} deg", f"{decimal(x)}°", f"{math.radians(x):.8g} rad", f"{math.radians(x) / math.pi:.8g} pi rad"))
+        return choice(unit, (f"{decimal(x)} deg", f"{decimal(x)}°", f"{math.radians(x):.8g} rad", f"{math.radians(x) / math.pi:.8g} pi rad"))
     if unit == "rad":
-        return draw.choice((f"{decimal(x)} rad", f"{math.degrees(x):.8g} deg", f"{x / math.pi:.8g} pi", f"{math.degrees(x):.8g}°"))
+        return choice(unit, (f"{decimal(x)} rad", f"{math.degrees(x):.8g} deg", f"{x / math.pi:.8g} pi", f"{math.degrees(x):.8g}°"))
     if unit == "m":
-        return draw.choice((f"{decimal(x)} m", f"{1000 * x:.7g} mm", f"{100 * x:.7g} cm"))
+        return choice(unit, (f"{decimal(x)} m", f"{1000 * x:.7g} mm", f"{100 * x:.7g} cm"))
     return f"{decimal(x)} {unit}"
 
 
 def written(value, unit):
     if not isinstance(value, list):
-        ways = [lambda: number(value), lambda: comma(value)]
+        ways = [lambda: number(value, "an answer"), lambda: comma(value)]
         if unit:
             ways += 2 * [lambda: with_unit(value, unit)]
-        return draw.choice(ways)()
+        return choice("answer with a unit" if unit else "answer", ways)()
     if isinstance(value[0], list):
         return in_rows(value)
-    return draw.choice((in_list, in_list, in_list, in_list_with_commas))(value)
+    return choice("list", (in_list, in_list, in_list, in_list_with_commas))(value)
 
 
 def plain(value): return "[" + ", ".join(map(plain, value)) + "]" if isinstance(value, list) else f"{value:.9g}"
@@ -136,31 +148,51 @@ def right_of(folder):
 
 
 def mistakes_of(folder):
-    """For each exercise the mistaken answers that its key lists, with their titles."""
+    """For each exercise the mistaken answers that its key lists, with what is said about them."""
     html = (folder / "solution" / "sheet.html").read_text()
     found = {}
     for section in html.split("<section>")[1:]:
         name = re.search(r"answer <code>(.*?)</code>", section).group(1)
         listed = section.partition("Known mistakes")[2]
-        found[name] = re.findall(r"<li><code>([][\d., e+-]+)</code>", listed)
+        found[name] = re.findall(r"<li><code>([][\d., e+-]+)</code>(.*?)</li>", listed, re.DOTALL)
     return found
 
 
-def grades(place, answers):
-    """@return for each student and exercise what the grader says"""
-    for student, values in answers.items():
+def grades(place, handed):
+    """Grades all at once, since a run reads all exercises. @return for each student's submission what is said about each exercise"""
+    for k, (student, values) in enumerate(handed):
         lines = [f'{name} = "{text}"' for name, text in values.items()]
-        (place / "in" / student / "answers.toml").write_text(
+        (place / "handed" / f"{k:04d}").mkdir(parents=True)
+        (place / "handed" / f"{k:04d}" / "answers.toml").write_text(
             f'format = 1\nstudent = "{student}"\n[answers]\n' + "\n".join(lines) + "\n")
-    shutil.rmtree(place / "graded", ignore_errors=True)
-    said = {}
-    student = None
-    for line in run("grade", place / "in", "--key", place / "key.toml", "--format", "text").splitlines():
+    of, said = [], []
+    for line in run("grade", place / "handed", "--key", place / "key.toml", "--format", "text").splitlines():
         if head := re.match(r"(\S+): [\d.]+ of ", line):
-            student = head.group(1)
+            of.append(head.group(1))
+            said.append({})
         elif verdict := re.match(r"  \S+  (\S+): (.*)$", line):
-            said[student, verdict.group(1)] = verdict.group(2)
+            said[-1][verdict.group(1)] = verdict.group(2)
+    if of != [student for student, _ in handed]:
+        sys.exit(f"notations_test: {len(handed)} submissions, and grades of {of}")
     return said
+
+
+def kind_of(said): return said.partition(". ")[0]
+
+
+def mistaken(keys, known, made):
+    """For each student and exercise a mistake that nobody has made yet, of a kind that nobody has made if there is one."""
+    wrong = {student: {} for student in keys}
+    kinds = {kind_of(said) for _, said in made}
+    for student, key in keys.items():
+        for name in key:
+            left = [(text, said) for text, said in known[student].get(name, ()) if (name, said) not in made]
+            if left:
+                text, said = min(left, key=lambda one: kind_of(one[1]) in kinds)
+                kinds.add(kind_of(said))
+                made.add((name, said))
+                wrong[student][name] = text
+    return wrong
 
 
 def main():
@@ -170,32 +202,34 @@ def main():
         run("sheet", *files, "--class", place / "roster.csv", "--key", place / "key.toml", "--out", place / "in", "--solution",
             "--no-figures")
         keys = {student: right_of(place / "in" / student) for student in students}
+        right = [(student, {name: written(*answer) for name, answer in key.items()}) for _ in range(2) for student, key in keys.items()]
+        unused = sorted(where for where, ways in never.items() if ways)
+        if unused:
+            sys.exit(f"notations_test: seed {seed}: {count} students are too few for every way to write: {unused}")
+        known = {student: mistakes_of(place / "in" / student) for student in students}
+        listed = {(name, said) for student, key in keys.items() for name in key for _, said in known[student].get(name, ())}
+        made = set()
+        wrong = [of for _ in range(2) for of in mistaken(keys, known, made).items()]
+        kinds = {kind_of(said) for _, said in made}
+        if unseen := {kind_of(said) for _, said in listed} - kinds:
+            sys.exit(f"notations_test: seed {seed}: {count} students are too few for every kind of mistake: {unseen}")
         judged, bad = 0, []
-        for _ in range(2):
-            answers = {student: {name: written(*answer) for name, answer in key.items()} for student, key in keys.items()}
-            said = grades(place, answers)
-            for student, values in answers.items():
-                for name, text in values.items():
-                    judged += 1
-                    if said[student, name] != "right":
-                        bad.append(f"{student} {name}: {text!r} for {plain(keys[student][name][0])}: {said[student, name]}")
+        said = grades(place, right + wrong)
+        for (student, values), of in zip(right, said):
+            for name, text in values.items():
+                judged += 1
+                if of[name] != "right":
+                    bad.append(f"{student} {name}: {text!r} for {plain(keys[student][name][0])}: {of[name]}")
         if bad:
             sys.exit(f"notations_test: seed {seed}: {len(bad)} right answers of {judged} are not right:\n" + "\n".join(bad[:20]))
-        named = 0
-        for round_of in range(3):
-            wrong = {}
-            for student in students[:10]:
-                known = mistakes_of(place / "in" / student)
-                wrong[student] = {name: draw.choice(known[name]) for name in keys[student] if known.get(name)}
-            said = grades(place, wrong)
-            for student, values in wrong.items():
-                for name, text in values.items():
-                    named += 1
-                    if not said[student, name].startswith("wrong: "):
-                        bad.append(f"{student} {name}: {text!r}: {said[student, name]}")
+        for (student, values), of in zip(wrong, said[len(right):]):
+            for name, text in values.items():
+                if not of[name].startswith("wrong: "):
+                    bad.append(f"{student} {name}: {text!r}: {of[name]}")
         if bad:
-            sys.exit(f"notations_test: seed {seed}: {len(bad)} mistakes of {named} are not named:\n" + "\n".join(bad[:20]))
-        print(f"seed {seed}: {judged} right answers in {len(NOTATIONS)} notations, {named} known mistakes named")
+            sys.exit(f"notations_test: seed {seed}: {len(bad)} mistakes of {len(made)} are not named:\n" + "\n".join(bad[:20]))
+        print(f"seed {seed}: {judged} right answers in {len(NOTATIONS)} notations, {len(made)} of {len(listed)} "
+              f"known mistakes, of {len(kinds)} kinds, named")
     finally:
         shutil.rmtree(place, ignore_errors=True)
 

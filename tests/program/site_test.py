@@ -8,6 +8,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -29,6 +30,10 @@ def run(*arguments, status=0):
     done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
     assert done.returncode == status, (arguments, done.returncode, done.stderr)
     return done
+
+
+def start(*arguments):
+    return subprocess.Popen([program, "site", *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
 
 def write_page(folder):
@@ -64,6 +69,17 @@ def write_course(folder):
     for scene in (source / "scenes").glob("*.toml"):
         (exercises / "scenes" / scene.name).write_text(scene.read_text())
     return lessons
+
+
+def keep_few(lessons):
+    """The lesson with the strange names, and another."""
+    for name in ["jacobians", "parallel", "hard"]:
+        shutil.rmtree(lessons / name)
+    (lessons / "loops/four-bar.toml").unlink()
+    (lessons / "course.toml").write_text(
+        'format = 1\n[[chapter]]\nname = "loops"\ntitle = "Loops"\nabout = "Alone."\nneeds = []\nlessons = []\n')
+    exercises = lessons.parent / "exercises/clinic.toml"
+    exercises.write_text(re.sub(r"^lesson = .*\n", "", exercises.read_text(), flags=re.M))
 
 
 class Page(HTMLParser):
@@ -204,46 +220,42 @@ with tempfile.TemporaryDirectory() as place:
     version = re.search(r'VERSION = "([0-9a-f]{16})"', (out / "live/service_worker.js").read_text())[1]
     assert version != "0123456789abcdef" and version in (out / "live/index.html").read_text()
 
-    # the same again, to the byte, and in place of the one before; what is hidden stays
-    (out / ".git").mkdir()
-    (out / ".git" / "HEAD").write_text("ref\n")
-    before = files_in(out)
-    run("site", *common, "--out", out, "--title", f"Course {HOSTILE}".replace("\\\\", "\\"))
-    assert files_in(out) == before
-    (lessons / "jacobians/n1-row.toml").unlink()
-    run("site", *common, "--out", out)
-    check_pages(out)
-    assert not (out / "lessons/jacobians").exists() and not (out / "pictures/jacobians").exists() and (out / ".git/HEAD").exists()
-    changed = re.search(r'VERSION = "([0-9a-f]{16})"', (out / "live/service_worker.js").read_text())[1]
-    assert changed != version, "other lessons, the same version"
-
-    # slides, as a file and as an address
-    (place / "slides.pdf").write_bytes(b"%PDF-1.4\n")
-    run("site", *common, "--out", out, "--slides", place / "slides.pdf")
-    check_pages(out)
-    assert 'href="slides.pdf#page=5"' in (out / "slides.html").read_text()
-    run("site", *common, "--out", out, "--slides", "https://example.org/s.pdf")
-    assert 'href="https://example.org/s.pdf#page=5"' in (out / "slides.html").read_text() and not (out / "slides.pdf").exists()
-
     # in another language
     run("site", *common, "--out", place / "zh", "--language", "zh-Hant")
     check_pages(place / "zh")
     assert '<html lang="zh-Hant">' in (place / "zh/index.html").read_text()
     assert "投影片" in text_of(place / "zh/index.html")
 
-    # what is no lesson, but is called like one, is told of and left out
+    # the same again, to the byte, and in place of the one before; what is hidden stays
+    (out / ".git").mkdir()
+    (out / ".git" / "HEAD").write_text("ref\n")
+    before = files_in(out)
+    run("site", *common, "--out", out, "--title", f"Course {HOSTILE}".replace("\\\\", "\\"))
+    assert files_in(out) == before
+    # fewer lessons, which are drawn again and again below, and slides as a file
+    keep_few(lessons)
+    (place / "slides.pdf").write_bytes(b"%PDF-1.4\n")
+    run("site", *common, "--out", out, "--slides", place / "slides.pdf")
+    check_pages(out)
+    assert {p.name for folder in ("lessons", "pictures") for p in (out / folder).iterdir()} == {"loops", "dynamics"}
+    assert not (out / "lessons/loops/four-bar.html").exists() and not (out / "pictures/loops/four-bar").exists() and (out / ".git/HEAD").exists()
+    changed = re.search(r'VERSION = "([0-9a-f]{16})"', (out / "live/service_worker.js").read_text())[1]
+    assert changed != version, "other lessons, the same version"
+    assert 'href="slides.pdf#page=8"' in (out / "slides.html").read_text() and (out / "slides.pdf").exists()
+
+    # slides as an address; what is no lesson, but is called like one, is told of and left out
     os.mkfifo(lessons / "pipe.toml")
     (lessons / "broken.toml").symlink_to("nowhere.toml")
     (lessons / "folder.toml").mkdir()
-    told = run("site", *common, "--out", out).stderr
-    for name in ["pipe.toml", "broken.toml", "folder.toml"]:
-        assert f"{lessons / name}: this is no file of text, and is left out" in told, told
     # programs keep files beside those of people
     (lessons / "._four-bar.toml").write_bytes(b"\xff\0")
-    assert "._four-bar.toml: its name begins with a dot, and is left out" in run("site", *common, "--out", out).stderr
-    os.unlink(lessons / "._four-bar.toml")
-    os.unlink(lessons / "pipe.toml")
-    os.unlink(lessons / "broken.toml")
+    told = run("site", *common, "--out", out, "--slides", "https://example.org/s.pdf").stderr
+    for name in ["pipe.toml", "broken.toml", "folder.toml"]:
+        assert f"{lessons / name}: this is no file of text, and is left out" in told, told
+    assert "._four-bar.toml: its name begins with a dot, and is left out" in told, told
+    assert 'href="https://example.org/s.pdf#page=8"' in (out / "slides.html").read_text() and not (out / "slides.pdf").exists()
+    for name in ["._four-bar.toml", "pipe.toml", "broken.toml"]:
+        os.unlink(lessons / name)
     (lessons / "folder.toml").rmdir()
 
     # what is refused is said, and the site of before stays as it was
@@ -283,21 +295,33 @@ with tempfile.TemporaryDirectory() as place:
         (out / "site.json").write_text(text)
         assert words in run("site", *common, "--out", out, status=2).stderr, text
     (out / "site.json").write_text(manifest.replace('"top": [', '"top": ["", ".git", "../page", "site.json",'))
+    began = time.monotonic()
     run("site", *common, "--out", out)
+    seconds = time.monotonic() - began
     assert (out / ".git/HEAD").exists() and page.is_dir()
     check_pages(out)
-    # two at once: one writes, the other says why it does not
-    both = [subprocess.Popen([program, "site", *map(str, common), "--out", str(place / "both")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(2)]
+    # two at once: one writes, the other waits, or says why it does not
+    both = [start(*common, "--out", place / "both") for _ in range(2)]
     said = [process.communicate()[1] for process in both]
     codes = [process.returncode for process in both]
     assert 0 in codes and all(code == 0 or "does another run write a site" in words for code, words in zip(codes, said)), (codes, said)
     check_pages(place / "both")
-    # killed at any moment, the next run makes it whole
-    for delay in [0.05, 0.4, 1.0, 1.6]:
-        process = subprocess.Popen([program, "site", *map(str, common), "--out", str(place / "both")], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(delay)
+    # where one does not go on, the other gives up
+    stopped = start(*common, "--out", place / "both")
+    while not (place / "both/.unfinished-site").exists():
+        assert stopped.poll() is None, stopped.communicate()
+        time.sleep(0.01)
+    stopped.send_signal(signal.SIGSTOP)
+    assert "does another run write a site" in run("site", *common, "--out", place / "both", status=2).stderr
+    stopped.kill()
+    stopped.communicate()
+    check_pages(place / "both")
+    # killed at any moment of the time that one takes, the next run makes it whole
+    for part in [0.05, 0.4, 0.7, 0.95]:
+        process = start(*common, "--out", place / "both")
+        time.sleep(part * seconds)
         process.kill()
-        process.wait()
+        process.communicate()
         check_pages(place / "both")
     os.rename(place / "both/lessons", place / "both/.lessons")
     (place / "both/.replaced-site").mkdir()

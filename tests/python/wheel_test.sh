@@ -5,7 +5,7 @@ set -uo pipefail
 
 cmake=$1 sources=$2 build=$3 version=$4 python=$5
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+trap 'wait; rm -rf "$folder"' EXIT
 unset PYTHONPATH JOINTWISE_LESSONS
 failures=0
 
@@ -18,9 +18,20 @@ fail() {
 wheel=$(echo "$folder"/wheels/jointwise-"$version"-cp*-linux_*.whl)
 [ -f "$wheel" ] || { fail "there is no wheel for this Python: $(ls "$folder/wheels")"; exit 1; }
 
-# numpy is the system's
-"$python" -m venv --system-site-packages "$folder/venv" || exit 1
-"$folder/venv/bin/pip" install --quiet --no-index --no-deps "$wheel" || exit 1
+# once more, while the first is tested
+"$sources/app/python/wheel.sh" "$cmake" "$sources" "$build" "$version" "$python" "$folder/again" &
+again=$!
+
+# numpy is the system's; where Debian's pip can run from its own wheel, it is not unpacked, which takes seconds
+pip=$(echo /usr/share/python-wheels/pip-*.whl)
+if [ -f "$pip" ]; then
+    "$python" -m venv --system-site-packages --without-pip "$folder/venv" || exit 1
+    pip=("$folder/venv/bin/python" "$pip/pip")
+else
+    "$python" -m venv --system-site-packages "$folder/venv" || exit 1
+    pip=("$folder/venv/bin/pip")
+fi
+"${pip[@]}" install --quiet --no-index --no-deps "$wheel" || exit 1
 package=$(echo "$folder"/venv/lib/python3*/site-packages/jointwise)
 
 # nothing in it names where it was built
@@ -44,7 +55,7 @@ for name in copyright third-party/libeigen3-dev third-party/libfmt-dev third-par
     [ -s "$package/share/doc/jointwise/$name" ] || fail "the wheel lacks the copyright $name"
 done
 
-"$sources/app/python/wheel.sh" "$cmake" "$sources" "$build" "$version" "$python" "$folder/again" || exit 1
+wait "$again" || exit 1
 cmp "$wheel" "$folder/again/$(basename "$wheel")" || fail "the same files give another wheel"
 
 cd "$folder" || exit 1
