@@ -1,13 +1,21 @@
 include(Catch)
 
-# jw_add_tests(name SOURCES a.cpp ... LIBS target ...): a test program whose every test case is known to ctest.
+# jw_add_tests(name SOURCES a.cpp ... LIBS target ... [HEADERS target | PLAIN]): a test program whose every test
+# case is known to ctest. HEADERS: who has its precompiled headers, jw_test_headers if it is not said; PLAIN: nobody,
+# where other flags or few headers would make them useless.
 function(jw_add_tests name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "PLAIN" "HEADERS" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE JW_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # each runs once: compiling is what takes time
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} jw_test_main jw_warnings)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  if(ARG_HEADERS)
+    jw_precompiled_by(${ARG_HEADERS} ${name})
+  elseif(NOT ARG_PLAIN)
+    jw_precompiled_by(jw_test_headers ${name})
+  endif()
   # a name that Catch reads as another filter would run nothing, and pass
   catch_discover_tests(${name}
     TEST_PREFIX "${name}: "

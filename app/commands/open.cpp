@@ -40,8 +40,8 @@ struct OpenOptions {
 };
 
 // smaller ones have no room for a picture and a panel; larger ones are typing errors
-constexpr PixelSize kSmallest{320, 200};
-constexpr PixelSize kLargest{7680, 7680};
+constexpr PixelSize kSmallestWindow{320, 200};
+constexpr PixelSize kLargestWindow{7680, 7680};
 
 /// @throws CommandError if the lesson has no such exercise
 void begin(host::Host& host, const std::string& exercise) {
@@ -113,7 +113,7 @@ host::Address address_in(
 }
 
 Exit open(const OpenOptions& options, const Streams& streams) {
-    const PixelSize size = size_option(options.size, kSmallest, kLargest);
+    const PixelSize size = size_option(options.size, kSmallestWindow, kLargestWindow);
     if (!std::isfinite(options.text)) {
         throw CommandError(Exit::bad_input, "jointwise: error: --text is not finite; expected 0.75 to 1.5");
     }

@@ -30,8 +30,8 @@ struct SnapshotOptions {
     std::string reason;
 };
 
-constexpr PixelSize kSmallest{snapshot::kSmallestSize.width, snapshot::kSmallestSize.height};
-constexpr PixelSize kLargest{snapshot::kLargestSize.width, snapshot::kLargestSize.height};
+constexpr PixelSize kSmallestShot{snapshot::kSmallestSize.width, snapshot::kSmallestSize.height};
+constexpr PixelSize kLargestShot{snapshot::kLargestSize.width, snapshot::kLargestSize.height};
 constexpr const char* kPage = "index.html";
 constexpr const char* kJunit = "junit.xml";
 constexpr const char* kJson = "report.json";
@@ -91,7 +91,7 @@ snapshot::GoldenHead head_for(const snapshot::GoldenFolder& folder, const snapsh
 }
 
 Exit record_command(const SnapshotOptions& options, const Streams& streams) {
-    const PixelSize size = size_option(options.size, kSmallest, kLargest);
+    const PixelSize size = size_option(options.size, kSmallestShot, kLargestShot);
     const snapshot::GoldenHead wanted{
         {size.width, size.height}, {options.moments, options.only}, std::string(language())};
     snapshot::RecordResult all;

@@ -9,7 +9,7 @@ add_link_options(-fwasm-exceptions)
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fexperimental-library>)
 add_link_options(-fexperimental-library)
 
-set(JW_WEB_SOURCES ${PROJECT_SOURCE_DIR}/build/web-toolchain/sources CACHE PATH "Sources of imgui, freetype and libdeflate")
+set(JW_WEB_SOURCES "" CACHE PATH "Sources of imgui, freetype and libdeflate: what toolchain.sh has fetched")
 
 # The system's headers as a whole are those of another machine: each package is linked into a folder of its own.
 function(jw_header_package target name file)

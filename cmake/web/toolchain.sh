@@ -48,7 +48,7 @@ fetch() {
     rm -rf "$folder/packages"
 }
 
-echo "dev: fetching the compiler of the page, once: 330 MB, then 2 GB in build/web-toolchain" >&2
+echo "dev: fetching the compiler of the page, once: 330 MB, then 2 GB in $folder" >&2
 rm -f "$done"
 for from in "$suite" trixie; do apt_of "$from" update >&2; done
 fetch trixie newer emscripten binaryen libc6 libstdc++6 libgcc-s1

@@ -21,7 +21,8 @@ std::string vector_word(const Vec3& v) {
     for (int k = 0; k < 3; ++k) {
         std::array<char, 32> digits{};
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), v(k) + 0.0).ptr;
-        text += (k > 0 ? " " : "") + std::string(digits.data(), end);
+        if (k > 0) { text += ' '; }
+        text.append(digits.data(), end);
     }
     return text + "]";
 }
@@ -94,7 +95,7 @@ private:
     }
     static std::string axis(int component) { return std::string(kAxes[at(component)]); }
     std::string coordinate(int of, int k) const {
-        if (k >= 3) { return dotted(body(of), "e" + std::to_string(k - 3)); }
+        if (k >= 3) { return dotted(body(of), std::string("e").append(std::to_string(k - 3))); }
         const std::string vector = dot_.empty() ? "" : ".r" + dot_;
         return body(of) + vector + "." + std::string(kAxes[at(k)]);
     }

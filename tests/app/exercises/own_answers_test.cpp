@@ -182,7 +182,7 @@ const Exercise& exercise_named(const ExercisesRead& read, const std::string& nam
 
 TEST_CASE("Answers are those of formulas that are written once more", "[exercises]") {
     for (const OwnAnswer& own : kOwnAnswers) {
-        const ExercisesRead read = read_exercise_file(std::string(JW_EXERCISES_FOLDER) + "/" + own.file);
+        const ExercisesRead read = read_exercise_file(std::string(JW_EXERCISES_FOLDER "/").append(own.file));
         const TaskMaker maker(exercise_named(read, own.exercise));
         for (const char* student : {"ann", "bob", "cyd", "dee"}) {
             const Task task = maker.make(seed_of("own", student, own.exercise));

@@ -1,0 +1,13 @@
+#pragma once
+
+/// As core.hpp, for what reads and writes lesson files.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "cmake/precompiled/core.hpp"
+#include "lessons/fields.hpp"
+#include "lessons/lesson.hpp"

@@ -1,0 +1,1 @@
+// Source of targets that only have precompiled headers.
