@@ -69,13 +69,31 @@ std::vector<Unbroken> units_of(std::string_view line) {
     return units;
 }
 
+/// Width of a line of which a part that is `before` wide stands before `text`. One sum from the left, so that
+/// a line that grows is as wide as one that is measured at once.
+float width_behind(float before, const ImFont& font, std::string_view text) {
+    const auto advance = [&](char32_t c) {
+        const bool drawn = c <= IM_UNICODE_CODEPOINT_MAX;  // ImGui draws a box for others
+        before +=
+            font.GetCharAdvance(drawn ? static_cast<ImWchar>(c) : ImWchar{IM_UNICODE_CODEPOINT_INVALID});
+    };
+    if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
+        for (const char c : text) { advance(static_cast<unsigned char>(c)); }
+    } else {
+        for (const char32_t c : from_utf8(text)) { advance(c); }
+    }
+    return before;
+}
+
 /// The longest beginning of `text` that is no wider than `width`, at least one character.
 std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float width) {
     std::size_t fits = 0;
+    float so_far = 0.0F;
     while (fits < text.size()) {
         const std::size_t next = std::min(
             text.size(), fits + std::max<std::size_t>(1, bytes_of(static_cast<unsigned char>(text[fits]))));
-        if (fits > 0 && text_width(font, text.substr(0, next)) > width) { break; }
+        so_far = width_behind(so_far, font, text.substr(fits, next - fits));
+        if (fits > 0 && so_far > width) { break; }
         fits = next;
     }
     return fits;
@@ -84,10 +102,13 @@ std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float widt
 /// Greedy, one paragraph.
 void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_view paragraph, float width) {
     std::string line;
+    float so_far = 0.0F;
     for (auto& [unit, space_before] : units_of(paragraph)) {
-        const std::string longer = line.empty() ? unit : line + (space_before ? " " : "") + unit;
-        if (text_width(font, longer) <= width) {
-            line = longer;
+        const std::string added = (!line.empty() && space_before ? " " : "") + unit;
+        const float longer = width_behind(so_far, font, added);
+        if (longer <= width) {
+            line += added;
+            so_far = longer;
             continue;
         }
         if (!line.empty()) { lines.push_back(line); }
@@ -101,20 +122,14 @@ void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_
             unit.erase(0, cut + (unit[cut] == ' ' ? 1 : 0));
         }
         line = unit;
+        so_far = text_width(font, unit);
     }
     if (!line.empty()) { lines.push_back(line); }
 }
 
 }  // namespace
 
-float text_width(const ImFont& font, std::string_view text) {
-    float width = 0.0F;
-    for (const char32_t c : from_utf8(text)) {
-        const bool drawn = c <= IM_UNICODE_CODEPOINT_MAX;  // ImGui draws a box for others
-        width += font.GetCharAdvance(drawn ? static_cast<ImWchar>(c) : ImWchar{IM_UNICODE_CODEPOINT_INVALID});
-    }
-    return width;
-}
+float text_width(const ImFont& font, std::string_view text) { return width_behind(0.0F, font, text); }
 
 std::string typeset(std::string_view text) {
     constexpr std::array<std::pair<char, const char*>, 6> subscripts{
