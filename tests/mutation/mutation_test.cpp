@@ -36,7 +36,7 @@ std::vector<Mutant> all_mutants() {
     return mutants;
 }
 
-/// What a run of `mutated_tests` with a mutant said.
+/// Outcome of a run of `mutated_tests` with a mutant.
 struct Verdict {
     bool passed = false;
     std::string last_test;  ///< the test that failed, or that was running when the program ended
