@@ -2,8 +2,8 @@
 
 #include "app/commands/command_line.hpp"
 
-/// The commands that tell, compute and draw one lesson: a program that is built in half the time of the whole
-/// one, for the first picture (./dev run).
+/// Program of the commands that tell, compute and draw one lesson, for ./dev run, which finds them here:
+/// built without exercises, sites, snapshots, hard cases and the window.
 int main(int argc, char** argv) {
     using jw::AddCommand;
     static const std::array commands{
