@@ -60,7 +60,7 @@ void check(const ExportOptions& options) {
     }
 }
 
-void write(const std::string& file, const std::string& text, const Streams& streams) {
+void write_file(const std::string& file, const std::string& text, const Streams& streams) {
     if (file == kStandardOutput) {
         streams.out << text;
     } else if (!file.empty()) {
@@ -100,13 +100,13 @@ Exit export_command(const ExportOptions& options, const Streams& streams) {
     const Story story(changed.lesson, how);
     if (options.wants_step()) {
         const View view = view_of(story, step_of(options, story));
-        write(
+        write_file(
             options.latex,
             "% " + std::filesystem::path(changed.lesson.file_name).filename().string() + ", step " +
                 std::to_string(view.step) + "\n" + equations_latex(view) +
                 matrix_latex(view.matrix, MatrixStyle::labelled),
             streams);
-        write(options.csv, matrix_csv(view.matrix), streams);
+        write_file(options.csv, matrix_csv(view.matrix), streams);
         write_pictures(options, size, story, view);
     }
     if (!options.gltf.empty()) {

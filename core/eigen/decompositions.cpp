@@ -20,4 +20,7 @@ Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& A) {
     return qr.householderQ() * Eigen::MatrixXd::Identity(A.rows(), A.cols());
 }
 
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& m) { return m.inverse(); }
+double determinant_of(const Eigen::MatrixXd& m) { return m.determinant(); }
+
 }  // namespace jw

@@ -246,6 +246,34 @@ template class Assembler<ModifiedEulerParameters>;
 template class Assembler<OmegaLocal>;
 template class Assembler<OmegaGlobal>;
 
+template <class C>
+ConstraintTerms terms_of(const Constraint& constraint, const State& state, const Motion& motion) {
+    const auto kinematics = [&](int b) {
+        return kinematics_at<C>(
+            state.r[at(b)], state.p[at(b)], motion.r_dot[at(b)], motion.omega_local[at(b)]);
+    };
+    const BodyKinematics<C> i = kinematics(constraint.body_i);
+    const BodyKinematics<C> j = kinematics(constraint.body_j);
+    const Theta theta = theta_of(constraint.theta, state, &motion);
+    const auto visit = [&](const auto& primitive) {
+        const auto moving = equations<Content::motion>(primitive, i, j, theta);
+        const auto jet = equations<Content::jacobian>(primitive, i, j, theta);
+        using J = std::decay_t<decltype(jet)>;
+        const MatrixX none = MatrixX::Zero(J::kDim, kColumnsPerBody<C>);
+        ConstraintTerms terms{moving.value, moving.rate, moving.bias, none, none, VectorX::Zero(J::kDim)};
+        if constexpr ((J::kSides & kBodyI) != 0) { terms.block_i = jet.block_i; }
+        if constexpr ((J::kSides & kBodyJ) != 0) { terms.block_j = jet.block_j; }
+        if constexpr ((J::kSides & kTheta) != 0) { terms.block_theta = jet.block_theta; }
+        return terms;
+    };
+    return std::visit(visit, constraint.primitive);
+}
+
+template ConstraintTerms terms_of<TrueEulerParameters>(const Constraint&, const State&, const Motion&);
+template ConstraintTerms terms_of<ModifiedEulerParameters>(const Constraint&, const State&, const Motion&);
+template ConstraintTerms terms_of<OmegaLocal>(const Constraint&, const State&, const Motion&);
+template ConstraintTerms terms_of<OmegaGlobal>(const Constraint&, const State&, const Motion&);
+
 VectorX values_of(const Constraint& constraint, const State& state) {
     const auto kinematics = [&](int b) { return kinematics_at<OmegaLocal>(state.r[at(b)], state.p[at(b)]); };
     const auto i = kinematics(constraint.body_i);

@@ -81,6 +81,18 @@ private:
 /// Φ of all equations of a constraint at `state`, including those without a row.
 VectorX values_of(const Constraint& constraint, const State& state);
 
+/// All equations of a constraint, including those without a row, with their derivatives in the coordinates C.
+struct ConstraintTerms {
+    VectorX value;        ///< Φ
+    VectorX rate;         ///< its time derivative
+    VectorX bias;         ///< part of the second one that is quadratic in velocities: -γ
+    MatrixX block_i;      ///< columns of body i in Φq, 0 where Φ does not depend on them; 7 or 6 of them
+    MatrixX block_j;      ///< columns of body j
+    VectorX block_theta;  ///< column of the artificial coordinate
+};
+template <class C>
+ConstraintTerms terms_of(const Constraint& constraint, const State& state, const Motion& motion);
+
 /// Value, rate and acceleration of a measure between two bodies (θ for a screw) at given motion.
 struct Measured {
     double value = 0.0;

@@ -17,7 +17,7 @@ struct RadauTable {
     double gamma_0 = 0.0;  ///< real eigenvalue of a
     VectorX e;             ///< local error gamma_0 h f(y0) + Σ e_i z_i, of order s + 1
 };
-/// @param stages odd: 3 for order 5, 5 for order 9
+/// @param stages 3 for order 5 or 5 for order 9
 RadauTable radau_table(int stages);
 
 /// Radau integrator: collocation in reduced coordinates x with s times as many unknowns as these, whatever

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "core/jets/body_kinematics.hpp"
-#include "core/jets/primitives.hpp"
+#include "core/equations/assembler.hpp"
 #include "core/quantity/names.hpp"
 
 namespace jw::formula {
@@ -106,40 +105,27 @@ private:
 
     // ---- Φ, Φq, γ -----------------------------------------------------------------------------
 
+    /// Of every constraint of the joint that is meant.
     template <class C>
-    BodyKinematics<C> kinematics(int b) const {
-        const std::size_t k = jw::at(b);
-        return kinematics_at<C>(
-            instant_->state.r[k], instant_->state.p[k], instant_->velocity.r_dot[k],
-            instant_->velocity.omega_local[k]);
-    }
-
-    Theta theta_of(const Constraint& c) const {
-        if (c.theta < 0) { return {}; }
-        return {instant_->state.theta[jw::at(c.theta)], instant_->velocity.theta_dot[jw::at(c.theta)]};
-    }
-
-    /// Calls `f` with every jet of the joint's primitives that are meant.
-    template <class C, Content K, class F>
-    void for_each_jet(F&& f) const {
-        const auto i = kinematics<C>(joint_->body_i);
-        const auto j = kinematics<C>(joint_->body_j);
+    std::vector<ConstraintTerms> terms() const {
+        std::vector<ConstraintTerms> all;
         for (const Constraint& c : instant_->system->constraints()) {
             if (c.joint != index_ || (role_ && c.role != *role_)) { continue; }
-            std::visit(
-                [&](const auto& primitive) { f(equations<K>(primitive, i, j, theta_of(c))); }, c.primitive);
+            all.push_back(terms_of<C>(c, instant_->state, instant_->velocity));
         }
+        return all;
     }
 
-    /// Rows below each other.
-    static MatrixX stack(const std::vector<MatrixX>& parts) {
+    /// One member of all terms, below each other.
+    template <class Member>
+    static MatrixX stack(const std::vector<ConstraintTerms>& terms, Member member) {
         Eigen::Index rows = 0;
-        for (const MatrixX& part : parts) { rows += part.rows(); }
-        MatrixX all(rows, parts.empty() ? 0 : parts.front().cols());
+        for (const ConstraintTerms& part : terms) { rows += (part.*member).rows(); }
+        MatrixX all(rows, terms.empty() ? 0 : (terms.front().*member).cols());
         Eigen::Index top = 0;
-        for (const MatrixX& part : parts) {
-            all.middleRows(top, part.rows()) = part;
-            top += part.rows();
+        for (const ConstraintTerms& part : terms) {
+            all.middleRows(top, (part.*member).rows()) = part.*member;
+            top += (part.*member).rows();
         }
         return all;
     }
@@ -171,25 +157,20 @@ private:
     }
 
     Value value_of_phi() const {
-        std::vector<MatrixX> values;
-        std::vector<MatrixX> rates;
-        std::vector<MatrixX> biases;
-        for_each_jet<OmegaLocal, Content::motion>([&](const auto& jet) {
-            values.push_back(jet.value);
-            rates.push_back(jet.rate);
-            biases.push_back(jet.bias);
-        });
-        MatrixX second = stack(biases);
+        const std::vector<ConstraintTerms> all = terms<OmegaLocal>();
+        MatrixX second = stack(all, &ConstraintTerms::bias);
         if (instant_->acceleration) {
-            second += theta_acceleration();
+            second += theta_acceleration(all);
             for (const bool i : {true, false}) {
                 const std::size_t b = jw::at(i ? joint_->body_i : joint_->body_j);
                 Eigen::Matrix<double, 6, 1> q_ddot;
                 q_ddot << instant_->acceleration->r_dot[b], instant_->acceleration->omega_local[b];
-                second += blocks<OmegaLocal>(i) * q_ddot;
+                second += stack(all, i ? &ConstraintTerms::block_i : &ConstraintTerms::block_j) * q_ddot;
             }
         }
-        Value phi = moving(stack(values), stack(rates), second, instant_->acceleration ? 2 : 1);
+        Value phi = moving(
+            stack(all, &ConstraintTerms::value), stack(all, &ConstraintTerms::rate), second,
+            instant_->acceleration ? 2 : 1);
         // where Φ = 0, its terms are not
         for (const Constraint& c : instant_->system->constraints()) {
             if (c.joint == index_) { phi.scale[0] = std::max(phi.scale[0], c.unit); }
@@ -198,56 +179,30 @@ private:
     }
 
     /// Part of Φ̈ by the artificial coordinate of a screw.
-    MatrixX theta_acceleration() const {
-        std::vector<MatrixX> parts;
+    MatrixX theta_acceleration(const std::vector<ConstraintTerms>& all) const {
+        const MatrixX columns = stack(all, &ConstraintTerms::block_theta);
         for (const Constraint& c : instant_->system->constraints()) {
-            if (c.joint != index_ || (role_ && c.role != *role_)) { continue; }
-            MatrixX part = MatrixX::Zero(c.equations, 1);
-            const auto i = kinematics<OmegaLocal>(joint_->body_i);
-            const auto j = kinematics<OmegaLocal>(joint_->body_j);
-            std::visit(
-                [&](const auto& primitive) {
-                    const auto jet = equations<Content::jacobian>(primitive, i, j, theta_of(c));
-                    if constexpr ((std::decay_t<decltype(jet)>::kSides & kTheta) != 0) {
-                        part = jet.block_theta * instant_->acceleration->theta_dot[jw::at(c.theta)];
-                    }
-                },
-                c.primitive);
-            parts.push_back(part);
+            if (c.joint == index_ && c.theta >= 0) {
+                return columns * instant_->acceleration->theta_dot[jw::at(c.theta)];
+            }
         }
-        return stack(parts);
-    }
-
-    /// All columns of body i or j.
-    template <class C>
-    MatrixX blocks(bool i) const {
-        std::vector<MatrixX> parts;
-        for_each_jet<C, Content::jacobian>([&](const auto& jet) {
-            using J = std::decay_t<decltype(jet)>;
-            MatrixX part = MatrixX::Zero(J::kDim, kColumnsPerBody<C>);
-            if constexpr ((J::kSides & kBodyI) != 0) {
-                if (i) { part = jet.block_i; }
-            }
-            if constexpr ((J::kSides & kBodyJ) != 0) {
-                if (!i) { part = jet.block_j; }
-            }
-            parts.push_back(part);
-        });
-        return stack(parts);
+        return MatrixX::Zero(columns.rows(), columns.cols());
     }
 
     /// Columns that an index names in the coordinates C; empty if it names none.
     template <class C>
     MatrixX block(const std::string& index) const {
         if (index == "q") {
-            MatrixX both(blocks<C>(true).rows(), 2 * kColumnsPerBody<C>);
-            both << blocks<C>(true), blocks<C>(false);
+            const std::vector<ConstraintTerms> all = terms<C>();
+            MatrixX both(stack(all, &ConstraintTerms::value).rows(), 2 * kColumnsPerBody<C>);
+            both << stack(all, &ConstraintTerms::block_i), stack(all, &ConstraintTerms::block_j);
             return both;
         }
         Symbol variable{{}, 0, {}, index};
         const char side = side_of(variable);
         if (side == '\0') { return {}; }
-        const MatrixX all = blocks<C>(side == 'i');
+        const MatrixX all =
+            stack(terms<C>(), side == 'i' ? &ConstraintTerms::block_i : &ConstraintTerms::block_j);
         if (variable.index == "r") { return all.leftCols(3); }
         const std::string angular =
             C::kNormalised ? "p" : (C::kChoice == CoordinateChoice::omega_global ? "ω" : "ω′");
@@ -264,9 +219,7 @@ private:
 
     template <class C>
     MatrixX right_side() const {
-        std::vector<MatrixX> parts;
-        for_each_jet<C, Content::motion>([&](const auto& jet) { parts.push_back(-jet.bias); });
-        return stack(parts);
+        return -stack(terms<C>(), &ConstraintTerms::bias);
     }
 
     std::optional<Value> gamma(const Symbol& symbol) const {

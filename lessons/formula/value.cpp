@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 
 namespace jw::formula {
@@ -15,6 +14,8 @@ namespace {
 using Kind = Value::Kind;
 
 double largest(const MatrixX& m) { return m.size() == 0 ? 0.0 : m.cwiseAbs().maxCoeff(); }
+
+MatrixX times(const MatrixX& a, const MatrixX& b) { return a * b; }
 
 /// Applies a linear map to value and derivatives.
 template <class F>
@@ -147,9 +148,7 @@ Value product(const Value& a, const Value& b) {
         return out;
     }
     if (a.cols() != b.rows()) { throw Mismatch(shape_text(a) + " is multiplied by " + shape_text(b)); }
-    return by_product_rule(
-        a, b, static_cast<double>(a.cols()),
-        [](const MatrixX& x, const MatrixX& y) -> MatrixX { return x * y; });
+    return by_product_rule(a, b, static_cast<double>(a.cols()), times);
 }
 
 Value quotient(const Value& a, const Value& b) {
@@ -181,10 +180,11 @@ Value inverse(const Value& a) {
     if (a.rows() != a.cols()) { throw Mismatch("the inverse of " + shape_text(a) + " is taken"); }
     Value out;
     out.order = a.order;
-    const MatrixX inverted = a.d[0].inverse();
+    const MatrixX inverted = inverse_of(a.d[0]);
     out.d[0] = inverted;
-    if (a.order >= 1) { out.d[1] = -inverted * a.d[1] * inverted; }
-    if (a.order >= 2) { out.d[2] = -inverted * (a.d[2] * inverted + 2.0 * a.d[1] * out.d[1]); }
+    const MatrixX negative = -inverted;
+    if (a.order >= 1) { out.d[1] = times(times(negative, a.d[1]), inverted); }
+    if (a.order >= 2) { out.d[2] = times(negative, times(a.d[2], inverted) + 2.0 * times(a.d[1], out.d[1])); }
     for (std::size_t k = 0; k < 3; ++k) {
         out.scale[k] = largest(out.d[k]) * (1.0 + largest(inverted) * a.scale[0]);
     }
@@ -253,7 +253,7 @@ Value length(const Value& a) {
 Value determinant(const Value& a) {
     require_matrix(a, "the determinant");
     if (a.rows() != a.cols()) { throw Mismatch("the determinant of " + shape_text(a) + " is taken"); }
-    Value out = number(a.d[0].determinant());
+    Value out = number(determinant_of(a.d[0]));
     out.order = 0;
     out.scale[0] = std::max(1.0, elementary::pow(a.scale[0], static_cast<double>(a.rows())));
     return out;

@@ -17,34 +17,40 @@ constexpr Real kFirstStep = 1e-4L;
 constexpr Real kSecondStep = 5e-4L;
 constexpr double kDifferenceTolerance = 1e-9;
 
-/// Rates of the rows of joints and drivers, from their jets of motion.
+/// Rates of the rows of joints and drivers. What is told of a constraint by itself is what its rows have.
 template <class C>
-VectorX rates_of(const System& system, const State& state, const Motion& motion) {
-    const auto body = [&](int index) {
-        const auto b = static_cast<std::size_t>(index);
-        return kinematics_at<C>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
-    };
-    const auto theta = [&](int index) {
-        const auto k = static_cast<std::size_t>(index);
-        return index < 0 ? Theta{} : Theta{state.theta[k], motion.theta_dot[k]};
-    };
+VectorX rates_of(const Assembler<C>& assembler, const State& state, const Motion& motion) {
+    const System& system = assembler.system();
     VectorX rates(system.rows());
     for (const Constraint& c : system.constraints()) {
+        const ConstraintTerms terms = terms_of<C>(c, state, motion);
         int row = c.first_row;
-        const auto write = [&](const auto& primitive) {
-            const auto jet =
-                equations<Content::motion>(primitive, body(c.body_i), body(c.body_j), theta(c.theta));
-            for (int k = 0; k < jet.kDim; ++k) {
-                if (c.has_row(k)) { rates(row++) = jet.rate(k); }
-            }
-        };
-        std::visit(write, c.primitive);
+        for (int k = 0; k < c.equations; ++k) {
+            if (!c.has_row(k)) { continue; }
+            VectorX entries = VectorX::Zero(assembler.layout().columns());
+            const auto add = [&](int body, const MatrixX& block) {
+                const int column = system.body_column(body, C::kAngular);
+                if (column >= 0) { entries.segment(column, block.cols()) += block.row(k).transpose(); }
+            };
+            add(c.body_i, terms.block_i);
+            add(c.body_j, terms.block_j);
+            if (c.theta >= 0) { entries(system.theta_column(c.theta, C::kAngular)) = terms.block_theta(k); }
+            CHECK(terms.value(k) == assembler.phi()(row));
+            CHECK(-terms.bias(k) == assembler.gamma()(row));
+            CHECK(entries == assembler.jacobian().row(row).transpose());
+            rates(row++) = terms.rate(k);
+        }
     }
     for (const DriverConstraint& c : system.drivers()) {
         const Driver& d = system.mechanism().drivers[static_cast<std::size_t>(c.driver)];
+        const auto body = [&](int index) {
+            const auto b = static_cast<std::size_t>(index);
+            return kinematics_at<C>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
+        };
+        const auto k = static_cast<std::size_t>(c.theta);
+        const Theta theta = c.theta < 0 ? Theta{} : Theta{state.theta[k], motion.theta_dot[k]};
         const auto write = [&](const auto& measure) {
-            const auto i = body(d.body_i);
-            rates(c.row) = measured<Content::motion>(measure, i, body(d.body_j), theta(c.theta)).rate(0);
+            rates(c.row) = measured<Content::motion>(measure, body(d.body_i), body(d.body_j), theta).rate(0);
         };
         std::visit(write, d.measure);
     }
@@ -93,7 +99,7 @@ void check_against_differences(
     const VX second =
         (16 * (along(h) + along(-h)) - (along(2 * h) + along(-2 * h)) - 30 * along(0)) / (12 * h * h);
     CHECK(close(assembler.jacobian() * a - assembler.gamma(), second));
-    const VectorX rates = rates_of<C>(system, state, motion);
+    const VectorX rates = rates_of<C>(assembler, state, motion);
     CHECK(close(rates, (assembler.jacobian().topRows(rates.size()) * v).template cast<Real>()));
 }
 

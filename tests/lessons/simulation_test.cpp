@@ -54,7 +54,16 @@ TEST_CASE(
             const VectorX powers = t.c.array().pow(k - 1);
             // quadrature of order 2 s - 1; the tables are solved from powers, a few digits above rounding
             CHECK(std::abs(t.a.row(stages - 1).dot(powers) - 1.0 / k) < 1e-12);
+            if (k > stages) { continue; }
+            // collocation: from 0 to each node
+            const VectorX integrals = t.c.array().pow(k) / k;
+            CHECK((t.a * powers - integrals).cwiseAbs().maxCoeff() < 1e-12);
+            // the quadrature behind the local error: weight gamma_0 at 0
+            const VectorX b_hat = t.a.transpose() * t.e + t.a.row(stages - 1).transpose();
+            CHECK(std::abs((k == 1 ? t.gamma_0 : 0.0) + b_hat.dot(powers) - 1.0 / k) < 1e-12);
         }
+        const MatrixX shifted = t.a - t.gamma_0 * MatrixX::Identity(stages, stages);
+        CHECK(std::abs(shifted.determinant()) < 1e-15);
     }
 }
 
