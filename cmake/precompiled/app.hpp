@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "app/session/picture/picture.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/view/view.hpp"
