@@ -46,8 +46,8 @@ void try_out(Fields& fields, const Reading& reading, const formula::Formula& for
             std::make_shared<const Centroidal>(centroidal(mechanism, reading.lesson.dynamics->loads));
     }
     const formula::Outcome outcome = formula::evaluate_at(formula, instant);
-    // a misprint may be one because its shapes do not fit
-    if (!outcome.problem || (outcome.misfit && !holds)) { return; }
+    // a misprint may be one because its shapes do not fit; other states may have a value
+    if (!outcome.problem || (outcome.misfit && !holds) || outcome.no_value) { return; }
     const math::Problem& problem = *outcome.problem;
     reading.problems->add(
         Code::formula_without_value,

@@ -53,6 +53,9 @@ public:
         Superscript script;
         const Symbol symbol =
             symbol_of(std::get<math::Sign>(left.nucleus).utf8, left.below, left.above, script);
+        if (script.transposed || !script.power.empty()) {
+            throw NotEvaluated({left.from, "a power is defined; expected a symbol", ""});
+        }
         const Meanings now = meanings();
         known_.emplace_back(symbol, evaluate_expression(sides[1], now));
     }
@@ -109,7 +112,8 @@ Outcome evaluate_equation(const Row& equation, const std::vector<Row>& where, co
         }
     } catch (const NotEvaluated& failed) {
         outcome.problem = failed.problem();
-        outcome.misfit = failed.misfit();
+        outcome.misfit = failed.reason() == NotEvaluated::Reason::shapes;
+        outcome.no_value = failed.reason() == NotEvaluated::Reason::no_value;
     } catch (const Mismatch& mismatch) {
         outcome.problem = math::Problem{0, mismatch.what(), ""};
         outcome.misfit = true;

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/formula/functions.hpp"
 
 namespace jw::formula {
 
@@ -60,7 +60,11 @@ private:
     static Value at(const Node& node, F&& f) {
         try {
             return f();
-        } catch (const Mismatch& mismatch) { throw NotEvaluated({node.from, mismatch.what(), ""}, true); }
+        } catch (const NoValue& none) {
+            throw NotEvaluated({node.from, none.what(), ""}, NotEvaluated::Reason::no_value);
+        } catch (const Mismatch& mismatch) {
+            throw NotEvaluated({node.from, mismatch.what(), ""}, NotEvaluated::Reason::shapes);
+        }
     }
 
     Value expression(Cursor& cursor) const {
@@ -117,7 +121,7 @@ private:
         if (is_kind(node, SignKind::fence)) { return between_fences(cursor, node); }
         if (is_kind(node, SignKind::function)) { return function(cursor, node); }
         if (const auto* const fraction = std::get_if<math::Fraction>(&node.nucleus)) {
-            if (const int order = order_of_operator(*fraction); order > 0) {
+            if (const int order = order_of_operator(node, *fraction); order > 0) {
                 return differentiated(cursor, node, order);
             }
         }
@@ -145,17 +149,25 @@ private:
     }
 
     /// d/dt: 1, d²/dt²: 2, no such operator: 0
-    static int order_of_operator(const math::Fraction& f) {
+    static int order_of_operator(const Node& node, const math::Fraction& f) {
         const bool over = f.above.size() == 1 && is_sign(f.above[0], "d");
         const bool under = f.below.size() == 2 && is_sign(f.below[0], "d") && is_sign(f.below[1], "t");
         if (!over || !under) { return 0; }
-        Superscript script;
-        return read_superscript(f.above[0].above, script) && script.power == 2 ? 2 : 1;
+        const Row& order = f.above[0].above;
+        if (order.empty() && f.below[1].above.empty()) { return 1; }
+        if (order == f.below[1].above && order.size() == 1 && is_sign(order[0], "2")) { return 2; }
+        fail(node, "this derivative is not known", "write \\frac{d}{dt} or \\frac{d^2}{dt^2}");
     }
 
+    static bool in_brackets(const Node& node) {
+        const auto* const group = std::get_if<math::Group>(&node.nucleus);
+        return is_kind(node, SignKind::opening) || (group != nullptr && !group->open.empty());
+    }
+
+    /// Of what stands in parentheses, or of all of the product that follows.
     Value differentiated(Cursor& cursor, const Node& node, int order) const {
         if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
-        Value value = factor(cursor);
+        Value value = in_brackets(cursor.peek()) ? factor(cursor) : term(cursor);
         return at(node, [&] {
             for (int k = 0; k < order; ++k) { value = derivative(value); }
             return value;
@@ -166,66 +178,57 @@ private:
         const std::string& name = std::get<math::Sign>(node.nucleus).utf8;
         if (cursor.at_end()) { fail(node, "nothing stands after this function"); }
         if (name == "atan2") { return arc_tangent_of_two(cursor, node); }
-        const Value x = factor(cursor);
-        return at(node, [&] { return with_superscript(value_of(name, x, node), node); });
+        Superscript script;
+        if (read_superscript(node.above, script) && script.power.size() == 2 &&
+            is_sign(script.power[0], "−") && is_sign(script.power[1], "1") && name != "det") {
+            fail(
+                node, "this can be read in two ways", "write \\arc" + name + " or \\frac{1}{\\" + name + "}");
+        }
+        const Value x = argument(cursor, node);
+        return at(node, [&] {
+            const std::optional<Value> value = value_of_function(name, x);
+            if (!value) { fail(node, "the function " + name + " cannot be evaluated"); }
+            return with_superscript(*value, node);
+        });
     }
 
-    static Value value_of(const std::string& name, const Value& x, const Node& node) {
-        if (name == "det") { return determinant(x); }
-        if (name == "rank") { return rank(x); }
-        if (name == "largest" || name == "smallest") { return place_of_extreme(x, name == "largest"); }
-        if (!x.is_number()) {
-            throw Mismatch(name + " is taken of " + shape_text(x) + "; expected a number");
-        }
-        const double v = x.d[0](0, 0);
-        const auto [sine, cosine] = elementary::sine_and_cosine(v);
-        if (name == "sin") { return function_of(x, sine, cosine, -sine); }
-        if (name == "cos") { return function_of(x, cosine, -sine, -cosine); }
-        const double t = elementary::tan(v);
-        if (name == "tan") { return function_of(x, t, 1.0 + t * t, 2.0 * t * (1.0 + t * t)); }
-        if (name == "arctan") {
-            const double q = 1.0 / (1.0 + v * v);
-            return function_of(x, elementary::atan(v), q, -2.0 * v * q * q);
-        }
-        if (name == "arccos") {
-            const double s = std::sqrt(1.0 - v * v);
-            return function_of(x, elementary::acos(v), -1.0 / s, -v / (s * s * s));
-        }
-        fail(node, "the function " + name + " cannot be evaluated");
+    static bool is_numeral(const Node& node) {
+        const auto* const fraction = std::get_if<math::Fraction>(&node.nucleus);
+        return is_kind(node, SignKind::number) ||
+               (fraction != nullptr && are_numerals(fraction->above) && are_numerals(fraction->below));
     }
+    static bool are_numerals(const Row& row) { return std::ranges::all_of(row, is_numeral); }
 
-    static Value rank(const Value& x) {
-        Eigen::ColPivHouseholderQR<MatrixX> qr(x.d[0]);
-        // entries are of the size of 1 and known to 15 digits
-        qr.setThreshold(1e-9);
-        return number(static_cast<double>(qr.rank()));
-    }
-
-    /// The number of the component with the largest or smallest size, from 1.
-    static Value place_of_extreme(const Value& x, bool largest) {
-        if (!x.is_vector()) {
-            throw Mismatch("a component is chosen of " + shape_text(x) + "; expected a vector");
+    /// What a function is taken of: one factor, or a product that begins with a number, as in \sin 2\theta.
+    Value argument(Cursor& cursor, const Node& of) const {
+        const Node& first = cursor.peek();
+        Value value = factor(cursor);
+        const auto goes_on = [&](const Node& node) {
+            return is_numeral(first) && !ends_term(node) && !ends_fence(node) &&
+                   !is_kind(node, SignKind::operation) && !is_kind(node, SignKind::function) &&
+                   !is_sign(node, "/");
+        };
+        while (!cursor.at_end() && goes_on(cursor.peek())) {
+            const Node& node = cursor.peek();
+            const Value next = factor(cursor);
+            value = at(node, [&] { return product(value, next); });
         }
-        Eigen::Index place = 0;
-        const VectorX sizes = x.d[0].col(0).cwiseAbs();
-        if (largest) {
-            sizes.maxCoeff(&place);
-        } else {
-            sizes.minCoeff(&place);
+        if (!cursor.at_end() && is_sign(cursor.peek(), "/") && !in_brackets(first)) {
+            fail(
+                cursor.peek(), "this can be read in two ways",
+                "write parentheses after " + std::get<math::Sign>(of.nucleus).utf8 + ", or \\frac");
         }
-        Value found = number(static_cast<double>(place + 1));
-        found.order = 0;
-        return found;
+        return value;
     }
 
     Value arc_tangent_of_two(Cursor& cursor, const Node& node) const {
         if (!is_kind(cursor.next(), SignKind::opening)) { fail(node, "expected atan2(y, x)"); }
         const Evaluator inside(*meanings_);
-        const Value y = inside.expression(cursor);
+        const Value y = as_number(inside.expression(cursor));
         if (cursor.at_end() || !is_sign(cursor.next(), ",") || cursor.at_end()) {
             fail(node, "expected atan2(y, x)");
         }
-        const Value x = inside.expression(cursor);
+        const Value x = as_number(inside.expression(cursor));
         if (cursor.at_end() || !is_kind(cursor.next(), SignKind::closing)) {
             fail(node, "expected atan2(y, x)");
         }
@@ -245,7 +248,10 @@ private:
                     return with_superscript(
                         at(node, [&] { return quotient(expression(f.above), expression(f.below)); }), node);
                 },
-                [&](const math::Root& root) { return with_superscript(square_root(node, root), node); },
+                [&](const math::Root& root) {
+                    const Value x = expression(root.inner);
+                    return with_superscript(at(node, [&] { return square_root(x); }), node);
+                },
                 [&](const math::Accent&) { return accented(node); },
                 [&](const math::Group& group) { return group_value(node, group); },
                 [&](const math::Matrix& matrix) {
@@ -253,17 +259,6 @@ private:
                 },
             },
             node.nucleus);
-    }
-
-    Value square_root(const Node& node, const math::Root& root) const {
-        const Value x = expression(root.inner);
-        return at(node, [&] {
-            if (!x.is_number()) {
-                throw Mismatch("a root is taken of " + shape_text(x) + "; expected a number");
-            }
-            const double r = std::sqrt(x.d[0](0, 0));
-            return function_of(x, r, 0.5 / r, -0.25 / (r * r * r));
-        });
     }
 
     Value group_value(const Node& node, const math::Group& group) const {
@@ -290,7 +285,7 @@ private:
     Value sign_value(const Node& node, const math::Sign& sign) const {
         if (sign.kind == SignKind::number) {
             const double x = std::strtod(sign.utf8.c_str(), nullptr);
-            return with_superscript(x == 0.0 ? zero() : number(x), node);
+            return with_superscript(x == 0.0 ? zero() : literal(x), node);
         }
         if (sign.kind != SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot stand here"); }
         return symbol_value(node, sign.utf8, {});
@@ -306,13 +301,13 @@ private:
             for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
                 value = marked(value, *accent);
             }
-            return with(value, script);
+            return with(value, script, node);
         });
     }
 
     Value meaning_of(const Node& node, const Symbol& symbol) const {
         if (symbol == Symbol{"I", 0, {}, {}}) { return identity(); }
-        if (symbol == Symbol{"π", 0, {}, {}}) { return number(std::numbers::pi); }
+        if (symbol == Symbol{"π", 0, {}, {}}) { return literal(std::numbers::pi); }
         try {
             if (const std::optional<Value> value = meanings_->symbol(symbol)) { return *value; }
             if (const std::optional<Value> value = component_of(symbol)) { return *value; }
@@ -371,8 +366,14 @@ private:
         throw Mismatch("this accent means nothing in a formula that is evaluated");
     }
 
-    static Value with(const Value& value, const Superscript& script) {
-        const Value raised = script.power == 1 ? value : power(value, script.power);
+    Value with(const Value& value, const Superscript& script, const Node& node) const {
+        if (script.power.empty()) { return script.transposed ? transposed(value) : value; }
+        const Evaluator inside(*meanings_);
+        const Value n = as_number(inside.expression(script.power));
+        if (!n.is_number() || !n.is_literal) {
+            fail(node, "this exponent is not a number", "write numbers such as 2, -1, 0.5 or \\frac{1}{2}");
+        }
+        const Value raised = n.d[0](0, 0) == 1.0 ? value : power(value, n.d[0](0, 0));
         return script.transposed ? transposed(raised) : raised;
     }
 
@@ -382,7 +383,7 @@ private:
         if (!node.below.empty() || !read_superscript(node.above, script)) {
             fail(node, "only T or a power can stand here");
         }
-        return at(node, [&] { return with(value, script); });
+        return at(node, [&] { return with(value, script, node); });
     }
 
     const Meanings* meanings_;

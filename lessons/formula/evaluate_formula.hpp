@@ -28,6 +28,7 @@ struct Meanings {
 struct Outcome {
     std::optional<math::Problem> problem;  ///< why it cannot be evaluated, at a byte of its source
     bool misfit = false;                   ///< its symbols are known, but their shapes do not fit
+    bool no_value = false;                 ///< it fits, but a function has no value at this state
     int definition = -1;                   ///< which definition is wrong, -1: the equation itself
     Comparison apart;
     std::string left;   ///< value of the side before the relation with the largest difference, for messages
@@ -42,15 +43,15 @@ Outcome evaluate_equation(
 /// Why a formula has no value, at a byte of its source.
 class NotEvaluated : public std::runtime_error {
 public:
-    explicit NotEvaluated(math::Problem problem, bool misfit = false)
-        : std::runtime_error(problem.message), problem_(std::move(problem)), misfit_(misfit) {}
+    enum class Reason { text, shapes, no_value };
+    explicit NotEvaluated(math::Problem problem, Reason reason = Reason::text)
+        : std::runtime_error(problem.message), problem_(std::move(problem)), reason_(reason) {}
     const math::Problem& problem() const { return problem_; }
-    /// Shapes do not fit.
-    bool misfit() const { return misfit_; }
+    Reason reason() const { return reason_; }
 
 private:
     math::Problem problem_;
-    bool misfit_;
+    Reason reason_;
 };
 
 /// Evaluates an expression without a relation.

@@ -1,7 +1,5 @@
 #include "lessons/formula/symbol.hpp"
 
-#include <cstdlib>
-
 namespace jw::formula {
 
 namespace {
@@ -33,20 +31,14 @@ std::string name_of(const Symbol& symbol) {
 }
 
 bool read_superscript(const math::Row& above, Superscript& script) {
-    bool negative = false;
     for (const math::Node& node : above) {
-        const math::Sign* const sign = sign_of(node);
-        if (sign == nullptr) { return false; }
-        if (sign->utf8 == "T") {
+        if (is_sign(node, "T")) {
             script.transposed = true;
-        } else if (sign->utf8 == "−") {
-            negative = true;
-        } else if (sign->kind == math::SignKind::number) {
-            script.power =
-                static_cast<int>(std::strtol(sign->utf8.c_str(), nullptr, 10)) * (negative ? -1 : 1);
-        } else {
-            return false;
+            continue;
         }
+        const bool other_letter = is_kind(node, math::SignKind::letter) && !is_sign(node, "π");
+        if (other_letter || is_sign(node, "′")) { return false; }
+        script.power.push_back(node);
     }
     return true;
 }
@@ -55,11 +47,12 @@ Symbol symbol_of(
     const std::string& letter, const math::Row& below, const math::Row& above, Superscript& script) {
     Symbol symbol{letter, 0, {}, index_text(below)};
     bool in_name = false;
-    bool negative = false;
     for (const math::Node& node : above) {
         const math::Sign* const sign = sign_of(node);
-        if (sign == nullptr) { continue; }
-        const std::string& s = sign->utf8;
+        const std::string s = sign == nullptr ? "" : sign->utf8;
+        const bool is_zero_mark = s == "0" && script.power.empty();
+        const bool begins_power =
+            sign == nullptr || s == "−" || (sign->kind == math::SignKind::number && !is_zero_mark);
         if (in_name) {
             symbol.marks += s;
             in_name = s != ")";
@@ -67,10 +60,8 @@ Symbol symbol_of(
             ++symbol.primes;
         } else if (s == "T") {
             script.transposed = true;
-        } else if (s == "−") {
-            negative = true;
-        } else if (sign->kind == math::SignKind::number && s != "0") {
-            script.power = static_cast<int>(std::strtol(s.c_str(), nullptr, 10)) * (negative ? -1 : 1);
+        } else if (begins_power || !script.power.empty()) {
+            script.power.push_back(node);
         } else {
             symbol.marks += s;
             in_name = s == "(";

@@ -24,7 +24,7 @@ std::string name_of(const Symbol& symbol);
 /// What stands above a symbol besides its primes and marks.
 struct Superscript {
     bool transposed = false;
-    int power = 1;
+    math::Row power;  ///< an expression; empty: there is none
 };
 
 /// Splits what stands at a letter; `index` is written without spaces.

@@ -1,4 +1,4 @@
-#include "lessons/formula/value.hpp"
+#include "lessons/formula/functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,21 @@ namespace {
 
 using Kind = Value::Kind;
 
+// Of kKnown: some operations round a number as it is written by so much.
+constexpr double kLiteral = 1e-5;
+
 double largest(const MatrixX& m) { return m.size() == 0 ? 0.0 : m.cwiseAbs().maxCoeff(); }
 
 MatrixX times(const MatrixX& a, const MatrixX& b) { return a * b; }
+
+/// The largest term of the k-th derivative: of literals the share that counts beside what is no literal.
+double known_scale(const Value& a, std::size_t k) { return a.scale[k] * (known_share(a) / kKnown); }
 
 /// Applies a linear map to value and derivatives.
 template <class F>
 Value mapped(const Value& a, F&& f) {
     Value out;
+    out.is_literal = a.is_literal;
     out.order = a.order;
     out.scale = a.scale;
     for (std::size_t k = 0; k <= static_cast<std::size_t>(a.order); ++k) { out.d[k] = f(a.d[k]); }
@@ -53,6 +60,7 @@ Value shaped(const Value& a, Eigen::Index rows, Eigen::Index cols) {
 template <class F>
 Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply) {
     Value out;
+    out.is_literal = a.is_literal && b.is_literal;
     out.order = std::min(a.order, b.order);
     out.d[0] = multiply(a.d[0], b.d[0]);
     out.scale = {terms * a.scale[0] * b.scale[0], 0.0, 0.0};
@@ -70,6 +78,8 @@ Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply
 
 }  // namespace
 
+double known_share(const Value& a) { return a.is_literal ? kLiteral * kKnown : kKnown; }
+
 Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& acceleration, int order) {
     Value v;
     v.order = order;
@@ -85,14 +95,20 @@ Value constant(const MatrixX& value) {
 
 Value number(double value) { return constant(MatrixX::Constant(1, 1, value)); }
 
+Value literal(double value) {
+    Value v = number(value);
+    v.is_literal = true;
+    return v;
+}
+
 Value zero() {
-    Value v = number(0.0);
+    Value v = literal(0.0);
     v.kind = Kind::zero;
     return v;
 }
 
 Value identity() {
-    Value v = number(1.0);
+    Value v = literal(1.0);
     v.kind = Kind::identity;
     return v;
 }
@@ -118,9 +134,11 @@ Value sum(const Value& a, const Value& b) {
     }
     Value out = left;
     out.order = std::min(left.order, right.order);
+    out.is_literal = left.is_literal && right.is_literal;
     for (std::size_t k = 0; k <= static_cast<std::size_t>(out.order); ++k) {
         out.d[k] = left.d[k] + right.d[k];
-        out.scale[k] = std::max(left.scale[k], right.scale[k]);
+        out.scale[k] = out.is_literal ? std::max(left.scale[k], right.scale[k])
+                                      : std::max(known_scale(left, k), known_scale(right, k));
     }
     return out;
 }
@@ -181,6 +199,7 @@ Value inverse(const Value& a) {
     Value out;
     out.order = a.order;
     const MatrixX inverted = inverse_of(a.d[0]);
+    if (!inverted.allFinite()) { throw NoValue("the inverse of a singular matrix is taken"); }
     out.d[0] = inverted;
     const MatrixX negative = -inverted;
     if (a.order >= 1) { out.d[1] = times(times(negative, a.d[1]), inverted); }
@@ -188,23 +207,6 @@ Value inverse(const Value& a) {
     for (std::size_t k = 0; k < 3; ++k) {
         out.scale[k] = largest(out.d[k]) * (1.0 + largest(inverted) * a.scale[0]);
     }
-    return out;
-}
-
-Value power(const Value& a, int exponent) {
-    if (a.kind == Kind::identity || a.is_number()) {
-        const double x = a.d[0](0, 0);
-        const double n = exponent;
-        Value out = function_of(
-            a, elementary::pow(x, n), n * elementary::pow(x, n - 1.0),
-            n * (n - 1.0) * elementary::pow(x, n - 2.0));
-        out.kind = a.kind;
-        return out;
-    }
-    if (exponent == -1) { return inverse(a); }
-    if (exponent < 1) { throw Mismatch("the power " + std::to_string(exponent) + " of " + shape_text(a)); }
-    Value out = a;
-    for (int k = 1; k < exponent; ++k) { out = product(out, a); }
     return out;
 }
 
@@ -217,37 +219,6 @@ Value skew(const Value& a) {
 Value minus_operator(const Value& a) {
     require_vector(a, "a bar");
     return mapped(a, [](const MatrixX& m) -> MatrixX { return jw::bar(Vec3(m)); });
-}
-
-Value function_of(const Value& a, double value, double first, double second) {
-    if (a.rows() != 1 || a.cols() != 1) {
-        throw Mismatch("a function is taken of " + shape_text(a) + "; expected a number");
-    }
-    const auto as_matrix = [](double x) -> MatrixX { return MatrixX::Constant(1, 1, x); };
-    const double rate = a.order >= 1 ? a.d[1](0, 0) : 0.0;
-    const double acceleration = a.order >= 2 ? a.d[2](0, 0) : 0.0;
-    Value out = moving(
-        as_matrix(value), as_matrix(first * rate), as_matrix(second * rate * rate + first * acceleration),
-        a.order);
-    // an argument that is a small difference of large terms passes its rounding on
-    out.scale[0] = std::max(out.scale[0], std::abs(first) * a.scale[0]);
-    out.scale[1] =
-        std::max({out.scale[1], std::abs(first) * a.scale[1], std::abs(second * rate) * a.scale[0]});
-    out.scale[2] =
-        std::max({out.scale[2], std::abs(first) * a.scale[2], std::abs(second * rate) * a.scale[1]});
-    return out;
-}
-
-Value length(const Value& a) {
-    require_matrix(a, "the length");
-    if (a.is_number()) {
-        const double x = a.d[0](0, 0);
-        return function_of(a, std::abs(x), x < 0.0 ? -1.0 : 1.0, 0.0);
-    }
-    if (a.cols() != 1) { throw Mismatch("the length of " + shape_text(a) + " is taken; expected a vector"); }
-    const Value square = product(transposed(a), a);
-    const double x = std::sqrt(square.d[0](0, 0));
-    return function_of(square, x, 0.5 / x, -0.25 / (x * x * x));
 }
 
 Value determinant(const Value& a) {
@@ -369,7 +340,7 @@ Value stacked(const Blocks& blocks) {
 
 Comparison compared(const Value& a, const Value& b) {
     const Value apart = difference(a, b);
-    return {largest(apart.d[0]), std::max(a.scale[0], b.scale[0])};
+    return {largest(apart.d[0]), std::max(known_scale(a, 0), known_scale(b, 0))};
 }
 
 }  // namespace jw::formula

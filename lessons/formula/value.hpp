@@ -11,10 +11,21 @@
 /// the product rule is applied here, so that a dot in a formula is a true derivative.
 namespace jw::formula {
 
+/// The share of its largest term that a value is known to: poses are assembled to 1e-13, and velocities
+/// solved to some digits less. A wrong sign, dot or index changes a formula by something of the size of its
+/// terms.
+constexpr double kKnown = 1e-9;
+
 /// Shapes do not fit, or a derivative is not known.
 class Mismatch : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
+};
+
+/// A function has no value there: a division by zero, a root of a negative number.
+class NoValue : public Mismatch {
+public:
+    using Mismatch::Mismatch;
 };
 
 struct Value {
@@ -27,6 +38,7 @@ struct Value {
     int order = 2;                ///< derivatives that are known: 0, 1 or 2
     std::array<MatrixX, 3> d;     ///< value, rate, acceleration
     std::array<double, 3> scale;  ///< largest term that each is a sum of: rounding is a part of this
+    bool is_literal = false;      ///< made of numbers as they are written: rounding is all that it is off by
 
     Eigen::Index rows() const { return d[0].rows(); }
     Eigen::Index cols() const { return d[0].cols(); }
@@ -36,10 +48,15 @@ struct Value {
 
 Value constant(const MatrixX& value);
 Value number(double value);
+/// A number as it is written.
+Value literal(double value);
 /// @param order of the last derivative that is known
 Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& acceleration, int order);
 Value zero();
 Value identity();
+
+/// kKnown, or what rounding leaves of a number as it is written.
+double known_share(const Value& a);
 
 /// "3 x 4", "a number"
 std::string shape_text(const Value& value);
@@ -54,15 +71,10 @@ Value cross(const Value& a, const Value& b);
 Value dot(const Value& a, const Value& b);
 Value transposed(const Value& a);
 Value inverse(const Value& a);
-Value power(const Value& a, int exponent);
 /// 3x3 skew matrix of a vector.
 Value skew(const Value& a);
 /// 4x4 minus operator of slide 21 of a vector.
 Value minus_operator(const Value& a);
-/// Length of a vector, size of a number.
-Value length(const Value& a);
-/// A function of a number: its value and first two derivatives there.
-Value function_of(const Value& a, double value, double first, double second);
 Value determinant(const Value& a);
 /// The same with rounding of its own size, not of the terms that it was computed from.
 Value known(Value a);
@@ -74,7 +86,8 @@ Value stacked(const std::vector<std::vector<Value>>& blocks);
 /// Difference of two values.
 struct Comparison {
     double difference = 0.0;  ///< largest entry
-    double scale = 0.0;       ///< largest term of either side
+    double scale =
+        0.0;  ///< largest term of either side; of numbers as they are written the share that they are off by
 };
 /// @throws Mismatch if the shapes differ
 Comparison compared(const Value& a, const Value& b);

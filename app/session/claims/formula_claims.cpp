@@ -13,9 +13,6 @@ namespace jw {
 namespace {
 
 constexpr unsigned kStates = 20;
-// poses are assembled to 1e-13 and velocities solved to some digits less; a wrong sign, dot or index changes
-// a formula by something of the size of its terms
-constexpr double kSame = 1e-9;
 constexpr double kPlainlyOther = 1e-6;
 
 /// The outcome that is farthest from equality, in parts of the largest term.
@@ -61,7 +58,7 @@ void judge_formula(const FormulaClaim& claim, const std::vector<Instant>& instan
         result.found = tr("nothing: {0}", worst.outcome.problem->message);
         return;
     }
-    result.holds = claim.holds ? worst.part <= kSame : worst.part > kPlainlyOther;
+    result.holds = claim.holds ? worst.part <= formula::kKnown : worst.part > kPlainlyOther;
     if (result.holds) { return; }
     result.found =
         tr("{0} and {1}, {2} apart", worst.outcome.left, worst.outcome.right,

@@ -1,0 +1,223 @@
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "lessons/formula/evaluate_formula.hpp"
+
+/// Formulas that are generated with their values: the text is read, the value is computed beside it.
+namespace jw::formula::test {
+
+namespace {
+
+constexpr int kFormulas = 4000;
+// numbers are below 1e4 and some ten operations: more is no rounding
+constexpr double kSame = 1e-11;
+
+/// A number with its rate: derivatives by rules that know nothing of the evaluator's.
+struct Dual {
+    double value = 0.0;
+    double rate = 0.0;
+};
+Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.rate + b.rate}; }
+Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.rate - b.rate}; }
+Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.rate * b.value + a.value * b.rate}; }
+Dual operator/(Dual a, Dual b) {
+    return {a.value / b.value, (a.rate * b.value - a.value * b.rate) / (b.value * b.value)};
+}
+
+struct Formula {
+    std::string text;
+    Dual is;
+    bool is_sum = false;  ///< needs parentheses beside a factor
+};
+
+class Author {
+public:
+    explicit Author(unsigned seed) : random_(seed) {}
+
+    Formula formula(int depth) {
+        if (depth == 0) { return leaf(); }
+        switch (below(8)) {
+            case 0: return sum(formula(depth - 1), formula(depth - 1));
+            case 1: return product(formula(depth - 1), formula(depth - 1));
+            case 2: return fraction(formula(depth - 1), formula(depth - 1));
+            case 3: return raised(formula(depth - 1));
+            case 4: return root(formula(depth - 1));
+            case 5: return trigonometric(formula(depth - 1));
+            case 6: return multiple_angle();
+            default: return size(formula(depth - 1));
+        }
+    }
+
+private:
+    int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+    static std::string factor(const Formula& f) { return f.is_sum ? "(" + f.text + ")" : f.text; }
+
+    Formula leaf() {
+        switch (below(4)) {
+            case 0: return {"2", {2.0, 0.0}};
+            case 1: return {"0.75", {0.75, 0.0}};
+            case 2: return {"x", {1.3, 0.4}};
+            default: return {"\\theta", {0.7, -1.1}};
+        }
+    }
+    Formula sum(const Formula& a, const Formula& b) {
+        if (below(2) == 0) { return {a.text + " + " + b.text, a.is + b.is, true}; }
+        return {a.text + " - " + factor(b), a.is - b.is, true};
+    }
+    /// Side by side; parentheses where a function would take in what follows, or a digit another digit.
+    Formula product(const Formula& a, const Formula& b) {
+        return {"(" + a.text + ") (" + b.text + ")", a.is * b.is};
+    }
+    Formula fraction(const Formula& a, const Formula& b) {
+        if (std::abs(b.is.value) < 0.1) { return a; }
+        return {"\\frac{" + a.text + "}{" + b.text + "}", a.is / b.is};
+    }
+    Formula raised(const Formula& a) {
+        struct Exponent {
+            const char* text;
+            double value;
+        };
+        constexpr Exponent exponents[] = {
+            {"2", 2.0},   {"3", 3.0},   {"-1", -1.0},          {"-2", -2.0},
+            {"0.5", 0.5}, {"1.9", 1.9}, {"\\frac{1}{2}", 0.5}, {"-\\frac{3}{2}", -1.5},
+            {"2-1", 1.0}, {"0", 0.0},   {"2 \\cdot 2", 4.0}};
+        const auto& [text, n] = exponents[below(std::size(exponents))];
+        const bool whole = n == std::floor(n);
+        if (std::abs(a.is.value) > 20.0 || std::abs(a.is.value) < 0.1 || (a.is.value < 0.0 && !whole)) {
+            return a;
+        }
+        const double slope = n == 0.0 ? 0.0 : n * std::pow(a.is.value, n - 1.0);
+        return {"(" + a.text + ")^{" + text + "}", {std::pow(a.is.value, n), slope * a.is.rate}};
+    }
+    Formula root(const Formula& a) {
+        if (a.is.value < 0.1) { return a; }
+        const double r = std::sqrt(a.is.value);
+        return {"\\sqrt{" + a.text + "}", {r, 0.5 / r * a.is.rate}};
+    }
+    Formula trigonometric(const Formula& a) {
+        const double s = std::sin(a.is.value);
+        const double c = std::cos(a.is.value);
+        if (below(2) == 0) { return {"\\sin(" + a.text + ")", {s, c * a.is.rate}}; }
+        return {"\\cos^2(" + a.text + ")", {c * c, -2.0 * c * s * a.is.rate}};
+    }
+    /// As in textbooks: \sin 2\theta, and what follows a function is no part of its argument.
+    Formula multiple_angle() {
+        const Dual theta{0.7, -1.1};
+        const double two = std::sin(2.0 * theta.value);
+        const Dual sine{two, 2.0 * std::cos(2.0 * theta.value) * theta.rate};
+        switch (below(4)) {
+            case 0: return {"\\sin 2\\theta", sine};
+            case 1: return {"2 \\sin\\theta \\cos\\theta", sine};
+            case 2:
+                return {"2 x \\cos\\frac{\\theta}{2} \\sin\\frac{1}{2}\\theta", Dual{1.3, 0.4} * half(theta)};
+            default:
+                return {"\\cos\\theta x", Dual{std::cos(0.7), -std::sin(0.7) * theta.rate} * Dual{1.3, 0.4}};
+        }
+    }
+    /// 2 cos(θ/2) sin(θ/2) = sin θ
+    static Dual half(Dual theta) { return {std::sin(theta.value), std::cos(theta.value) * theta.rate}; }
+    Formula size(const Formula& a) { return {"|" + a.text + "|", a.is.value < 0.0 ? Dual{} - a.is : a.is}; }
+
+    std::mt19937 random_;
+};
+
+Meanings meanings() {
+    const auto moving_number = [](double x, double rate) {
+        return moving(MatrixX::Constant(1, 1, x), MatrixX::Constant(1, 1, rate), MatrixX::Zero(1, 1), 1);
+    };
+    return {
+        [=](const Symbol& symbol) -> std::optional<Value> {
+            if (symbol == Symbol{"θ", 0, {}, {}}) { return moving_number(0.7, -1.1); }
+            if (symbol == Symbol{"x", 0, {}, {}}) { return moving_number(1.3, 0.4); }
+            return std::nullopt;
+        },
+        {}};
+}
+
+/// Difference in parts of what it may be off by.
+double part_of(const std::string& equation) {
+    const Outcome outcome = evaluate_equation(math::own_math(equation), {}, meanings());
+    INFO(equation);
+    REQUIRE_FALSE(outcome.problem);
+    return outcome.apart.difference / std::max(outcome.apart.scale, 1e-300);
+}
+
+std::string why_not(const std::string& equation) {
+    const Outcome outcome = evaluate_equation(math::own_math(equation), {}, meanings());
+    return outcome.problem ? outcome.problem->message : "it has a value";
+}
+
+std::string digits(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", x);
+    // 1e-05 is no number in a formula
+    const std::string all = text;
+    const std::size_t e = all.find('e');
+    return e == std::string::npos
+               ? all
+               : all.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(all.substr(e + 1))) + "}";
+}
+
+}  // namespace
+
+TEST_CASE("Generated formulas have the values and the rates that they were made with", "[formula]") {
+    const Meanings known = meanings();
+    for (unsigned seed = 0; seed < kFormulas; ++seed) {
+        const Formula f = Author(seed).formula(1 + static_cast<int>(seed % 4));
+        if (!(std::abs(f.is.value) < 1e4 && std::abs(f.is.rate) < 1e4)) { continue; }
+        CAPTURE(seed, f.text, f.is.value, f.is.rate);
+        const Value value = evaluate_expression(math::own_math(f.text), known);
+        const Value rate = evaluate_expression(math::own_math("\\frac{d}{dt}(" + f.text + ")"), known);
+        REQUIRE(std::abs(value.d[0](0, 0) - f.is.value) <= kSame * std::max(1.0, std::abs(f.is.value)));
+        REQUIRE(std::abs(rate.d[0](0, 0) - f.is.rate) <= 1e2 * kSame * std::max(1.0, std::abs(f.is.rate)));
+        // the equation holds, and with one digit in 10000 changed it does not
+        if (std::abs(f.is.value) < 1e-2) { continue; }
+        CHECK(part_of(f.text + " = " + digits(f.is.value)) < 1e-9);
+        if (value.scale[0] < 10.0 * std::abs(f.is.value)) {
+            CHECK(part_of(f.text + " = " + digits(1.0001 * f.is.value)) > 1e-9);
+        }
+    }
+}
+
+TEST_CASE("Identities of textbooks hold, and what only looks like them does not", "[formula]") {
+    for (const char* const right :
+         {R"(\sin 2\theta = 2 \sin\theta \cos\theta)", R"(\sin^2\theta = \frac{1}{2} (1 - \cos 2\theta))",
+          R"(\theta^{\frac{1}{2}} = \sqrt{\theta})", R"(\theta^{0.5} \theta^{0.5} = \theta)",
+          R"(2^{1.9} 2^{0.1} = 4)", R"(\cos 0 = 1)", R"(\sqrt{0} = 0)", R"(|0| = 0)",
+          R"(\operatorname{atan2}(0, 2) = 0)", R"(0^2 = 0)", R"(\sin \pi = 0)",
+          R"(\frac{d}{dt} \theta x = \dot{\theta} x + \theta \dot{x})",
+          R"(\frac{d}{dt} \theta^2 = 2 \theta \dot{\theta})", R"(\frac{d}{dt}(\theta) x = \dot{\theta} x)",
+          R"(10^9 + 1 = 1000000001)", R"(10^9 + \theta - 10^9 = \theta)", R"(\arccos 1 = 0)"}) {
+        CAPTURE(right);
+        CHECK(part_of(right) < 1e-9);
+    }
+    for (const char* const wrong :
+         {R"(\theta^{\frac{1}{2}} = \theta)", R"(\theta^{0.5} = 1)", R"(\theta^{2-1} = \theta^{-1})",
+          R"(2^{1.9} = 2)", R"(10^9 + 1 = 10^9)", R"(10^9 + \theta = 10^9)",
+          R"(\frac{d}{dt} \theta x = \dot{\theta} x)", R"(\sqrt{\theta - \theta} = 0.01)", R"(x^{2T} = x)"}) {
+        CAPTURE(wrong);
+        CHECK(part_of(wrong) > 1e-9);
+    }
+}
+
+TEST_CASE("What can be read in two ways, or has no value, is refused with its reason", "[formula]") {
+    CHECK_THAT(why_not(R"(\sin\theta / 2 = 1)"), Catch::Contains("two ways"));
+    CHECK_THAT(why_not(R"(\sin^{-1} x = 1)"), Catch::Contains("two ways"));
+    CHECK_THAT(why_not(R"(2^x = 1)"), Catch::Contains("only T or a power"));
+    CHECK_THAT(why_not(R"(\theta^{2 x} = 1)"), Catch::Contains("exponent"));
+    CHECK_THAT(why_not(R"(\frac{d^3}{dt^3} x = 1)"), Catch::Contains("derivative is not known"));
+    CHECK_THAT(why_not(R"(\frac{d^2}{dt} x = 1)"), Catch::Contains("derivative is not known"));
+    CHECK_THAT(why_not(R"(\sqrt{-x} = 1)"), Catch::Contains("negative"));
+    CHECK_THAT(why_not(R"((-x)^{0.5} = 1)"), Catch::Contains("negative"));
+    CHECK_THAT(why_not(R"(\frac{1}{x - x} = 1)"), Catch::Contains("divided by zero"));
+    CHECK_THAT(why_not(R"(0^{-1} = 1)"), Catch::Contains("divided by zero"));
+    CHECK_THAT(why_not(R"(\arccos 2 = 1)"), Catch::Contains("more than 1"));
+    CHECK_THAT(
+        why_not(R"(\begin{bmatrix} 1 & 1 \\ 1 & 1 \end{bmatrix}^{-1} = I)"), Catch::Contains("singular"));
+}
+
+}  // namespace jw::formula::test
