@@ -43,7 +43,7 @@ void multiply_by_q(const Eigen::HouseholderSequence<Eigen::MatrixXd, Eigen::Vect
 /// The first columns of Q, as many as `A` has: an orthonormal basis of what its columns span if their rank is
 /// full.
 Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& A);
-/// Of a square matrix, by its LU decomposition.
+/// Inverse and determinant of a square matrix, by its LU decomposition.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& m);
 double determinant_of(const Eigen::MatrixXd& m);
 

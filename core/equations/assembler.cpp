@@ -14,6 +14,12 @@ Theta theta_of(int theta, const State& state, const Motion* motion) {
     return {state.theta[at(theta)], motion != nullptr ? motion->theta_dot[at(theta)] : 0.0};
 }
 
+template <class C>
+BodyKinematics<C> kinematics_of(int body, const State& state, const Motion& motion) {
+    const std::size_t b = at(body);
+    return kinematics_at<C>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
+}
+
 }  // namespace
 
 template <class C>
@@ -248,12 +254,8 @@ template class Assembler<OmegaGlobal>;
 
 template <class C>
 ConstraintTerms terms_of(const Constraint& constraint, const State& state, const Motion& motion) {
-    const auto kinematics = [&](int b) {
-        return kinematics_at<C>(
-            state.r[at(b)], state.p[at(b)], motion.r_dot[at(b)], motion.omega_local[at(b)]);
-    };
-    const BodyKinematics<C> i = kinematics(constraint.body_i);
-    const BodyKinematics<C> j = kinematics(constraint.body_j);
+    const BodyKinematics<C> i = kinematics_of<C>(constraint.body_i, state, motion);
+    const BodyKinematics<C> j = kinematics_of<C>(constraint.body_j, state, motion);
     const Theta theta = theta_of(constraint.theta, state, &motion);
     const auto visit = [&](const auto& primitive) {
         const auto moving = equations<Content::motion>(primitive, i, j, theta);
@@ -289,12 +291,9 @@ VectorX values_of(const Constraint& constraint, const State& state) {
 Measured evaluate_measure(
     const Measure& measure, int body_i, int body_j, int theta, const State& state, const Motion& velocity,
     const Motion& acceleration) {
-    const auto kinematics = [&](int b) {
-        return kinematics_at<OmegaLocal>(
-            state.r[at(b)], state.p[at(b)], velocity.r_dot[at(b)], velocity.omega_local[at(b)]);
-    };
-    const MeasureJet jet =
-        jet_of(measure, kinematics(body_i), kinematics(body_j), theta_of(theta, state, &velocity));
+    const MeasureJet jet = jet_of(
+        measure, kinematics_of<OmegaLocal>(body_i, state, velocity),
+        kinematics_of<OmegaLocal>(body_j, state, velocity), theta_of(theta, state, &velocity));
     const auto accelerations = [&](int b) {
         Eigen::Matrix<double, 6, 1> columns;
         columns << acceleration.r_dot[at(b)], acceleration.omega_local[at(b)];
