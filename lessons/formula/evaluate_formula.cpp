@@ -148,7 +148,7 @@ private:
         return with_superscript(at(open, [&] { return length(value); }), close);
     }
 
-    /// d/dt: 1, d²/dt²: 2, no such operator: 0
+    /// Order of d/dt or d²/dt²; 0 for a fraction that is no such operator.
     static int order_of_operator(const Node& node, const math::Fraction& f) {
         const bool over = f.above.size() == 1 && is_sign(f.above[0], "d");
         const bool under = f.below.size() == 2 && is_sign(f.below[0], "d") && is_sign(f.below[1], "t");
@@ -164,7 +164,7 @@ private:
         return is_kind(node, SignKind::opening) || (group != nullptr && !group->open.empty());
     }
 
-    /// Of what stands in parentheses, or of all of the product that follows.
+    /// Derivative of what stands in parentheses, or of all of the product that follows.
     Value differentiated(Cursor& cursor, const Node& node, int order) const {
         if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
         Value value = in_brackets(cursor.peek()) ? factor(cursor) : term(cursor);
@@ -181,8 +181,8 @@ private:
         Superscript script;
         if (read_superscript(node.above, script) && script.power.size() == 2 &&
             is_sign(script.power[0], "−") && is_sign(script.power[1], "1") && name != "det") {
-            fail(
-                node, "this can be read in two ways", "write \\arc" + name + " or \\frac{1}{\\" + name + "}");
+            const std::string inverse = name == "cos" || name == "tan" ? "\\arc" + name + " or " : "";
+            fail(node, "this can be read in two ways", "write " + inverse + "\\frac{1}{\\" + name + " ...}");
         }
         const Value x = argument(cursor, node);
         return at(node, [&] {
@@ -199,7 +199,7 @@ private:
     }
     static bool are_numerals(const Row& row) { return std::ranges::all_of(row, is_numeral); }
 
-    /// What a function is taken of: one factor, or a product that begins with a number, as in \sin 2\theta.
+    /// Argument of a function: one factor, or a product that begins with a number, as in \sin 2\theta.
     Value argument(Cursor& cursor, const Node& of) const {
         const Node& first = cursor.peek();
         Value value = factor(cursor);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
+#include "lessons/exact_text.hpp"
 
 namespace jw::formula {
 
@@ -21,17 +21,12 @@ constexpr double kRounding = 1e-12;
 /// A derivative by the chain rule: what stands still has none, however steep the function is.
 double chained(double slope, double rate) { return rate == 0.0 ? 0.0 : slope * rate; }
 
-/// Where a function is as steep as x^n near 0, an error d of its argument changes it by d^n at most.
+/// Limits the scale of a function that is as steep as x^n at 0: an error d of its argument changes it by d^n
+/// at most.
 void limit_scale(Value& out, const Value& argument, double n) {
     const double share = known_share(argument);
     const double most = elementary::pow(share * argument.scale[0], n) / share;
     out.scale[0] = std::max(std::abs(out.d[0](0, 0)), std::min(out.scale[0], most));
-}
-
-std::string short_text(double x) {
-    std::ostringstream text;
-    text << x;
-    return text.str();
 }
 
 Value arc_cosine(const Value& a) {
@@ -89,19 +84,18 @@ Value function_of(const Value& a, double value, double first, double second) {
     return out;
 }
 
-Value power(const Value& a, double exponent) {
-    const bool whole = exponent == std::floor(exponent);
+Value power(const Value& a, double n) {
+    const bool whole = n == std::floor(n);
     if (a.kind == Kind::zero) {
-        if (exponent < 0.0) { throw NoValue("it is divided by zero"); }
-        return exponent > 0.0 ? a : literal(1.0);
+        if (n < 0.0) { throw NoValue("it is divided by zero"); }
+        return n > 0.0 ? a : literal(1.0);
     }
     if (a.kind == Kind::identity || a.is_number()) {
         const double x = a.d[0](0, 0);
-        if (x == 0.0 && exponent < 0.0) { throw NoValue("it is divided by zero"); }
+        if (x == 0.0 && n < 0.0) { throw NoValue("it is divided by zero"); }
         if (x < 0.0 && !whole) {
-            throw NoValue("the power " + short_text(exponent) + " of a negative number is taken");
+            throw NoValue("the power " + writing::number_text(n) + " of a negative number is taken");
         }
-        const double n = exponent;
         const auto term = [x](double factor, double power) {
             return factor == 0.0 ? 0.0 : factor * elementary::pow(x, power);
         };
@@ -110,12 +104,12 @@ Value power(const Value& a, double exponent) {
         if (n > 0.0 && n < 1.0) { limit_scale(out, a, n); }
         return out;
     }
-    if (exponent == -1.0) { return inverse(a); }
-    if (!whole || exponent < 1.0 || exponent > kHighestPower) {
-        throw Mismatch("the power " + short_text(exponent) + " of " + shape_text(a));
+    if (n == -1.0) { return inverse(a); }
+    if (!whole || n < 1.0 || n > kHighestPower) {
+        throw Mismatch("the power " + writing::number_text(n) + " of " + shape_text(a));
     }
     Value out = a;
-    for (int k = 1; k < static_cast<int>(exponent); ++k) { out = product(out, a); }
+    for (int k = 1; k < static_cast<int>(n); ++k) { out = product(out, a); }
     return out;
 }
 

@@ -11,13 +11,13 @@ namespace jw::formula {
 /// A function of a number: its value and first two derivatives there.
 Value function_of(const Value& a, double value, double first, double second);
 
-/// Of a number; of a matrix where the exponent is whole.
+/// Power of a number; of a matrix where the exponent is whole.
 /// @throws NoValue for a root of a negative number and a division by zero
-Value power(const Value& a, double exponent);
+Value power(const Value& a, double n);
 Value square_root(const Value& a);
 /// Length of a vector, size of a number.
 Value length(const Value& a);
-/// 0, which takes any shape, as a number.
+/// Number 0 for the zero of any shape; any other value as it is.
 Value as_number(const Value& a);
 
 /// A function by its name: sin, det, rank; nothing if there is none of that name.

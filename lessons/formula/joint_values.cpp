@@ -105,7 +105,7 @@ private:
 
     // ---- Φ, Φq, γ -----------------------------------------------------------------------------
 
-    /// Of every constraint of the joint that is meant.
+    /// Terms of every constraint of the joint that is meant.
     template <class C>
     std::vector<ConstraintTerms> terms() const {
         std::vector<ConstraintTerms> all;

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Value::Kind;
 
-// Of kKnown: some operations round a number as it is written by so much.
+// Share of kKnown to which numbers as they are written are known: what rounding of some operations leaves.
 constexpr double kLiteral = 1e-5;
 
 double largest(const MatrixX& m) { return m.size() == 0 ? 0.0 : m.cwiseAbs().maxCoeff(); }
@@ -22,6 +22,9 @@ MatrixX times(const MatrixX& a, const MatrixX& b) { return a * b; }
 
 /// The largest term of the k-th derivative: of literals the share that counts beside what is no literal.
 double known_scale(const Value& a, std::size_t k) { return a.scale[k] * (known_share(a) / kKnown); }
+
+/// Bound of the entries of the k-th derivative: terms of a sum may be known far better than to kKnown of it.
+double size_of(const Value& a, std::size_t k) { return std::max(a.scale[k], largest(a.d[k])); }
 
 /// Applies a linear map to value and derivatives.
 template <class F>
@@ -62,16 +65,20 @@ Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply
     Value out;
     out.is_literal = a.is_literal && b.is_literal;
     out.order = std::min(a.order, b.order);
+    // each factor passes on what it is off by, as many times as the other is large
+    const auto scale = [&](std::size_t k, std::size_t l) {
+        if (out.is_literal) { return a.scale[k] * b.scale[l]; }
+        return std::max(size_of(a, k) * known_scale(b, l), known_scale(a, k) * size_of(b, l));
+    };
     out.d[0] = multiply(a.d[0], b.d[0]);
-    out.scale = {terms * a.scale[0] * b.scale[0], 0.0, 0.0};
+    out.scale = {terms * scale(0, 0), 0.0, 0.0};
     if (out.order >= 1) {
         out.d[1] = multiply(a.d[1], b.d[0]) + multiply(a.d[0], b.d[1]);
-        out.scale[1] = terms * (a.scale[1] * b.scale[0] + a.scale[0] * b.scale[1]);
+        out.scale[1] = terms * (scale(1, 0) + scale(0, 1));
     }
     if (out.order >= 2) {
         out.d[2] = multiply(a.d[2], b.d[0]) + 2.0 * multiply(a.d[1], b.d[1]) + multiply(a.d[0], b.d[2]);
-        out.scale[2] =
-            terms * (a.scale[2] * b.scale[0] + 2.0 * a.scale[1] * b.scale[1] + a.scale[0] * b.scale[2]);
+        out.scale[2] = terms * (scale(2, 0) + 2.0 * scale(1, 1) + scale(0, 2));
     }
     return out;
 }
@@ -226,7 +233,7 @@ Value determinant(const Value& a) {
     if (a.rows() != a.cols()) { throw Mismatch("the determinant of " + shape_text(a) + " is taken"); }
     Value out = number(determinant_of(a.d[0]));
     out.order = 0;
-    out.scale[0] = std::max(1.0, elementary::pow(a.scale[0], static_cast<double>(a.rows())));
+    out.scale[0] = std::max(1.0, elementary::pow(size_of(a, 0), static_cast<double>(a.rows())));
     return out;
 }
 

@@ -11,9 +11,9 @@
 /// the product rule is applied here, so that a dot in a formula is a true derivative.
 namespace jw::formula {
 
-/// The share of its largest term that a value is known to: poses are assembled to 1e-13, and velocities
-/// solved to some digits less. A wrong sign, dot or index changes a formula by something of the size of its
-/// terms.
+/// Share of its largest term to which a value of the motion is known: poses are assembled to 1e-13, and
+/// velocities solved to some digits less. A wrong sign, dot or index changes a formula by something of the
+/// size of its terms.
 constexpr double kKnown = 1e-9;
 
 /// Shapes do not fit, or a derivative is not known.
@@ -55,7 +55,7 @@ Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& accelerat
 Value zero();
 Value identity();
 
-/// kKnown, or what rounding leaves of a number as it is written.
+/// Share of its largest term to which a value is known: kKnown, of literals what rounding leaves.
 double known_share(const Value& a);
 
 /// "3 x 4", "a number"
@@ -86,8 +86,7 @@ Value stacked(const std::vector<std::vector<Value>>& blocks);
 /// Difference of two values.
 struct Comparison {
     double difference = 0.0;  ///< largest entry
-    double scale =
-        0.0;  ///< largest term of either side; of numbers as they are written the share that they are off by
+    double scale = 0.0;       ///< largest term of either side; literals count by what they are off by
 };
 /// @throws Mismatch if the shapes differ
 Comparison compared(const Value& a, const Value& b);

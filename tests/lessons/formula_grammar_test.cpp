@@ -167,6 +167,9 @@ Meanings meanings() {
         [=](const Symbol& symbol) -> std::optional<Value> {
             if (symbol == Symbol{"θ", 0, {}, {}}) { return value_of(kTheta); }
             if (symbol == Symbol{"x", 0, {}, {}}) { return value_of(kX); }
+            // as a pose has it that should be at x, and a small angle
+            if (symbol == Symbol{"y", 0, {}, {}}) { return value_of({kX.value + 1e-12}); }
+            if (symbol == Symbol{"φ", 0, {}, {}}) { return value_of({1e-8}); }
             return std::nullopt;
         },
         {}};
@@ -185,15 +188,11 @@ std::string why_not(const std::string& equation) {
     return outcome.problem ? outcome.problem->message : "it has a value";
 }
 
+/// In the notation of formulas, which has no exponents; for numbers above 1e-2.
 std::string digits(double x) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.17g", x);
-    // 1e-05 is no number in a formula
-    const std::string all = text;
-    const std::size_t e = all.find('e');
-    return e == std::string::npos
-               ? all
-               : all.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(all.substr(e + 1))) + "}";
+    std::snprintf(text, sizeof text, "%.17f", x);
+    return text;
 }
 
 }  // namespace
@@ -232,7 +231,8 @@ TEST_CASE("Identities of textbooks hold, and what only looks like them does not"
           R"(\operatorname{atan2}(0, 2) = 0)", R"(0^2 = 0)", R"(\sin \pi = 0)",
           R"(\frac{d}{dt} \theta x = \dot{\theta} x + \theta \dot{x})",
           R"(\frac{d}{dt} \theta^2 = 2 \theta \dot{\theta})", R"(\frac{d}{dt}(\theta) x = \dot{\theta} x)",
-          R"(10^9 + 1 = 1000000001)", R"(10^9 + \theta - 10^9 = \theta)", R"(\arccos 1 = 0)"}) {
+          R"(10^9 + 1 = 1000000001)", R"(10^9 + \theta - 10^9 = \theta)", R"(\arccos 1 = 0)",
+          R"((1 + \phi) (x - y) = 0)"}) {
         CAPTURE(right);
         CHECK(part_of(right) < 1e-9);
     }
