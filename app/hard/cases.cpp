@@ -82,7 +82,7 @@ constexpr std::array kCases{
         "Twice a turn all bars lie in one line, and there two branches cross: the parallelogram and the "
         "crossed "
         "one. Every equation holds on both.",
-        "Newton from the last pose", "prediction along the tangent, checked", "loops/parallelogram.toml",
+        "Newton from the last pose", "a proof for every step", "loops/parallelogram.toml",
         parallelogram_through_change_points},
     Case{
         "tilted-axis", "Redundant, or contradictory?",

@@ -6,6 +6,7 @@
 #include "core/eigen/decompositions.hpp"
 #include "core/jets/body_kinematics.hpp"
 #include "core/model/joint_types.hpp"
+#include "core/motion/flat_state.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw {
@@ -29,7 +30,7 @@ double share_of(double pivot, double best) { return best > 0.0 ? pivot / best : 
 }  // namespace
 
 IndependentCoordinates::IndependentCoordinates(const Centroidal& centroidal, DrivableEquations& equations)
-    : scene_(&centroidal), equations_(&equations) {
+    : scene_(&centroidal), equations_(&equations), moving_(moving_bodies_of(centroidal.mechanism)) {
     const Mechanism& mechanism = centroidal.mechanism;
     int moving = 0;
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -158,7 +159,47 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
     driven_->project(t, here.data());
     driven_->keep_pivots();
     best_pivot_of_rows_ = std::max(best_pivot_of_rows_, pivot_of_rows_);
+    if (d == 0 && !tracker_) { begin_tracking(t, y); }
+    accept(t, y);
     return x;
+}
+
+void IndependentCoordinates::begin_tracking(double t, const double* y) {
+    const Mechanism& mechanism = scene_->mechanism;
+    State state = start_state(mechanism);
+    Motion motion = zero_motion(mechanism);
+    unpack(y, moving_, state, motion);
+    const std::vector<int> thetas = mechanism.theta_indices();
+    for (std::size_t k = 0; k < thetas.size(); ++k) {
+        if (thetas[k] >= 0) { state.theta[at(thetas[k])] = screw_angle(mechanism.joints[k], state); }
+    }
+    system_ = std::make_unique<System>(mechanism, everything(mechanism));
+    tracker_ = std::make_unique<MotionTracker>(*system_, std::move(state), t);
+}
+
+/// Moves y to the pose and velocity with coordinates x.
+void IndependentCoordinates::place(double t, const VectorX& x, double* y) {
+    if (!tracker_) {
+        drive(t, x);
+        driven_->project(t, y);
+        return;
+    }
+    const bool reached = tracker_->advance_to(t);
+    pack(tracker_->frame().state, tracker_->frame().velocity, moving_, y);
+    // from a dead end no way back can be proved
+    if (!reached) { begin_tracking(accepted_t_, accepted_.data()); }
+}
+
+void IndependentCoordinates::follow_turns(double t, const double* y) {
+    equations_->follow_turns(t, y);
+    driven_->follow_turns(t, y);
+    accept(t, y);
+}
+
+void IndependentCoordinates::accept(double t, const double* y) {
+    if (!tracker_) { return; }
+    accepted_t_ = t;
+    accepted_.assign(y, y + equations_->size());
 }
 
 bool IndependentCoordinates::is_sound() const {
@@ -185,8 +226,7 @@ void IndependentCoordinates::drive(double t, const VectorX& x) {
 void IndependentCoordinates::evaluate(
     double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) {
     const auto d = static_cast<Eigen::Index>(chosen_.size());
-    drive(t, x);
-    driven_->project(t, y);
+    place(t, x, y);
     verdict_ = equations_->evaluate(t, y, y_dot);
     x_dot.head(d) = x.tail(d);
     sharpness_ = 1.0;

@@ -5,6 +5,7 @@
 
 #include "core/equations/measure_jet.hpp"
 #include "core/integrate/reduced_coordinates.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 
 /// Independent coordinates, as many as there are freedoms: angles and displacements of joints, or coordinates
 /// of bodies where joints do not suffice. All others follow from the constraints, so nothing can drift.
@@ -18,6 +19,8 @@ struct IndependentCoordinate {
 };
 
 /// State x = (z, ż) with z the independent coordinates; places a mechanism at given x and computes ẋ there.
+/// Where drivers leave no freedom x is empty, and the pose is that of the motion tracker: Newton's method
+/// from an estimate may lead to another branch.
 /// @source coordinate partitioning, book ch. 13
 class IndependentCoordinates final : public ReducedCoordinates {
 public:
@@ -36,10 +39,7 @@ public:
 
     /// Moves y, an estimate, to the state with coordinates x, and computes ẏ and ẋ.
     void evaluate(double t, const VectorX& x, double* y, double* y_dot, Eigen::Ref<VectorX> x_dot) override;
-    void follow_turns(double t, const double* y) override {
-        equations_->follow_turns(t, y);
-        driven_->follow_turns(t, y);
-    }
+    void follow_turns(double t, const double* y) override;
     /// Scales of x: the extent of the scene for lengths, 1 for everything else; for their rates, these times
     /// the fastest motion so far.
     VectorX sizes(const StateScales& scales) const override;
@@ -49,6 +49,9 @@ private:
     /// Gradients, one row each, six numbers per moving body.
     MatrixX gradients(const std::vector<IndependentCoordinate>& of, const double* y) const;
     void drive(double t, const VectorX& x);
+    void begin_tracking(double t, const double* y);
+    void place(double t, const VectorX& x, double* y);
+    void accept(double t, const double* y);
     /// Derivative of a coordinate along the six rates per body in `y_dot`.
     double along(const IndependentCoordinate& coordinate, const MeasureJet& jet, const double* y_dot) const;
     int order_of(int body) const { return order_of_body_[static_cast<std::size_t>(body)]; }
@@ -65,6 +68,11 @@ private:
     double sharpness_ = 1.0;           ///< smallest sharpness of a coordinate at the last evaluation
     Centroidal driven_scene_;          ///< scene with a driver for every chosen coordinate
     std::unique_ptr<DrivableEquations> driven_;
+    std::vector<int> moving_;
+    std::unique_ptr<System> system_;          ///< empty where something is free
+    std::unique_ptr<MotionTracker> tracker_;  ///< of `system_`
+    double accepted_t_ = 0.0;
+    std::vector<double> accepted_;  ///< y at the end of the last step
 };
 
 }  // namespace jw

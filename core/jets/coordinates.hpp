@@ -34,6 +34,20 @@ struct BodyKinematics {
     Vec4 p_bias = Vec4::Zero();  ///< p̈ with zero accelerations of the choice
 };
 
+/// Value of a screw's θ and its rate; all primitives but those of screws ignore them.
+struct Theta {
+    double value = 0.0;
+    double rate = 0.0;
+};
+
+/// θ as the equations of a choice want it.
+template <class C>
+struct ThetaOfChoice {
+    using Type = Theta;
+};
+template <class C>
+using ThetaOf = typename ThetaOfChoice<C>::Type;
+
 /// Shared by the two (r, p) choices: seven columns and a row pᵀp = 1 for every moving body.
 struct EulerParameterColumns {
     static constexpr int kAngular = 4;

@@ -43,7 +43,8 @@ using Measure =
 
 template <Content K, class C>
 auto measured(
-    const AngleMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+    const AngleMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& /*theta*/) {
     const auto u_i = arm<K, kBodyI>(i, m.u_i_local);
     const auto u_j = arm<K, kBodyJ>(j, m.u_j_local);
     return atan2(dot(cross(u_i, u_j), arm<K, kBodyI>(i, m.s_i_local)), dot(u_i, u_j));
@@ -51,37 +52,31 @@ auto measured(
 
 template <Content K, class C>
 auto measured(
-    const DisplacementMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+    const DisplacementMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& /*theta*/) {
     return dot(arm<K, kBodyI>(i, m.s_i_local), vector_between<K>(i, m.B_i_local, j, m.B_j_local));
 }
 
 template <Content K, class C>
 auto measured(
     const SquaredDistanceMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
-    Theta /*theta*/) {
+    const ThetaOf<C>& /*theta*/) {
     return squared_distance<K>(i, m.P_i_local, j, m.P_j_local);
 }
 
 template <Content K, class C>
 auto measured(
-    const CoordinateMeasure& m, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& j, Theta /*theta*/) {
-    if (m.coordinate >= 3) { return euler_parameter<K, kBodyJ>(j, m.coordinate - 3); }
-    const auto r = point<K, kBodyJ>(j, Vec3::Zero());
-    Jet<C, K, 1, kBodyJ> out;
-    out.value(0) = r.value(m.coordinate);
-    if constexpr (K == Content::motion) {
-        out.rate(0) = r.rate(m.coordinate);
-        out.bias(0) = r.bias(m.coordinate);
-    } else {
-        out.block_j = r.block_j.row(m.coordinate);
-    }
-    return out;
+    const CoordinateMeasure& m, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& j,
+    const ThetaOf<C>& /*theta*/) {
+    return m.coordinate >= 3 ? component(parameters<K, kBodyJ>(j), m.coordinate - 3)
+                             : component(point<K, kBodyJ>(j, Vec3::Zero()), m.coordinate);
 }
 
 template <Content K, class C>
 auto measured(
-    const ThetaMeasure& /*m*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/, Theta theta) {
-    return artificial<C, K>(theta.value, theta.rate);
+    const ThetaMeasure& /*m*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/,
+    const ThetaOf<C>& theta) {
+    return artificial<C, K>(theta);
 }
 
 /// Target of a driver's measure at a time: the time function itself, or its square for a squared distance.

@@ -244,14 +244,9 @@ struct ScrewAngle {
 
 using Primitive = std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle>;
 
-/// Values of a screw's θ and its rate; ignored by all other primitives.
-struct Theta {
-    double value = 0.0;
-    double rate = 0.0;
-};
-
 template <Content K, class C>
-auto equations(const N1& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const N1& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return dot(arm<K, kBodyI>(i, c.s_i_local), arm<K, kBodyJ>(j, c.s_j_local));
 }
 
@@ -262,27 +257,32 @@ auto vector_between(
 }
 
 template <Content K, class C>
-auto equations(const N2& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const N2& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return dot(arm<K, kBodyI>(i, c.s_i_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
 }
 
 template <Content K, class C>
-auto equations(const N2J& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const N2J& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return dot(arm<K, kBodyJ>(j, c.s_j_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
 }
 
 template <Content K, class C>
-auto equations(const P1& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const P1& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return cross(arm<K, kBodyI>(i, c.s_i_local), arm<K, kBodyJ>(j, c.s_j_local));
 }
 
 template <Content K, class C>
-auto equations(const P2& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const P2& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return cross(arm<K, kBodyI>(i, c.s_i_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
 }
 
 template <Content K, class C>
-auto equations(const S& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const S& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return point<K, kBodyI>(i, c.P_i_local) - point<K, kBodyJ>(j, c.P_j_local);
 }
 
@@ -294,7 +294,8 @@ auto squared_distance(
 }
 
 template <Content K, class C>
-auto equations(const Distance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const Distance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     auto phi = squared_distance<K>(i, c.P_i_local, j, c.P_j_local);
     phi.value(0) -= c.length * c.length;
     return phi;
@@ -316,30 +317,34 @@ Jet<C, K, 2, S> stacked(const Jet<C, K, 1, S>& top, const Jet<C, K, 1, S>& botto
 }
 
 template <Content K, class C>
-auto equations(const N1Pair& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const N1Pair& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     const auto s_j = arm<K, kBodyJ>(j, c.s_j_local);
     return stacked(dot(arm<K, kBodyI>(i, c.a_i_local), s_j), dot(arm<K, kBodyI>(i, c.b_i_local), s_j));
 }
 
 template <Content K, class C>
-auto equations(const N2Pair& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta /*theta*/) {
+auto equations(
+    const N2Pair& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     const auto d = vector_between<K>(i, c.B_i_local, j, c.B_j_local);
     return stacked(dot(arm<K, kBodyI>(i, c.a_i_local), d), dot(arm<K, kBodyI>(i, c.b_i_local), d));
 }
 
 template <Content K, class C>
-auto equations(const ScrewAdvance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta theta) {
+auto equations(
+    const ScrewAdvance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& theta) {
     const auto d = dot(arm<K, kBodyI>(i, c.s_i_local), vector_between<K>(i, c.B_i_local, j, c.B_j_local));
-    auto phi = d - scaled(c.alpha, artificial<C, K>(theta.value, theta.rate));
+    auto phi = d - scaled(c.alpha, artificial<C, K>(theta));
     phi.value(0) -= c.d_0 - c.alpha * c.theta_0;
     return phi;
 }
 
 template <Content K, class C>
-auto equations(const ScrewAngle& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, Theta theta) {
+auto equations(
+    const ScrewAngle& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& theta) {
     const auto u_i = arm<K, kBodyI>(i, c.u_i_local);
     const auto u_j = arm<K, kBodyJ>(j, c.u_j_local);
-    const auto t = artificial<C, K>(theta.value, theta.rate);
+    const auto t = artificial<C, K>(theta);
     const auto cosine = dot(u_i, u_j);
     const auto sine = dot(cross(u_i, u_j), arm<K, kBodyI>(i, c.s_i_local));
     switch (c.form) {

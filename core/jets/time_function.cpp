@@ -1,5 +1,6 @@
 #include "core/jets/time_function.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/elementary/elementary.hpp"
@@ -46,7 +47,47 @@ void add_step(TimeFunction::Value& value, const TimeFunction::SmoothStep& step, 
     value.f_ddot += rise * 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (duration * duration);
 }
 
+using TaylorBounds = std::array<double, 5>;
+
+void bound_polynomial(TaylorBounds& bounds, const std::vector<double>& coefficients, double largest_t) {
+    TaylorBounds sum{};
+    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
+        for (std::size_t k = sum.size() - 1; k > 0; --k) { sum[k] = sum[k] * largest_t + sum[k - 1]; }
+        sum[0] = sum[0] * largest_t + std::abs(*c);
+    }
+    for (std::size_t k = 1; k < sum.size(); ++k) { bounds[k] += sum[k]; }
+}
+
+void bound_harmonic(TaylorBounds& bounds, const TimeFunction::Harmonic& h) {
+    double coefficient = std::abs(h.amplitude);
+    for (std::size_t k = 1; k < bounds.size(); ++k) {
+        coefficient *= std::abs(h.omega) / static_cast<double>(k);
+        bounds[k] += coefficient;
+    }
+}
+
+void bound_step(TaylorBounds& bounds, const TimeFunction::SmoothStep& step, double from, double to) {
+    if (to <= step.start || from >= step.end || step.from == step.to) { return; }
+    const bool is_within = from >= step.start && to <= step.end;
+    const double duration = step.end - step.start;
+    // largest derivatives of 6u^5 - 15u^4 + 10u^3: 15/8, 10/sqrt(3), 60 and 360
+    const double largest[] = {0.0, 1.875, 5.7736, 60.0, is_within ? 360.0 : HUGE_VAL};
+    double coefficient = std::abs(step.to - step.from);
+    for (std::size_t k = 1; k < bounds.size(); ++k) {
+        coefficient /= duration * static_cast<double>(k);
+        bounds[k] += coefficient * largest[k];
+    }
+}
+
 }  // namespace
+
+std::array<double, 5> TimeFunction::taylor_bounds(double from, double to) const {
+    TaylorBounds bounds{};
+    bound_polynomial(bounds, polynomial, std::max(std::abs(from), std::abs(to)));
+    for (const Harmonic& harmonic : harmonics) { bound_harmonic(bounds, harmonic); }
+    for (const SmoothStep& step : steps) { bound_step(bounds, step, from, to); }
+    return bounds;
+}
 
 TimeFunction::Value TimeFunction::at(double t) const {
     Value value;

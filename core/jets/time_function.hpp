@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 /// A function of time with its two derivatives, for drivers.
@@ -35,6 +36,9 @@ struct TimeFunction {
     std::vector<SmoothStep> steps;
 
     Value at(double t) const;
+    /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 is not used. Where a smooth step begins
+    /// or ends between them, its third derivative jumps, and the fourth has no bound.
+    std::array<double, 5> taylor_bounds(double from, double to) const;
 
     bool operator==(const TimeFunction&) const = default;
 };

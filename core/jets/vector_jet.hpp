@@ -235,29 +235,46 @@ Jet<C, K, 3, S> point(const BodyKinematics<C>& body, const Vec3& s_local) {
     return out;
 }
 
-/// Euler parameter e_k of body i (S = kBodyI) or j.
+/// Euler parameters p of body i (S = kBodyI) or j.
 template <Content K, unsigned S, class C>
-Jet<C, K, 1, S> euler_parameter(const BodyKinematics<C>& body, int k) {
-    Jet<C, K, 1, S> out;
-    out.value(0) = body.p(k);
+Jet<C, K, 4, S> parameters(const BodyKinematics<C>& body) {
+    Jet<C, K, 4, S> out;
+    out.value = body.p;
     if constexpr (K == Content::motion) {
-        out.rate(0) = body.p_dot(k);
-        out.bias(0) = body.p_bias(k);
+        out.rate = body.p_dot;
+        out.bias = body.p_bias;
     } else {
         auto& block = detail::own_block(out);
         block.template leftCols<3>().setZero();
-        block.template rightCols<C::kAngular>() = C::parameter_block(body.p, k);
+        for (int k = 0; k < 4; ++k) {
+            block.template block<1, C::kAngular>(k, 3) = C::parameter_block(body.p, k);
+        }
+    }
+    return out;
+}
+
+/// One component of a vector.
+template <class C, Content K, int Dim, unsigned S>
+Jet<C, K, 1, S> component(const Jet<C, K, Dim, S>& a, int k) {
+    Jet<C, K, 1, S> out;
+    out.value(0) = a.value(k);
+    if constexpr (K == Content::motion) {
+        out.rate(0) = a.rate(k);
+        out.bias(0) = a.bias(k);
+    } else {
+        const auto row = [&](const auto& block) { return block.row(k).eval(); };
+        detail::combine_blocks(out, a, detail::Blockless{}, row, row);
     }
     return out;
 }
 
 /// Artificial coordinate θ, with a column of its own.
 template <class C, Content K>
-Jet<C, K, 1, kTheta> artificial(double theta, double theta_dot) {
+Jet<C, K, 1, kTheta> artificial(const Theta& theta) {
     Jet<C, K, 1, kTheta> out;
-    out.value(0) = theta;
+    out.value(0) = theta.value;
     if constexpr (K == Content::motion) {
-        out.rate(0) = theta_dot;
+        out.rate(0) = theta.rate;
         out.bias(0) = 0.0;
     } else {
         out.block_theta(0) = 1.0;

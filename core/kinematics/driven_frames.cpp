@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/motion/flat_state.hpp"
 #include "core/poses/branches.hpp"
@@ -105,8 +106,14 @@ bool DrivenFrames::advance(double t) {
     equations_->refine(y_dot_new_.data());
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);
-    t_ = t;
+    t_before_ = std::exchange(t_, t);
     return true;
+}
+
+void DrivenFrames::retreat() {
+    std::swap(y_, y_new_);
+    std::swap(y_dot_, y_dot_new_);
+    t_ = t_before_;
 }
 
 void DrivenFrames::write(State& state, Motion& velocity, Motion& acceleration) const {

@@ -25,6 +25,8 @@ public:
     /// Advances to time `t` by Newton's method from the pose that velocity and acceleration predict.
     /// @return false where a rank has to be decided or Newton led elsewhere; nothing has changed then
     bool advance(double t);
+    /// Takes the last advance back.
+    void retreat();
     /// Numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.
     void write(State& state, Motion& velocity, Motion& acceleration) const;
 
@@ -37,6 +39,7 @@ private:
     std::unique_ptr<DrivableEquations> equations_;
     double length_ = 1.0;  ///< extent of the mechanism [m]
     double t_ = 0.0;
+    double t_before_ = 0.0;
     std::vector<double> y_;
     std::vector<double> y_dot_;
     std::vector<double> predicted_;

@@ -26,8 +26,8 @@ void Kinematics<C>::set_state(const State& state, double t) {
     // threshold as for singular values: the pivot of a redundant row, and its contradiction, are about the
     // position error
     const VectorX& phi = assembler_.phi();
-    const double residual = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
-    position_error_ = residual <= kAssembledResidual ? kErrorFactor * residual : 0.0;
+    residual_ = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
+    position_error_ = residual_ <= kAssembledResidual ? kErrorFactor * residual_ : 0.0;
     rank_ = least_squares_.rank(std::max(kRankThreshold, position_error_));
 }
 

@@ -46,6 +46,8 @@ public:
     /// point.
     int rank() const { return rank_; }
     double last_pivot_ratio() const;
+    /// Largest |Φ| at the state, scaled.
+    double residual() const { return residual_; }
     /// Leaves out the weakest equation, where the position is not accurate enough for it.
     void leave_out_weakest();
     /// Residual Φq x - b of a row in the last solution, scaled.
@@ -65,7 +67,8 @@ private:
     State state_;
     double t_ = 0.0;
     int rank_ = 0;
-    double position_error_ = 0.0;  ///< largest |Φ|, scaled
+    double residual_ = 0.0;
+    double position_error_ = 0.0;  ///< uncertainty of pivots by the residual
     VectorX right_side_;
     VectorX solution_;
     VectorX miss_;

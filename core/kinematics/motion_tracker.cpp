@@ -9,8 +9,18 @@ namespace jw {
 
 namespace {
 
-// 2^-12 of a frame: where such a step fails, the motion ends
-constexpr double kSmallestStep = 1.0 / 4096.0;
+// a step is halved so often before it is asked whether rounding hides the branch
+constexpr int kMostRejected = 4;
+// steps of one interval: a motion that takes more comes too near to a singular pose, or leads too far
+constexpr int kMostTried = 50000;
+// of an interval: 10^-14
+constexpr double kShortest = 0x1p-46;
+constexpr double kShortestFree = 0x1p-12;
+// growth of a step after one that was proved: more would often be rejected
+constexpr double kGrowth = 1.5;
+// corrections of a pose near a change point, and the largest [rad, or units of length] that is no error
+constexpr int kMostCorrections = 3;
+constexpr double kLargestCorrection = 1e-6;
 // the tangent is a few thousandths off at first: four secant steps reach rounding, the rest are reserve
 constexpr int kMostSecantSteps = 8;
 constexpr double kFirstSecantStep = 1e-3;
@@ -53,7 +63,15 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
       with_accelerations_(with_accelerations),
       newton_(system),
       kinematics_(system),
-      sides_(intended_sides(system)) {
+      sides_(intended_sides(system)),
+      proof_(system) {
+    for (const DriverConstraint& d : system.drivers()) {
+        for (const TimeFunction::SmoothStep& step :
+             system.mechanism().drivers[static_cast<std::size_t>(d.driver)].function.steps) {
+            kinks_.insert(kinks_.end(), {step.start, step.end});
+        }
+    }
+    std::ranges::sort(kinks_);
     frame_.t = t;
     frame_.state = std::move(state);
     frame_.velocity = start_motion(system.mechanism());
@@ -75,25 +93,47 @@ void MotionTracker::restart_quick_way() {
                       quick_->start(frame_.state, frame_.velocity, frame_.acceleration, frame_.t);
 }
 
+/// Corrects the pose from Newton's tolerance to rounding. Near a change point a correction that leads far is
+/// mostly error.
+void MotionTracker::polish() {
+    for (int k = 0; k < kMostCorrections; ++k) {
+        const double residual = kinematics_.residual();
+        State corrected = kinematics_.corrected_state();
+        if (frame_.change_point && movement(*system_, frame_.state, corrected) > kLargestCorrection) {
+            return;
+        }
+        std::swap(frame_.state, corrected);
+        kinematics_.set_state(frame_.state, frame_.t);
+        if (!frame_.change_point) { return; }
+        if (kinematics_.residual() > 0.5 * residual) {
+            frame_.state = std::move(corrected);
+            kinematics_.set_state(frame_.state, frame_.t);
+            return;
+        }
+    }
+}
+
 /// @param h time since the velocities and accelerations of the frame [s]
 void MotionTracker::analyse(double h) {
     const Motion expected =
         after(*system_, frame_.velocity, frame_.acceleration, frame_.change_point ? 0.0 : h);
     kinematics_.set_state(frame_.state, frame_.t);
     full_rank_ = std::max(full_rank_, kinematics_.rank());
-    if (kinematics_.last_pivot_ratio() < kLostPivotRatio) { kinematics_.leave_out_weakest(); }
+    const bool is_lost = kinematics_.last_pivot_ratio() < kLostPivotRatio;
     frame_.change_point =
-        kinematics_.rank() < full_rank_ || kinematics_.last_pivot_ratio() < kChangePointRatio;
+        kinematics_.rank() < full_rank_ || is_lost || kinematics_.last_pivot_ratio() < kChangePointRatio;
 
-    if (!frame_.change_point) {
-        frame_.state = kinematics_.corrected_state();
-        kinematics_.set_state(frame_.state, frame_.t);
+    polish();
+    if (is_lost) {
+        path_velocity_ = kinematics_.solve_velocity(expected).velocity;
+        kinematics_.leave_out_weakest();
     }
 
     // nearest to the expected velocity: at a change point this is the tangent of the current branch
     VelocityOutcome velocity = kinematics_.solve_velocity(expected);
     frame_.velocity = std::move(velocity.velocity);
     frame_.velocity_verdict = velocity.verdict;
+    if (!is_lost) { path_velocity_ = frame_.velocity; }
     if (!with_accelerations_) { return; }
     AccelerationOutcome acceleration = kinematics_.solve_acceleration(frame_.velocity);
     frame_.acceleration = std::move(acceleration.acceleration);
@@ -128,28 +168,41 @@ void MotionTracker::follow_branch() {
     }
 }
 
+bool MotionTracker::is_proved(
+    const MotionFrame& from, const Motion& velocity, const MotionFrame& to, const Motion& to_velocity) {
+    return proof_.holds({from.t, &from.state, &velocity}, {to.t, &to.state, &to_velocity});
+}
+
 /// Takes a quick step. Verdicts remain those of the last full step: sound rows have full rank.
-bool MotionTracker::try_quick_step(double h) {
-    if (!quick_is_sound_ || !quick_->advance(frame_.t + h)) { return false; }
+MotionTracker::Quick MotionTracker::try_quick_step(double h) {
+    if (!quick_is_sound_ || !quick_->advance(frame_.t + h)) { return Quick::declined; }
     reached_ = frame_;
+    reached_.t = frame_.t + h;
     quick_->write(reached_.state, reached_.velocity, reached_.acceleration);
-    if (find_wrong_branch(*system_, reached_.state, sides_)) { return false; }
+    if (find_wrong_branch(*system_, reached_.state, sides_) ||
+        !is_proved(frame_, path_velocity_, reached_, reached_.velocity)) {
+        quick_->retreat();
+        return Quick::rejected;
+    }
     std::swap(frame_, reached_);
-    frame_.t += h;
+    path_velocity_ = frame_.velocity;
     frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
-    return true;
+    return Quick::accepted;
 }
 
 bool MotionTracker::try_step(double h) {
-    if (try_quick_step(h)) { return true; }
-    if (!try_thorough_step(h)) { return false; }
+    const Quick quick = try_quick_step(h);
+    if (quick != Quick::declined) { return quick == Quick::accepted; }
+    if (!try_thorough_step(h, system_->drivers().empty() ? Way::tangent : Way::proved)) { return false; }
     restart_quick_way();
     return true;
 }
 
-bool MotionTracker::try_thorough_step(double h) {
-    // at a change point accelerations are not determined by the rows: predict along the tangent alone
+/// Poses at `frame_.t + h` by Newton's method from the prediction; the result is in `newton_`.
+bool MotionTracker::find_pose(double h, Way way) {
     MotionFrame base = frame_;
+    if (way == Way::proved) { base.velocity = path_velocity_; }
+    // at a change point accelerations are not determined by the rows: predict along the tangent alone
     if (frame_.change_point) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
     // between solves: after a large step the kept pair may have lost rank
@@ -168,7 +221,12 @@ bool MotionTracker::try_thorough_step(double h) {
             frame_.t + h};
         return false;
     }
-    if (!same_curve(*system_, frame_.state, prediction, newton_.state(), sides_)) {
+    // of what is left free nothing is proved
+    const bool is_determined = full_rank_ >= system_->columns(OmegaLocal::kAngular);
+    const bool is_good = way == Way::proved && is_determined
+                             ? is_meant(*system_, newton_.state(), sides_)
+                             : same_curve(*system_, frame_.state, prediction, newton_.state(), sides_);
+    if (!is_good) {
         const auto wrong = find_wrong_branch(*system_, newton_.state(), sides_);
         failure_ = PositionFailure{
             wrong ? FailureCause::wrong_branch : FailureCause::singular,
@@ -181,38 +239,76 @@ bool MotionTracker::try_thorough_step(double h) {
             frame_.t + h};
         return false;
     }
+    return true;
+}
+
+bool MotionTracker::try_thorough_step(double h, Way way) {
+    if (!find_pose(h, way)) { return false; }
+    const MotionFrame before = frame_;
+    const Motion velocity_before = path_velocity_;
     frame_.t += h;
     frame_.state = newton_.state();
     frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
     analyse(h);
+    const bool is_good = way == Way::proved     ? is_proved(before, velocity_before, frame_, path_velocity_)
+                         : way == Way::crossing ? satisfies_between(before, frame_)
+                                                : true;
+    if (!is_good) {
+        failure_ = PositionFailure{FailureCause::singular, 0, 0.0, 0.0, 0.0, 0, std::nullopt, frame_.t};
+        const bool rows_switched = frame_.rows_switched;
+        frame_ = before;
+        frame_.rows_switched = rows_switched;
+        path_velocity_ = velocity_before;
+        return false;
+    }
     failure_.reset();
     return true;
 }
 
-void MotionTracker::explain_end(double t) {
-    // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
-    // determined at `t`
-    PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
-    if (there.cause == FailureCause::cannot_close) { failure_ = std::move(there); }
-}
-
 bool MotionTracker::advance_to(double t) {
-    const double whole = t - frame_.t;
     frame_.substeps = 0;
     frame_.rows_switched = false;
-    double h = whole;
-    while (std::abs(t - frame_.t) > 1e-12 * std::max(1.0, std::abs(t))) {
-        if (std::abs(h) > std::abs(t - frame_.t)) { h = t - frame_.t; }
-        if (try_step(h)) {
+    const double from = frame_.t;
+    const auto go_to_kink = [&](double kink) { return (kink - from) * (t - kink) <= 0.0 || reach(kink); };
+    const bool reached = t > from ? std::ranges::all_of(kinks_, go_to_kink)
+                                  : std::ranges::all_of(kinks_.rbegin(), kinks_.rend(), go_to_kink);
+    return reached && reach(t);
+}
+
+bool MotionTracker::reach(double t) {
+    // where drivers leave bodies free together, nothing is proved: the motion is followed along its tangent
+    const auto is_underdriven = [&] {
+        if (full_rank_ >= system_->columns(OmegaLocal::kAngular)) { return false; }
+        proof_.decides_at({frame_.t, &frame_.state, &path_velocity_});
+        return proof_.margin() < 0.0;
+    };
+    const bool is_driven = !system_->drivers().empty() && !is_underdriven();
+    if (!is_driven) { step_ = HUGE_VAL; }
+    const double shortest = (is_driven ? kShortest : kShortestFree) * std::abs(t - frame_.t);
+    int rejected = 0;
+    for (int tried = 0; std::abs(t - frame_.t) > 1e-12 * std::max(1.0, std::abs(t)); ++tried) {
+        const double whole = t - frame_.t;
+        const double h = std::copysign(std::min(std::abs(whole), step_), whole);
+        if (tried < kMostTried && try_step(h)) {
             ++frame_.substeps;
-            h *= 2.0;
+            is_crossing_ = false;
+            if (step_ < HUGE_VAL) { remember(); }
+            if (std::abs(h) == step_) { step_ *= is_driven ? kGrowth : 2.0; }
             continue;
         }
-        h *= 0.5;
-        if (std::abs(h) < kSmallestStep * std::abs(whole)) {
+        step_ = 0.5 * std::abs(h);
+        const bool goes_on = tried < kMostTried && step_ > shortest && frame_.t + h != frame_.t;
+        if (goes_on && (++rejected < kMostRejected || !is_driven)) { continue; }
+        rejected = 0;
+        if (goes_on && is_decided()) { continue; }
+        const bool crosses = is_driven && tried < kMostTried && (cross(t) || follow_tangent(t));
+        if (!crosses) {
             explain_end(t);
             return false;
         }
+        ++frame_.substeps;
+        step_ = HUGE_VAL;
+        latest_.clear();
     }
     frame_.t = t;
     return true;

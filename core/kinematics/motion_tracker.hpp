@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include "core/kinematics/kinematics.hpp"
+#include "core/kinematics/proof/step_proof.hpp"
 #include "core/poses/position.hpp"
 
 /// Tracking of the motion of a driven mechanism through time, on its branch.
@@ -30,10 +33,12 @@ struct MotionFrame {
     bool change_point = false;   ///< singular pose or nearly so, passed along the previous tangent
 };
 
-/// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and halves
-/// the step where the correction is not small against the step, which indicates a jump to another branch.
-/// Where the rows are sound and leave no freedom, it uses the fast solver DrivenFrames; elsewhere it
-/// determines ranks.
+/// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and accepts
+/// a step only if it is proved that the motion leads from the one pose to the other (StepProof); else it
+/// takes a shorter one. So a pose does not depend on how many others are asked for. Where rounding hides the
+/// branch, at a change point, the motion goes on along its tangent if that satisfies the equations, and
+/// `change_point` says so. Where the rows are sound and leave no freedom, it uses the fast solver
+/// DrivenFrames; elsewhere it determines ranks.
 class MotionTracker {
 public:
     /// @param system must outlive this; the rows of p1 / p2 are chosen again between frames
@@ -47,13 +52,35 @@ public:
     ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
+    const StepProof::Work& proof_work() const { return proof_.work(); }
 
 private:
+    enum class Quick { accepted, rejected, declined };
+    /// How a step is judged: by a proof; along the tangent where nothing drives; or across a change point.
+    enum class Way { proved, tangent, crossing };
+
     void restart_quick_way();
+    bool reach(double t);
     bool try_step(double h);
-    bool try_quick_step(double h);
-    bool try_thorough_step(double h);
+    Quick try_quick_step(double h);
+    bool try_thorough_step(double h, Way way);
+    bool cross(double t);
+    bool follow_tangent(double t);
+    /// Root of the square of StepProof::margin that the motion comes to.
+    struct Root {
+        enum class Kind { none, simple_root, double_root };
+        Kind kind = Kind::none;
+        double t = 0.0;
+    };
+    Root find_root();
+    bool is_decided();
+    void remember();
+    bool find_pose(double h, Way way);
+    bool is_proved(
+        const MotionFrame& from, const Motion& velocity, const MotionFrame& to, const Motion& to_velocity);
+    bool satisfies_between(const MotionFrame& from, const MotionFrame& to);
     void analyse(double h);
+    void polish();
     void follow_branch();
     void explain_end(double t);
 
@@ -67,6 +94,18 @@ private:
     std::unique_ptr<DrivenFrames> quick_;
     bool quick_is_sound_ = false;
     MotionFrame reached_;
+    StepProof proof_;
+    Motion path_velocity_;  ///< of the frame by all its equations; at change points `frame_` leaves one out
+    std::vector<double> kinks_;  ///< times at which a third derivative of a driver jumps
+    double step_ = HUGE_VAL;     ///< length of a step that can be proved [s]
+    /// Pose that was proved, with its velocity.
+    struct Proved {
+        double t = 0.0;
+        State state;
+        Motion velocity;
+    };
+    std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
+    bool is_crossing_ = false;    ///< the frame was reached without a proof
     std::optional<PositionFailure> failure_;
 };
 

@@ -13,6 +13,8 @@ enum class FailureCause {
     cannot_close,    ///< the equations contradict each other: a closest fit was found, and it is not zero
     wrong_branch,    ///< only solutions with anti-parallel axes or half-turned sides were found
     singular,        ///< the iteration ended at a pose where independent equations are lost
+    turning_point,   ///< the motion turns back at `t`: beyond there is no pose on this branch
+    undecided,       ///< branches come so near to each other at `t` that rounding hides which one leads on
     no_convergence,  ///< none of the above could be shown
 };
 

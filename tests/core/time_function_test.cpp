@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -104,4 +106,37 @@ TEST_CASE("The derivatives of any sum of parts are those of differences", "[core
         CHECK(std::abs(f.at(t).f_dot - difference(value)) < 1e-9);
         CHECK(std::abs(f.at(t).f_ddot - difference(rate)) < 1e-9);
     }
+}
+
+TEST_CASE("Bounds of derivatives are reached by what is bounded", "[core][time_function]") {
+    // |f'|, |f''| / 2, |f'''| / 6 and |f''''| / 24 over an interval
+    const auto check = [](const TimeFunction& f, double from, double to, std::array<double, 4> expected) {
+        const std::array<double, 5> bounds = f.taylor_bounds(from, to);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            CAPTURE(k + 1);
+            CHECK(bounds[k + 1] == Approx(expected[k]).epsilon(1e-4));
+        }
+    };
+    TimeFunction polynomial;
+    polynomial.polynomial = {7.0, 2.0, -3.0, 0.0, 5.0, 1.0};
+    // 2 + 2 3 t + 4 5 t³ + 5 t⁴ at t = 2, each term with its size
+    check(polynomial, -2.0, 1.0, {254.0, 203.0, 80.0, 15.0});
+    TimeFunction harmonics;
+    harmonics.harmonics = {{-2.0, 3.0, 0.4}, {0.5, -2.0, 0.0}};
+    check(harmonics, 0.0, 10.0, {7.0, 10.0, 58.0 / 6.0, 170.0 / 24.0});
+    TimeFunction step;
+    step.steps = {{1.0, 4.0, 0.5, 2.5}};
+    const double third = 10.0 / std::sqrt(3.0);
+    check(step, 0.5, 2.5, {3.0 * 1.875 / 2.0, 3.0 * third / 8.0, 3.0 * 60.0 / 48.0, 3.0 * 360.0 / 384.0});
+    check(step, -1.0, 0.5, {0.0, 0.0, 0.0, 0.0});
+    check(step, 2.5, 3.0, {0.0, 0.0, 0.0, 0.0});
+    for (const auto& [from, to] : {std::array{0.4, 0.6}, std::array{2.4, 2.6}}) {
+        const std::array<double, 5> bounds = step.taylor_bounds(from, to);
+        CHECK(bounds[3] == Approx(3.0 * 60.0 / 48.0));
+        CHECK(std::isinf(bounds[4]));
+    }
+    // largest derivatives, sampled: the quintic's second one is reached within
+    double second = 0.0;
+    for (int k = 0; k <= 1000; ++k) { second = std::max(second, std::abs(step.at(0.5 + 0.002 * k).f_ddot)); }
+    CHECK(second / 2.0 == Approx(step.taylor_bounds(0.5, 2.5)[2]).epsilon(1e-4));
 }

@@ -180,6 +180,30 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
                   : tr("Start on the intended side of it, or drive another coordinate."));
 }
 
+std::string turning_point_text(const System& system, const PositionFailure& failure) {
+    constexpr double digits_of = 1e-3;  // rad or m: four decimals of a degree
+    const std::string when = moment_of(failure);
+    if (system.drivers().size() != 1) {
+        return followed(
+            tr("The motion turns back at t = {0} s: no pose on the branch of the start lies beyond.", when),
+            tr("Let the drivers end there, or change the lengths."));
+    }
+    const Driver& driver = driver_at(system, system.drivers().front().driver);
+    return followed(
+        tr("The motion turns back at t = {0} s: on the branch of the start, {1} cannot lead beyond {2}.",
+           when, driver.name, measure_text(driver, driver.function.at(failure.t).f, digits_of)),
+        tr("Let it end within reach, or change the lengths."));
+}
+
+std::string undecided_text(const PositionFailure& failure) {
+    return followed(
+        tr("At t = {0} s branches of the motion come so near to each other that rounding hides which one "
+           "leads "
+           "on.",
+           moment_of(failure)),
+        tr("Lengths that differ by more, or another driver, decide it."));
+}
+
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
     const std::string within = tr_count(failure.iterations, "{0} iteration", "{0} iterations");
     const std::string text =
@@ -212,6 +236,8 @@ std::string failure_text(const System& system, const PositionFailure& failure) {
         case FailureCause::cannot_close: return cannot_close_text(system, failure);
         case FailureCause::wrong_branch: return wrong_branch_text(system, failure);
         case FailureCause::singular: return singular_text(system, failure);
+        case FailureCause::turning_point: return turning_point_text(system, failure);
+        case FailureCause::undecided: return undecided_text(failure);
         case FailureCause::no_convergence: break;
     }
     return no_convergence_text(system, failure);

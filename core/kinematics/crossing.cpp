@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/kinematics/motion_tracker.hpp"
+
+/// Where no step can be proved: change points, which are crossed, and the causes of an end.
+namespace jw {
+
+namespace {
+
+// length of a crossing [rad, or units of length]: far enough that branches part by more than rounding, near
+// enough that the cubic path satisfies the equations to kCrossed
+constexpr double kCrossing = 1e-3;
+constexpr double kCrossed = 1e-10;
+// poses before a change point whose margins are compared
+constexpr std::size_t kMostRemembered = 40;
+constexpr double kApart = 2.0;
+// share of an interval
+constexpr double kShortestAlongTangent = 0x1p-12;
+// least value of the parabola, as a share of the one at the pose, that counts as none
+constexpr double kDoubleRoot = 0.1;
+
+}  // namespace
+
+/// True if the cubic path between two poses satisfies the equations in its middle.
+bool MotionTracker::satisfies_between(const MotionFrame& from, const MotionFrame& to) {
+    const double h = to.t - from.t;
+    State middle = from.state;
+    for (const int body : system_->moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        middle.r[b] = 0.5 * (from.state.r[b] + to.state.r[b]) +
+                      h / 8.0 * (from.velocity.r_dot[b] - to.velocity.r_dot[b]);
+        const double sign = from.state.p[b].dot(to.state.p[b]) < 0.0 ? -1.0 : 1.0;
+        middle.p[b] = 0.5 * (from.state.p[b] + sign * to.state.p[b]) +
+                      h / 8.0 *
+                          (p_dot_of_omega_local(from.state.p[b], from.velocity.omega_local[b]) -
+                           sign * p_dot_of_omega_local(to.state.p[b], to.velocity.omega_local[b]));
+        middle.p[b].normalize();
+    }
+    for (const int theta : system_->active_thetas()) {
+        const auto k = static_cast<std::size_t>(theta);
+        middle.theta[k] = 0.5 * (from.state.theta[k] + to.state.theta[k]) +
+                          h / 8.0 * (from.velocity.theta_dot[k] - to.velocity.theta_dot[k]);
+    }
+    Assembler<OmegaLocal>& assembler = newton_.assembler();
+    assembler.assemble_phi_and_jacobian(middle, from.t + 0.5 * h);
+    const VectorX& phi = assembler.phi();
+    for (int row = 0; row < static_cast<int>(phi.size()); ++row) {
+        if (!(std::abs(phi(row)) <= kCrossed * system_->row_unit(row))) { return false; }
+    }
+    return true;
+}
+
+/// False where rounding hides the branch: no step can be proved.
+bool MotionTracker::is_decided() { return proof_.decides_at({frame_.t, &frame_.state, &path_velocity_}); }
+
+/// Root of the margin squared. Where branches meet or come near to each other, it is a parabola of time: with
+/// a double root at a change point, with none where branches pass each other. At a turning point the root is
+/// a simple one.
+MotionTracker::Root MotionTracker::find_root() {
+    const auto margin_at = [&](const Proved& pose) {
+        proof_.decides_at({pose.t, &pose.state, &pose.velocity});
+        return proof_.margin();
+    };
+    const double nearest = margin_at({frame_.t, frame_.state, path_velocity_});
+    std::array<double, 3> t{frame_.t};
+    std::array<double, 3> q{nearest * nearest};
+    std::size_t found = 1;
+    for (auto pose = latest_.rbegin(); pose != latest_.rend() && found < t.size(); ++pose) {
+        const double margin = margin_at(*pose);
+        if (margin < kApart * std::sqrt(q[found - 1])) { continue; }
+        t[found] = pose->t;
+        q[found++] = margin * margin;
+    }
+    if (found < t.size()) { return {}; }
+    const double slope = (q[1] - q[0]) / (t[1] - t[0]);
+    const double bend = ((q[2] - q[1]) / (t[2] - t[1]) - slope) / (t[2] - t[0]);
+    // q0 + slope0 (t - t0) + bend (t - t0)²
+    const double slope_0 = slope - bend * (t[1] - t[0]);
+    const double least = q[0] - slope_0 * slope_0 / (4.0 * bend);
+    if (bend > 0.0 && std::abs(least) < kDoubleRoot * q[0]) { return {Root::Kind::double_root, frame_.t}; }
+    const double until =
+        -2.0 * q[0] /
+        (slope_0 + std::copysign(std::sqrt(std::max(slope_0 * slope_0 - 4.0 * bend * q[0], 0.0)), slope_0));
+    const bool is_ahead = until * (t[0] - t[1]) > 0.0;
+    if (is_ahead && (bend <= 0.0 || least < 0.0)) { return {Root::Kind::simple_root, frame_.t + until}; }
+    return {};
+}
+
+/// Keeps poses of the whole approach: near its end steps become very short.
+void MotionTracker::remember() {
+    if (latest_.size() >= kMostRemembered) {
+        for (std::size_t k = 1; 2 * k < latest_.size(); ++k) { std::swap(latest_[k], latest_[2 * k]); }
+        latest_.resize(latest_.size() / 2);
+    }
+    latest_.push_back({frame_.t, frame_.state, path_velocity_});
+}
+
+/// Goes on along the tangent where rounding hides the branch, towards time `t` and no further than kCrossing.
+bool MotionTracker::cross(double t) {
+    if (!is_crossing_ && !latest_.empty() && find_root().kind != Root::Kind::double_root) { return false; }
+    double speed = 1e-300;
+    for (const int body : system_->moving_bodies()) {
+        const auto b = static_cast<std::size_t>(body);
+        speed = std::max(
+            {speed, frame_.velocity.r_dot[b].norm() / system_->length_unit(),
+             frame_.velocity.omega_local[b].norm()});
+    }
+    const double whole = t - frame_.t;
+    const double h = std::copysign(std::min(std::abs(whole), kCrossing / speed), whole);
+    if (!try_thorough_step(h, Way::crossing)) { return false; }
+    is_crossing_ = true;
+    restart_quick_way();
+    return true;
+}
+
+/// Goes on along the tangent where drivers leave something free: a singular pose of such a motion is passed
+/// in any way that satisfies the equations, from here or from a pose on the way here.
+bool MotionTracker::follow_tangent(double t) {
+    if (full_rank_ >= system_->columns(OmegaLocal::kAngular)) { return false; }
+    const auto lead_on = [&] {
+        const double whole = t - frame_.t;
+        for (double h = whole; std::abs(h) > kShortestAlongTangent * std::abs(whole); h *= 0.5) {
+            if (try_thorough_step(h, Way::tangent)) { return true; }
+        }
+        return false;
+    };
+    if (lead_on()) { return true; }
+    const MotionFrame here = frame_;
+    const Motion velocity = path_velocity_;
+    for (auto pose = latest_.rbegin(); pose != latest_.rend(); ++pose) {
+        frame_.t = pose->t;
+        frame_.state = pose->state;
+        frame_.velocity = path_velocity_ = pose->velocity;
+        frame_.acceleration = zero_motion(system_->mechanism());
+        if (lead_on()) { return true; }
+    }
+    frame_ = here;
+    path_velocity_ = velocity;
+    return false;
+}
+
+void MotionTracker::explain_end(double t) {
+    // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
+    // determined at `t`
+    PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
+    if (there.cause == FailureCause::cannot_close) {
+        failure_ = std::move(there);
+        return;
+    }
+    if (system_->drivers().empty()) { return; }
+    const Root root = find_root();
+    const bool turns_back = root.kind == Root::Kind::simple_root;
+    failure_->cause = turns_back ? FailureCause::turning_point : FailureCause::undecided;
+    failure_->t = turns_back ? root.t : frame_.t;
+}
+
+}  // namespace jw

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/kinematics/proof/proved_equations.hpp"
+
+/// Parts of a mechanism whose poses follow from those of the parts before them: a crank from the ground and
+/// its driver, then coupler and rocker, and so on. A proof of a part needs the inverse of its own equations
+/// only.
+namespace jw {
+
+/// Coordinates that a mechanism has: r and p of each moving body, then each θ. `size` columns, `scale` the
+/// unit in which they are compared.
+struct Coordinates {
+    int body = -1;
+    int theta = -1;
+    int size = 0;
+    double scale = 1.0;
+};
+
+/// Numbers of the coordinates of bodies and screws of a system.
+class CoordinateTable {
+public:
+    explicit CoordinateTable(const System& system);
+
+    const std::vector<Coordinates>& all() const { return all_; }
+    /// Index of r of a body (that of p follows), -1 if it is fixed.
+    int of_body(int body) const { return of_body_[at(body)]; }
+    int of_theta(int theta) const { return of_theta_[at(theta)]; }
+    /// Indices of the blocks of an equation in this table: -1 for a fixed body, and where θ is no unknown.
+    std::array<int, kBlocks> blocks_of(const ProvedEquation& equation) const;
+
+private:
+    std::vector<Coordinates> all_;
+    std::vector<int> of_body_;
+    std::vector<int> of_theta_;
+};
+
+/// Jacobian of an equation in scaled rows and columns, by blocks: empty where there is none.
+struct EquationJacobian {
+    std::array<MatrixX, kBlocks> blocks;
+};
+void compute_jacobian(
+    const ProvedEquation& equation, const BodyKinematics<ModifiedEulerParameters>& i,
+    const BodyKinematics<ModifiedEulerParameters>& j, const Theta& theta, double length,
+    EquationJacobian& out);
+
+/// Part of a mechanism.
+struct Part {
+    std::vector<int> unknowns;   ///< indices in the table
+    std::vector<int> inputs;     ///< those of earlier parts that its equations depend on
+    std::vector<int> equations;  ///< indices of its equations
+    int rows = 0;
+    int columns = 0;
+    int rank = 0;  ///< less than the columns where something is left free
+    /// Whether what is left free moves several bodies together: drivers do not determine their poses. A rod
+    /// that turns about itself moves alone.
+    bool is_underdriven = false;
+};
+
+/// Columns of the largest part that is proved, 40 bodies: the work grows with their cube. The rank of a
+/// larger one is not determined.
+inline constexpr int kMostProvedColumns = 280;
+
+/// Divides the coordinates into parts at a pose with these Jacobians: single bodies, pairs and threes that
+/// have as many independent equations as unknowns; what is left hangs together as far as equations link it.
+std::vector<Part> find_parts(
+    const CoordinateTable& table, const std::vector<ProvedEquation>& equations,
+    const std::vector<EquationJacobian>& jacobians);
+
+/// Least pivot of a row that counts as independent, relative to the largest.
+inline constexpr double kIndependent = 1e-9;
+
+}  // namespace jw

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "core/equations/system.hpp"
+#include "core/jets/majorants.hpp"
+
+/// The equations of a system in the form that a proof can bound: polynomials in r and p, and functions of θ
+/// and time whose derivatives have bounds.
+namespace jw {
+
+/// Φ = pᵀ p - 1 of body j.
+struct UnitLength {
+    static constexpr int kEquations = 1;
+    double unit(double /*length*/) const { return 1.0; }
+};
+
+template <Content K, class C>
+auto equations(
+    const UnitLength& /*c*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& j,
+    const ThetaOf<C>& /*theta*/) {
+    const auto p = parameters<K, kBodyJ>(j);
+    auto phi = dot(p, p);
+    phi.value(0) -= 1.0;
+    return phi;
+}
+
+/// Equation of a driver: its measure takes the value of a function of time, given as θ. An angle is compared
+/// by the sine of the difference, which is 0 at the same poses and has no jump.
+struct DrivenAngle {
+    static constexpr int kEquations = 1;
+    AngleMeasure angle;
+    double unit(double /*length*/) const { return 1.0; }
+};
+struct DrivenDistance {
+    static constexpr int kEquations = 1;
+    SquaredDistanceMeasure distance;
+    double unit(double length) const { return length * length; }
+};
+struct DrivenDisplacement {
+    static constexpr int kEquations = 1;
+    DisplacementMeasure displacement;
+    double unit(double length) const { return length; }
+};
+struct DrivenCoordinate {
+    static constexpr int kEquations = 1;
+    CoordinateMeasure coordinate;
+    double unit(double length) const { return coordinate.coordinate < 3 ? length : 1.0; }
+};
+
+template <Content K, class C>
+auto equations(
+    const DrivenAngle& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& target) {
+    const auto& [s_i, u_i, u_j] = c.angle;
+    return equations<K>(ScrewAngle{s_i, u_i, u_j, ScrewAngleForm::rotation}, i, j, target);
+}
+
+template <Content K, class C>
+auto equations(
+    const DrivenDistance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& target) {
+    const auto length = artificial<C, K>(target);
+    return measured<K>(c.distance, i, j, target) - dot(length, length);
+}
+
+template <Content K, class C>
+auto equations(
+    const DrivenDisplacement& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& target) {
+    return measured<K>(c.displacement, i, j, target) - artificial<C, K>(target);
+}
+
+template <Content K, class C>
+auto equations(
+    const DrivenCoordinate& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& target) {
+    return measured<K>(c.coordinate, i, j, target) - artificial<C, K>(target);
+}
+
+/// θ of a screw minus its target: θ here is the difference of both.
+struct DrivenTheta {
+    static constexpr int kEquations = 1;
+    double unit(double /*length*/) const { return 1.0; }
+};
+
+template <Content K, class C>
+auto equations(
+    const DrivenTheta& /*c*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/,
+    const ThetaOf<C>& difference) {
+    return artificial<C, K>(difference);
+}
+
+using ProvedPrimitive = std::variant<
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, UnitLength, DrivenAngle,
+    DrivenDistance, DrivenDisplacement, DrivenCoordinate, DrivenTheta>;
+
+struct ProvedEquation {
+    ProvedPrimitive primitive;
+    int body_i = 0;
+    int body_j = 0;
+    int theta = -1;                        ///< artificial coordinate that is unknown, -1 if none
+    const TimeFunction* target = nullptr;  ///< of a driver
+    unsigned left_out = 0;                 ///< bit k: component k has no row
+    double unit = 1.0;                     ///< size of a row where lengths are measured by the extent
+    int rows = 0;
+
+    bool has_row(int component) const { return ((left_out >> component) & 1U) == 0; }
+};
+
+/// All equations of a system and the normalisation of its moving bodies. p1 and p2 under the rule (or with
+/// all three rows) become their pairs, which have the same solutions and lose no rank for any axis.
+std::vector<ProvedEquation> proved_equations(const System& system);
+
+/// Calls `f` with the jet of an equation.
+template <Content K, class C, class F>
+void visit_equation(
+    const ProvedEquation& equation, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const ThetaOf<C>& theta, F&& f) {
+    std::visit([&](const auto& c) { f(equations<K>(c, i, j, theta)); }, equation.primitive);
+}
+
+}  // namespace jw

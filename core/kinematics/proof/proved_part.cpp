@@ -1,0 +1,173 @@
+#include "core/kinematics/proof/proved_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace jw {
+
+namespace {
+
+// All bounds are sums and products of numbers that are not negative: 10^4 operations round by 10^-12.
+constexpr double kWidening = 1.0 + 1e-9;
+// Least ρ, in units of the coordinates.
+constexpr double kLeastRadius = 1e-14;
+// A step of no length must be proved with so many times its rounding: a step needs some room, too, and where
+// there is little steps become far too short.
+constexpr double kRoomForStep = 4.0;
+constexpr int kMostTrials = 6;
+constexpr double kFirstRadius = 2.5;
+constexpr double kEnlargement = 1.15;
+
+}  // namespace
+
+ProvedPart::ProvedPart(Part part, ProvedStep& step, StepProof::Work& work)
+    : part_(std::move(part)), step_(&step), work_(&work) {
+    std::vector<int> place(step.table().all().size(), -1);
+    int column = 0;
+    for (int k = 0; k < coordinates(); ++k) {
+        const bool is_own = at(k) < part_.unknowns.size();
+        int& next = is_own ? column : input_columns_;
+        first_column_.push_back(next);
+        next += step.table().all()[at(coordinate(at(k)))].size;
+        place[at(coordinate(at(k)))] = k;
+    }
+    for (const int e : part_.equations) {
+        std::array<int, kBlocks>& places = places_.emplace_back();
+        for (std::size_t b = 0; b < kBlocks; ++b) {
+            const int k = step.blocks(e)[b];
+            places[b] = k < 0 ? -1 : place[at(k)];
+        }
+    }
+    reach_.resize(at(coordinates()) + part_.equations.size());
+    distance_.resize(reach_.size());
+    residual_.resize(part_.equations.size());
+}
+
+/// Distances of the step's path from the anchor. @return false if it leaves the region
+bool ProvedPart::measure_reach(const Anchor& anchor) {
+    for (int k = 0; k < coordinates(); ++k) {
+        const Coordinates& c = step_->table().all()[at(coordinate(at(k)))];
+        const Path& path = step_->path(coordinate(at(k)));
+        const double sign = c.size == 4 && path.control[0].dot(anchor.centre[at(k)]) < 0.0 ? -1.0 : 1.0;
+        double square = 0.0;
+        for (const Vec4& b : path.control) {
+            square = std::max(square, (b - sign * anchor.centre[at(k)]).squaredNorm());
+        }
+        reach_[at(k)] = std::sqrt(square) / c.scale;
+        distance_[at(k)] = reach_[at(k)] + step_->error(coordinate(at(k)));
+    }
+    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
+        const std::size_t e = at(part_.equations[g]);
+        const bool is_target = step_->equations()[e].target != nullptr && step_->equations()[e].theta < 0;
+        distance_[at(coordinates()) + g] =
+            is_target ? std::abs(step_->from().thetas[e].value - anchor.targets[g]) +
+                            step_->target(static_cast<int>(e))[1] * std::abs(step_->h())
+                      : 0.0;
+    }
+    return is_within_reach();
+}
+
+bool ProvedPart::is_within_reach() const {
+    for (int k = 0; k < coordinates(); ++k) {
+        const Coordinates& c = step_->table().all()[at(coordinate(at(k)))];
+        const double reach = c.theta >= 0 ? kReachOfTheta : c.size == 3 ? kReachOfLength : kReachOfP;
+        const double distance = distance_[at(k)];
+        // not: of what is no number
+        if (!(distance <= reach)) { return false; }
+        const double radius = distance - reach_[at(k)];
+        if (c.size == 4 && step_->path(coordinate(at(k))).size + radius > kSizeOfP) { return false; }
+    }
+    return std::all_of(
+        distance_.begin() + coordinates(), distance_.end(), [](double x) { return x <= kReachOfTheta; });
+}
+
+/// |Φ(x̂(t), t)| over the step.
+void ProvedPart::bound_residuals(Anchor& anchor) {
+    const double h = std::abs(step_->h());
+    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
+        const std::size_t e = at(part_.equations[g]);
+        const ProvedEquation& equation = step_->equations()[e];
+        const auto set_series = [&](BodyKinematics<Majorants>& body, int index) {
+            const int k = step_->table().of_body(index);
+            if (k < 0) { return; }
+            body.r_series = step_->path(k).series;
+            body.p_series = step_->path(k + 1).series;
+        };
+        set_series(anchor.i[g], equation.body_i);
+        set_series(anchor.j[g], equation.body_j);
+        BoundedTheta theta{anchor.targets[g], kReachOfTheta, {}};
+        if (equation.target != nullptr) { theta.series = step_->target(static_cast<int>(e)); }
+        if (equation.theta >= 0) {
+            theta.series =
+                detail::sum(theta.series, step_->path(step_->table().of_theta(equation.theta)).series);
+        }
+        Series series{};
+        visit_equation<Content::motion>(
+            equation, anchor.i[g], anchor.j[g], theta, [&](const auto& jet) { series = jet.bounds; });
+        residual_[g] =
+            std::max(step_->from().phi[e], step_->to().phi[e]) + anchor.rounding[g] +
+            4.0 / 27.0 * h *
+                (step_->from().rate[e] + step_->to().rate[e] + kRoundingOfRow * series[1] / equation.unit) +
+            h * h * h * h / 16.0 * series[4] / equation.unit;
+    }
+}
+
+/// K and α for the distances of the part.
+void ProvedPart::find_bounds(const Anchor& anchor) {
+    const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
+    K_ = anchor.defect;
+    alpha_.setZero(unknowns);
+    for (std::size_t k = part_.unknowns.size(); k < at(coordinates()); ++k) {
+        alpha_ += step_->error(coordinate(k)) * anchor.passed_on.col(static_cast<Eigen::Index>(k) - unknowns);
+    }
+    passed_residual_ = residual_;
+    const auto n = static_cast<std::ptrdiff_t>(unknowns);
+    for (const Curvature& c : anchor.curvatures) {
+        const double change = c.bound * distance_[at(c.along)];
+        if (c.of >= unknowns) {
+            passed_residual_[at(c.equation)] += change * step_->error(coordinate(at(c.of)));
+            continue;
+        }
+        const double* M = anchor.inverse.data() + n * c.equation;
+        double* K = K_.data() + n * c.of;
+        for (std::ptrdiff_t u = 0; u < n; ++u) { K[u] += change * M[u]; }
+    }
+    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
+        alpha_ += passed_residual_[g] * anchor.inverse.col(static_cast<Eigen::Index>(g));
+    }
+}
+
+bool ProvedPart::prove(Anchor& anchor) {
+    ++work_->proofs;
+    for (const int k : part_.unknowns) { step_->set_error(k, 0.0); }
+    if (!anchor.is_set || !measure_reach(anchor)) { return false; }
+    bound_residuals(anchor);
+    if (step_->h() == 0.0) {
+        for (double& residual : residual_) { residual *= kRoomForStep; }
+    }
+    const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
+    radius_.setZero(unknowns);
+    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
+        radius_ += kFirstRadius * residual_[g] * anchor.inverse.col(static_cast<Eigen::Index>(g));
+    }
+    radius_ = radius_.cwiseMax(kLeastRadius);
+    for (int n = 0; n < kMostTrials; ++n) {
+        for (Eigen::Index u = 0; u < unknowns; ++u) { distance_[at(u)] = reach_[at(u)] + radius_(u); }
+        if (!is_within_reach()) { return false; }
+        find_bounds(anchor);
+        image_.noalias() = K_ * radius_;
+        image_ = kWidening * (image_ + alpha_);
+        if ((image_.array() < radius_.array()).all()) {
+            // the solution is in the tube, so in its image, and in the image of that
+            for (Eigen::Index u = 0; u < unknowns; ++u) {
+                step_->set_error(part_.unknowns[at(u)], kWidening * (alpha_(u) + K_.row(u).dot(image_)));
+            }
+            return true;
+        }
+        radius_ = kEnlargement * image_;
+    }
+    return false;
+}
+
+}  // namespace jw

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/eigen/decompositions.hpp"
+#include "core/kinematics/proof/proved_step.hpp"
+
+/// Proof of a step for one part of a mechanism.
+namespace jw {
+
+/// Bound of a second derivative of an equation: the column `of` of its Jacobian changes by `bound` times the
+/// distance `along`. Places of unknowns, of inputs behind them, and of targets behind these.
+struct Curvature {
+    int equation = 0;
+    int of = 0;
+    int along = 0;
+    double bound = 0.0;
+};
+
+/// Pose of a part with its inverse Jacobian M, and the bounds of derivatives around it. Rows of matrices are
+/// the part's unknowns.
+struct Anchor {
+    bool is_set = false;
+    std::vector<Vec4> centre;                   ///< unknowns, then inputs
+    std::vector<double> targets;                ///< per equation: θ of its driver
+    std::vector<DerivativeBounds> derivatives;  ///< per equation, scaled
+    std::vector<Curvature> curvatures;          ///< those that are not 0
+    std::vector<double> rounding;               ///< per equation: of Φ there
+    std::vector<BodyKinematics<Majorants>> i;   ///< per equation
+    std::vector<BodyKinematics<Majorants>> j;
+    MatrixX inverse;    ///< norms of M by unknowns and equations
+    MatrixX defect;     ///< |I - M J| by unknowns
+    MatrixX passed_on;  ///< |M ∂Φ/∂x| by unknowns and inputs
+};
+
+class ProvedPart {
+public:
+    /// @param step, work must outlive this
+    ProvedPart(Part part, ProvedStep& step, StepProof::Work& work);
+
+    /// Sets the anchor that is tried at an end of the step. @return false if the equations have another rank
+    /// there
+    bool try_anchor_at(const StepEnd& end) { return set_anchor(end, trial_); }
+    void keep_trial() { std::swap(anchor_, trial_); }
+    /// True if the step is proved by the anchor; its error is set in the step then.
+    bool prove() { return prove(anchor_); }
+    bool prove_by_trial() { return prove(trial_); }
+    /// 1 / |M| of the anchor that is tried.
+    double margin() const { return 1.0 / trial_.inverse.norm(); }
+
+private:
+    int coordinates() const { return static_cast<int>(part_.unknowns.size() + part_.inputs.size()); }
+    int coordinate(std::size_t k) const {
+        return k < part_.unknowns.size() ? part_.unknowns[k] : part_.inputs[k - part_.unknowns.size()];
+    }
+    bool set_anchor(const StepEnd& end, Anchor& anchor);
+    void bound_derivatives(const StepEnd& end, Anchor& anchor) const;
+    bool choose_and_invert();
+    bool invert(const StepEnd& end, Anchor& anchor);
+    void measure(Anchor& anchor) const;
+    bool measure_reach(const Anchor& anchor);
+    bool is_within_reach() const;
+    void bound_residuals(Anchor& anchor);
+    void find_bounds(const Anchor& anchor);
+    bool prove(Anchor& anchor);
+
+    Part part_;
+    ProvedStep* step_;
+    StepProof::Work* work_;
+    std::vector<int> first_column_;  ///< per unknown, and per input among the inputs
+    int input_columns_ = 0;
+    std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, inputs behind them, or -1
+    Anchor anchor_;
+    Anchor trial_;
+
+    // what is inverted
+    std::vector<int> equation_of_row_;
+    std::vector<int> chosen_;       ///< rows that are proved
+    double size_of_inverse_ = 0.0;  ///< least since they were chosen
+    MatrixX rows_;                  ///< transposed: pivots are rows
+    MatrixX others_;                ///< derivatives by the inputs
+    MatrixX square_;
+    MatrixX inverse_;
+    MatrixX defect_;
+    MatrixX input_rows_;
+    MatrixX passed_on_;
+    Eigen::ColPivHouseholderQR<MatrixX> qr_;
+    Eigen::PartialPivLU<MatrixX> lu_;
+
+    // bounds of the step
+    std::vector<double> reach_;     ///< per unknown, input and target: largest distance from the anchor
+    std::vector<double> distance_;  ///< the same with ρ or the error of the input
+    std::vector<double> residual_;  ///< per equation
+    std::vector<double> passed_residual_;  ///< the same with what the errors of inputs add
+    VectorX radius_;
+    VectorX alpha_;
+    VectorX image_;
+    MatrixX K_;
+};
+
+// The region around an anchor in which its bounds hold: a tube that leaves it needs another anchor. A larger
+// one would weaken the bounds of rows that depend on distances.
+inline constexpr double kReachOfP = 0.3;
+inline constexpr double kReachOfLength = 0.3;  // in extents; of θ: 1 rad, or 1 m of a target
+inline constexpr double kReachOfTheta = 1.0;
+inline constexpr double kSizeOfP = 1.06;
+// A row is off by at most 8 roundings of its terms, counted as derivatives times coordinates: an arm A s' by
+// 10 of its length, which counts twice.
+inline constexpr double kRoundingOfRow = 0x1p-50;
+
+}  // namespace jw

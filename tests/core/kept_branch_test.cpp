@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "core/kinematics/motion_tracker.hpp"
+#include "core/poses/branches.hpp"
+#include "tests/support/driven_loops.hpp"
+
+using namespace jw;
+using namespace jw::test;
+
+namespace {
+
+constexpr unsigned kShare = 60;  // of each class; all of 10,000 were asked once
+
+/// Where a motion ends, and how far its worst pose is from the branch of its start.
+struct Followed {
+    double worst = 0.0;  ///< in sizes
+    double until = 0.0;
+    int samples = 0;
+};
+
+Followed follow(const DrivenLoop& loop, int steps) {
+    System system(loop.mechanism, everything(loop.mechanism));
+    MotionTracker tracker(system, start_state(loop.mechanism), 0.0);
+    Followed out;
+    for (int k = 1; k <= steps && tracker.advance_to(static_cast<double>(k) / steps); ++k) {
+        const State& state = tracker.frame().state;
+        const Vec3 found =
+            state.r[at(loop.body)] + rotation_matrix(state.p[at(loop.body)]) * loop.point_local;
+        out.worst = std::max(out.worst, (found - loop.expected(tracker.frame().t)).norm() / loop.size);
+        ++out.samples;
+    }
+    out.until = tracker.frame().t;
+    return out;
+}
+
+double log_uniform(Random& random, double from, double to) {
+    return std::exp(random.number(std::log(from), std::log(to)));
+}
+
+template <class Generate>
+void check_class(unsigned seed, Generate&& generate, unsigned share = kShare) {
+    for (unsigned k = 0; k < share; ++k) {
+        Random random(seed + k);
+        const DrivenLoop loop = generate(random, log_uniform(random, 1e-9, 0.3));
+        const int steps = static_cast<int>(log_uniform(random, 1.0, 2000.0));
+        CAPTURE(seed + k, loop.name, loop.margin, steps, loop.size);
+        const Followed followed = follow(loop, steps);
+        CHECK(followed.until == 1.0);
+        CHECK(followed.samples == steps);
+        // branches are 2 sqrt(margin) apart where they come nearest
+        CHECK(followed.worst < 1e-7);
+    }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Driven four-bars stay on their branch, however near to folding and coarsely sampled", "[branches]") {
+    check_class(1000, driven_four_bar);
+}
+
+TEST_CASE("Driven slider-cranks stay on their branch", "[branches]") {
+    check_class(2000, driven_slider_crank);
+}
+
+TEST_CASE("Driven spatial loops stay on their branch", "[branches]") {
+    check_class(3000, driven_spatial_loop);
+}
+
+TEST_CASE("Universal joints bent through a right angle stay on their branch", "[branches]") {
+    // shafts 84 to 89.8 deg off; steps grow with the inverse of what is left
+    check_class(
+        4000,
+        [](Random& random, double margin) {
+            return bent_universal_joint(random, 3.3e-3 * std::pow(margin / 1e-9, 0.175));
+        },
+        12);
+}
+
+TEST_CASE("Loops in a row stay on their branch", "[branches]") { check_class(5000, driven_row); }
+
+TEST_CASE("A parallelogram passes its change points wherever samples lie", "[branches]") {
+    // samples on a change point, and up to 3 % of an interval to both sides of it
+    for (unsigned k = 0; k < kShare; ++k) {
+        Random random(6000 + k);
+        const Place place = random_place(random);
+        const int steps = 2 * static_cast<int>(log_uniform(random, 2.0, 300.0));
+        const double off = k % 4 == 0 ? 0.0 : log_uniform(random, 1e-9, 0.03) * (k % 2 == 0 ? 1.0 : -1.0);
+        // the crank is in line with the ground at turns of 0 and 1/2
+        const double start = -(std::floor(steps / 4.0) + off) / steps * 2.0 * std::numbers::pi;
+        const double length = random.number(1.2, 2.5);
+        const auto crank_pin = [=](double t) {
+            const double theta = start + 2.0 * std::numbers::pi * t;
+            return place.at(std::cos(theta), std::sin(theta));
+        };
+        const Vec3 bar = place.size * length * place.along(1, 0, 0);
+        SceneBuilder scene;
+        const Vec3 z = place.along(0, 0, 1);
+        const int crank = scene.add_body("crank", place.at(0.2, 0));
+        const int coupler = scene.add_body("coupler", crank_pin(0.0));
+        const int rocker = scene.add_body("rocker", place.at(length, 0.3));
+        Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
+        scene.measure_angle(driven, place.along(1, 0, 0), crank_pin(0.0) - place.at(0, 0));
+        scene.add_joint("revolute", crank, coupler, crank_pin(0.0), z);
+        scene.add_joint("revolute", coupler, rocker, crank_pin(0.0) + bar, z);
+        scene.add_joint("revolute", 0, rocker, place.at(length, 0), z);
+        drive(scene.mechanism, 0, start, 1.0);
+        const DrivenLoop loop{
+            scene.mechanism,
+            rocker,
+            scene.local_point(rocker, crank_pin(0.0) + bar),
+            [=](double t) { return Vec3(crank_pin(t) + bar); },
+            place.size,
+            0.0,
+            "parallelogram"};
+        CAPTURE(6000 + k, steps, off, length, loop.size);
+        const Followed followed = follow(loop, steps);
+        CHECK(followed.until == 1.0);
+        // within 1e-6 of a change point positions are known to the root of rounding
+        CHECK(followed.worst < 1e-6);
+    }
+}
+
+TEST_CASE(
+    "A crank that cannot pass stops where it turns back, however coarsely it is sampled", "[branches]") {
+    for (unsigned k = 0; k < kShare; ++k) {
+        Random random(7000 + k);
+        const Place place = random_place(random);
+        // crank 1, coupler 2, rocker 1, ground 2 + gap: b + c < a + d in line, so the crank turns back before
+        const double gap = log_uniform(random, 1e-8, 1e-1);
+        const double d = 2.0 + gap;
+        const double folds = std::acos((1.0 + d * d - 9.0) / (2.0 * d));
+        const double start = random.number(0.2, 1.2);
+        const int steps = static_cast<int>(log_uniform(random, 1.0, 500.0));
+        const double side = random.number() > 0.0 ? 1.0 : -1.0;
+        const Vec3 A = place.at(std::cos(start), std::sin(start));
+        const double x = std::cos(start) - d;
+        const double y = std::sin(start);
+        const double phi = angle_that_meets(x, y, (x * x + y * y + 1.0 - 4.0) / 2.0, side);
+        const Vec3 B = place.at(d + std::cos(phi), std::sin(phi));
+        SceneBuilder scene;
+        const Vec3 z = place.along(0, 0, 1);
+        const int crank = scene.add_body("crank", place.at(0.2, 0));
+        const int coupler = scene.add_body("coupler", 0.5 * (A + B));
+        const int rocker = scene.add_body("rocker", place.at(d, 0.3));
+        Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
+        scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
+        scene.add_joint("revolute", crank, coupler, A, z);
+        scene.add_joint("revolute", coupler, rocker, B, z);
+        scene.add_joint("revolute", 0, rocker, place.at(d, 0), z);
+        drive(scene.mechanism, 0, start, 1.0);
+        System system(scene.mechanism, everything(scene.mechanism));
+        MotionTracker tracker(system, start_state(scene.mechanism), 0.0);
+        CAPTURE(7000 + k, gap, steps, place.size);
+        bool stopped = false;
+        for (int n = 1; n <= steps && !stopped; ++n) {
+            stopped = !tracker.advance_to(static_cast<double>(n) / steps);
+        }
+        REQUIRE(stopped);
+        const double turns_back = (folds - start) / (2.0 * std::numbers::pi);
+        CHECK(tracker.frame().t <= turns_back);
+        // as near as rounding lets a step be proved: the margin squared is 1e-11 there, and proportional to
+        // the root of the gap times the time that is left
+        CHECK(turns_back - tracker.frame().t < 1e-10 / std::sqrt(gap));
+        const PositionFailure& failure = *tracker.failure();
+        if (failure.cause == FailureCause::turning_point) {
+            CHECK(failure.t == Approx(turns_back).epsilon(1e-7));
+        }
+        CHECK((failure.cause == FailureCause::turning_point || failure.cause == FailureCause::cannot_close));
+    }
+}
+
+TEST_CASE("A motion there and back ends where it began, and fine samples meet coarse ones", "[branches]") {
+    for (unsigned k = 0; k < kShare; ++k) {
+        Random random(8000 + k);
+        const DrivenLoop loop = driven_spatial_loop(random, log_uniform(random, 1e-7, 0.1));
+        System system(loop.mechanism, everything(loop.mechanism));
+        MotionTracker coarse(system, start_state(loop.mechanism), 0.0);
+        const State start = coarse.frame().state;
+        REQUIRE(coarse.advance_to(0.7));
+        System fine_system(loop.mechanism, everything(loop.mechanism));
+        MotionTracker fine(fine_system, start_state(loop.mechanism), 0.0);
+        for (int n = 1; n <= 40; ++n) { REQUIRE(fine.advance_to(0.7 * n / 40)); }
+        CAPTURE(8000 + k, loop.name, loop.margin);
+        const auto apart = [&](const State& a, const State& b) { return movement(system, a, b); };
+        const double scale = std::max(1.0, loop.size / system.length_unit());
+        CHECK(apart(coarse.frame().state, fine.frame().state) < 1e-8 * scale);
+        REQUIRE(coarse.advance_to(0.0));
+        CHECK(apart(coarse.frame().state, start) < 1e-8 * scale);
+    }
+}
