@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/numerics/variants.hpp"
-
 namespace jw {
 
 namespace {
@@ -17,18 +15,6 @@ int equations_of(const Primitive& primitive) {
 
 double unit_of(const Primitive& primitive, double length) {
     return std::visit([&](const auto& p) { return p.unit(length); }, primitive);
-}
-
-double unit_of(const Measure& measure, double length) {
-    return std::visit(
-        Overloaded{
-            [](const AngleMeasure&) { return 1.0; },
-            [&](const DisplacementMeasure&) { return length; },
-            [&](const SquaredDistanceMeasure&) { return length * length; },
-            [&](const CoordinateMeasure& m) { return m.coordinate < 3 ? length : 1.0; },
-            [](const ThetaMeasure&) { return 1.0; },
-        },
-        measure);
 }
 
 void require_index(int index, std::size_t size, const char* what) {

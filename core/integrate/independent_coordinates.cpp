@@ -7,7 +7,6 @@
 #include "core/jets/body_kinematics.hpp"
 #include "core/model/joint_types.hpp"
 #include "core/motion/flat_state.hpp"
-#include "core/numerics/variants.hpp"
 
 namespace jw {
 
@@ -51,15 +50,7 @@ VectorX IndependentCoordinates::sizes(const StateScales& scales) const {
     const double length = extent(scene_->mechanism);
     VectorX out(2 * d);
     for (Eigen::Index k = 0; k < d; ++k) {
-        out(k) = std::visit(
-            Overloaded{
-                [](const AngleMeasure&) { return 1.0; },
-                [](const ThetaMeasure&) { return 1.0; },
-                [&](const DisplacementMeasure&) { return length; },
-                [&](const SquaredDistanceMeasure&) { return length * length; },
-                [&](const CoordinateMeasure& m) { return m.coordinate < 3 ? length : 1.0; },
-            },
-            chosen_[static_cast<std::size_t>(k)].measure);
+        out(k) = unit_of(chosen_[static_cast<std::size_t>(k)].measure, length);
     }
     out.tail(d) = out.head(d) * scales.omega();
     return out;
@@ -166,13 +157,7 @@ VectorX IndependentCoordinates::choose(double t, const double* y) {
 
 void IndependentCoordinates::begin_tracking(double t, const double* y) {
     const Mechanism& mechanism = scene_->mechanism;
-    State state = start_state(mechanism);
-    Motion motion = zero_motion(mechanism);
-    unpack(y, moving_, state, motion);
-    const std::vector<int> thetas = mechanism.theta_indices();
-    for (std::size_t k = 0; k < thetas.size(); ++k) {
-        if (thetas[k] >= 0) { state.theta[at(thetas[k])] = screw_angle(mechanism.joints[k], state); }
-    }
+    State state = unpacked(mechanism, moving_, y).first;
     system_ = std::make_unique<System>(mechanism, everything(mechanism));
     tracker_ = std::make_unique<MotionTracker>(*system_, std::move(state), t);
 }

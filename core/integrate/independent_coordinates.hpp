@@ -19,8 +19,8 @@ struct IndependentCoordinate {
 };
 
 /// State x = (z, ż) with z the independent coordinates; places a mechanism at given x and computes ẋ there.
-/// Where drivers leave no freedom x is empty, and the pose is that of the motion tracker: Newton's method
-/// from an estimate may lead to another branch.
+/// Poses of scenes whose drivers leave no freedom come from the motion tracker, and x is empty: Newton's
+/// method from an estimate may lead to another branch.
 /// @source coordinate partitioning, book ch. 13
 class IndependentCoordinates final : public ReducedCoordinates {
 public:

@@ -225,16 +225,7 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
 }
 
 std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {
-    std::pair<State, Motion> out{start_state(scene_.mechanism), start_motion(scene_.mechanism)};
-    State& state = out.first;
-    unpack(y.data(), moving_, state, out.second);
-    std::size_t theta = 0;
-    for (const Joint& joint : scene_.mechanism.joints) {
-        if (joint.type->artificial == 0) { continue; }
-        state.theta[theta] = screw_angle(joint, state);
-        out.second.theta_dot[theta++] = angle_rate(joint, state, out.second);
-    }
-    return out;
+    return jw::unpacked(scene_.mechanism, moving_, y.data());
 }
 
 Energy Simulation::energy(const std::vector<double>& y) const {

@@ -6,6 +6,7 @@
 
 #include "core/jets/primitives.hpp"
 #include "core/jets/time_function.hpp"
+#include "core/numerics/variants.hpp"
 
 /// Measures of a mechanism (an angle, a displacement, ...) and drivers that prescribe them.
 namespace jw {
@@ -77,6 +78,19 @@ auto measured(
     const ThetaMeasure& /*m*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/,
     const ThetaOf<C>& theta) {
     return artificial<C, K>(theta);
+}
+
+/// Size of a measure's gradient when unknowns are measured in units of `length` [m].
+inline double unit_of(const Measure& measure, double length) {
+    return std::visit(
+        Overloaded{
+            [](const AngleMeasure&) { return 1.0; },
+            [&](const DisplacementMeasure&) { return length; },
+            [&](const SquaredDistanceMeasure&) { return length * length; },
+            [&](const CoordinateMeasure& m) { return m.coordinate < 3 ? length : 1.0; },
+            [](const ThetaMeasure&) { return 1.0; },
+        },
+        measure);
 }
 
 /// Target of a driver's measure at a time: the time function itself, or its square for a squared distance.

@@ -89,6 +89,10 @@ std::array<double, 5> TimeFunction::taylor_bounds(double from, double to) const 
     return bounds;
 }
 
+void TimeFunction::append_kinks(std::vector<double>& times) const {
+    for (const SmoothStep& step : steps) { times.insert(times.end(), {step.start, step.end}); }
+}
+
 TimeFunction::Value TimeFunction::at(double t) const {
     Value value;
     add_polynomial(value, polynomial, t);

@@ -36,6 +36,8 @@ struct TimeFunction {
     std::vector<SmoothStep> steps;
 
     Value at(double t) const;
+    /// Appends the times at which a smooth step begins or ends.
+    void append_kinks(std::vector<double>& times) const;
     /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 is not used. Where a smooth step begins
     /// or ends between them, its third derivative jumps, and the fourth has no bound.
     std::array<double, 5> taylor_bounds(double from, double to) const;

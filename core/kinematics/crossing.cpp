@@ -5,7 +5,7 @@
 
 #include "core/kinematics/motion_tracker.hpp"
 
-/// Where no step can be proved: change points, which are crossed, and the causes of an end.
+/// Change points, which are crossed, and the causes of an end: the poses at which no step can be proved.
 namespace jw {
 
 namespace {
@@ -17,8 +17,6 @@ constexpr double kCrossed = 1e-10;
 // poses before a change point whose margins are compared
 constexpr std::size_t kMostRemembered = 40;
 constexpr double kApart = 2.0;
-// share of an interval
-constexpr double kShortestAlongTangent = 0x1p-12;
 // least value of the parabola, as a share of the one at the pose, that counts as none
 constexpr double kDoubleRoot = 0.1;
 
@@ -116,35 +114,10 @@ bool MotionTracker::cross(double t) {
     return true;
 }
 
-/// Goes on along the tangent where drivers leave something free: a singular pose of such a motion is passed
-/// in any way that satisfies the equations, from here or from a pose on the way here.
-bool MotionTracker::follow_tangent(double t) {
-    if (full_rank_ >= system_->columns(OmegaLocal::kAngular)) { return false; }
-    const auto lead_on = [&] {
-        const double whole = t - frame_.t;
-        for (double h = whole; std::abs(h) > kShortestAlongTangent * std::abs(whole); h *= 0.5) {
-            if (try_thorough_step(h, Way::tangent)) { return true; }
-        }
-        return false;
-    };
-    if (lead_on()) { return true; }
-    const MotionFrame here = frame_;
-    const Motion velocity = path_velocity_;
-    for (auto pose = latest_.rbegin(); pose != latest_.rend(); ++pose) {
-        frame_.t = pose->t;
-        frame_.state = pose->state;
-        frame_.velocity = path_velocity_ = pose->velocity;
-        frame_.acceleration = zero_motion(system_->mechanism());
-        if (lead_on()) { return true; }
-    }
-    frame_ = here;
-    path_velocity_ = velocity;
-    return false;
-}
-
 void MotionTracker::explain_end(double t) {
     // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
     // determined at `t`
+    if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
     PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
     if (there.cause == FailureCause::cannot_close) {
         failure_ = std::move(there);

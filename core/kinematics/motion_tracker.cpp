@@ -66,10 +66,7 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
       sides_(intended_sides(system)),
       proof_(system) {
     for (const DriverConstraint& d : system.drivers()) {
-        for (const TimeFunction::SmoothStep& step :
-             system.mechanism().drivers[static_cast<std::size_t>(d.driver)].function.steps) {
-            kinks_.insert(kinks_.end(), {step.start, step.end});
-        }
+        system.mechanism().drivers[at(d.driver)].function.append_kinks(kinks_);
     }
     std::ranges::sort(kinks_);
     frame_.t = t;
@@ -222,8 +219,8 @@ bool MotionTracker::find_pose(double h, Way way) {
         return false;
     }
     // of what is left free nothing is proved
-    const bool is_determined = full_rank_ >= system_->columns(OmegaLocal::kAngular);
-    const bool is_good = way == Way::proved && is_determined
+    const bool has_full_rank = full_rank_ >= system_->columns(OmegaLocal::kAngular);
+    const bool is_good = way == Way::proved && has_full_rank
                              ? is_meant(*system_, newton_.state(), sides_)
                              : same_curve(*system_, frame_.state, prediction, newton_.state(), sides_);
     if (!is_good) {
@@ -275,14 +272,21 @@ bool MotionTracker::advance_to(double t) {
     return reached && reach(t);
 }
 
+/// False where drivers leave bodies free together: nothing is proved then, and the motion is followed along
+/// its tangent.
+bool MotionTracker::is_determined() {
+    return full_rank_ >= system_->columns(OmegaLocal::kAngular) ||
+           !proof_.leaves_bodies_free({frame_.t, &frame_.state, &path_velocity_});
+}
+
 bool MotionTracker::reach(double t) {
-    // where drivers leave bodies free together, nothing is proved: the motion is followed along its tangent
-    const auto is_underdriven = [&] {
-        if (full_rank_ >= system_->columns(OmegaLocal::kAngular)) { return false; }
-        proof_.decides_at({frame_.t, &frame_.state, &path_velocity_});
-        return proof_.margin() < 0.0;
-    };
-    const bool is_driven = !system_->drivers().empty() && !is_underdriven();
+    bool is_driven = !system_->drivers().empty() && is_determined();
+    if (is_start_ && !is_driven && !system_->drivers().empty() && cross(t)) {
+        // at a singular start fewer equations are independent than after it
+        ++frame_.substeps;
+        is_driven = is_determined();
+    }
+    is_start_ = false;
     if (!is_driven) { step_ = HUGE_VAL; }
     const double shortest = (is_driven ? kShortest : kShortestFree) * std::abs(t - frame_.t);
     int rejected = 0;
@@ -301,8 +305,7 @@ bool MotionTracker::reach(double t) {
         if (goes_on && (++rejected < kMostRejected || !is_driven)) { continue; }
         rejected = 0;
         if (goes_on && is_decided()) { continue; }
-        const bool crosses = is_driven && tried < kMostTried && (cross(t) || follow_tangent(t));
-        if (!crosses) {
+        if (!is_driven || tried >= kMostTried || !cross(t)) {
             explain_end(t);
             return false;
         }
@@ -311,6 +314,7 @@ bool MotionTracker::reach(double t) {
         latest_.clear();
     }
     frame_.t = t;
+    failure_.reset();
     return true;
 }
 

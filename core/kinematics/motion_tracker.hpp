@@ -52,7 +52,6 @@ public:
     ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
-    const StepProof::Work& proof_work() const { return proof_.work(); }
 
 private:
     enum class Quick { accepted, rejected, declined };
@@ -60,12 +59,12 @@ private:
     enum class Way { proved, tangent, crossing };
 
     void restart_quick_way();
+    bool is_determined();
     bool reach(double t);
     bool try_step(double h);
     Quick try_quick_step(double h);
     bool try_thorough_step(double h, Way way);
     bool cross(double t);
-    bool follow_tangent(double t);
     /// Root of the square of StepProof::margin that the motion comes to.
     struct Root {
         enum class Kind { none, simple_root, double_root };
@@ -106,6 +105,7 @@ private:
     };
     std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
     bool is_crossing_ = false;    ///< the frame was reached without a proof
+    bool is_start_ = true;        ///< no step was taken yet
     std::optional<PositionFailure> failure_;
 };
 

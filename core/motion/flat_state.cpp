@@ -37,6 +37,19 @@ void unpack(const double* y, std::span<const int> moving, State& state, Motion& 
     }
 }
 
+std::pair<State, Motion> unpacked(const Mechanism& mechanism, std::span<const int> moving, const double* y) {
+    std::pair<State, Motion> out{start_state(mechanism), start_motion(mechanism)};
+    auto& [state, motion] = out;
+    unpack(y, moving, state, motion);
+    std::size_t theta = 0;
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.type->artificial == 0) { continue; }
+        state.theta[theta] = screw_angle(joint, state);
+        motion.theta_dot[theta++] = angle_rate(joint, state, motion);
+    }
+    return out;
+}
+
 void displace(double* y, const double* six, std::size_t bodies) {
     for (std::size_t n = 0; n < bodies; ++n) {
         double* numbers = body_numbers(y, n);

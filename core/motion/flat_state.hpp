@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/model/mechanism.hpp"
@@ -29,6 +30,9 @@ std::vector<double> flat_start(const Mechanism& mechanism);
 void pack(const State& state, const Motion& motion, std::span<const int> moving, double* y);
 /// Reads state and motion from y; bodies that do not move are left unchanged.
 void unpack(const double* y, std::span<const int> moving, State& state, Motion& motion);
+
+/// State and motion of all bodies at y, artificial coordinates included.
+std::pair<State, Motion> unpacked(const Mechanism& mechanism, std::span<const int> moving, const double* y);
 
 /// Kind and weight of a number of y, for error norms.
 struct NumberScale {

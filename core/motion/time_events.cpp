@@ -20,14 +20,10 @@ void for_each_function(const Centroidal& scene, F&& f) {
 }  // namespace
 
 std::vector<double> events_until(double end, const Centroidal& scene) {
-    std::vector<double> events{end};
-    for_each_function(scene, [&](const TimeFunction& function) {
-        for (const TimeFunction::SmoothStep& step : function.steps) {
-            for (const double t : {step.start, step.end}) {
-                if (t > 0.0 && t < end) { events.push_back(t); }
-            }
-        }
-    });
+    std::vector<double> events;
+    for_each_function(scene, [&](const TimeFunction& function) { function.append_kinks(events); });
+    std::erase_if(events, [&](double t) { return t <= 0.0 || t >= end; });
+    events.push_back(end);
     std::ranges::sort(events);
     const auto same = [&](double a, double b) { return b - a <= 1e-12 * end; };
     events.erase(std::unique(events.begin(), events.end(), same), events.end());

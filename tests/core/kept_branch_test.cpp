@@ -15,7 +15,7 @@ namespace {
 
 constexpr unsigned kShare = 60;  // of each class; all of 10,000 were asked once
 
-/// Where a motion ends, and how far its worst pose is from the branch of its start.
+/// End of a motion, and the distance of its worst pose from the branch of its start.
 struct Followed {
     double worst = 0.0;  ///< in sizes
     double until = 0.0;
@@ -191,5 +191,41 @@ TEST_CASE("A motion there and back ends where it began, and fine samples meet co
         CHECK(apart(coarse.frame().state, fine.frame().state) < 1e-8 * scale);
         REQUIRE(coarse.advance_to(0.0));
         CHECK(apart(coarse.frame().state, start) < 1e-8 * scale);
+    }
+}
+
+TEST_CASE("A motion that starts in a change point is proved from there on", "[branches]") {
+    // a crank in line with the ground; the start velocities carry the coupler along without turning it
+    for (const int steps : {1, 2, 3, 7, 50}) {
+        const Place place{Vec3(0.3, 0.2, -0.1), rotation_matrix(Vec4(0.5, 0.5, -0.5, 0.5)), 0.7};
+        const double rate = 2.0 * std::numbers::pi;
+        const auto pin = [&](double t) { return place.at(std::cos(rate * t), std::sin(rate * t)); };
+        const Vec3 bar = place.size * 1.7 * place.along(1, 0, 0);
+        SceneBuilder scene;
+        const Vec3 z = place.along(0, 0, 1);
+        const int crank = scene.add_body("crank", place.at(0, 0));
+        const int coupler = scene.add_body("coupler", pin(0.0));
+        const int rocker = scene.add_body("rocker", place.at(1.7, 0));
+        Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
+        scene.measure_angle(driven, place.along(1, 0, 0), pin(0.0) - place.at(0, 0));
+        scene.add_joint("revolute", crank, coupler, pin(0.0), z);
+        scene.add_joint("revolute", coupler, rocker, pin(0.0) + bar, z);
+        scene.add_joint("revolute", 0, rocker, place.at(1.7, 0), z);
+        drive(scene.mechanism, 0, 0.0, 1.0);
+        scene.mechanism.bodies[at(crank)].omega_local = rate * scene.local(crank, z);
+        scene.mechanism.bodies[at(rocker)].omega_local = rate * scene.local(rocker, z);
+        scene.mechanism.bodies[at(coupler)].r_dot = rate * place.size * place.along(0, 1, 0);
+        const DrivenLoop loop{
+            scene.mechanism,
+            rocker,
+            scene.local_point(rocker, pin(0.0) + bar),
+            [=](double t) { return Vec3(pin(t) + bar); },
+            place.size,
+            0.0,
+            "parallelogram"};
+        CAPTURE(steps);
+        const Followed followed = follow(loop, steps);
+        CHECK(followed.until == 1.0);
+        CHECK(followed.worst < 1e-6);
     }
 }

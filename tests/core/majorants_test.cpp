@@ -41,12 +41,12 @@ std::vector<ProvedPrimitive> primitives(Random& random) {
         ScrewAngle{unit(), unit(), unit(), ScrewAngleForm::cosine},
         ScrewAngle{unit(), unit(), unit(), ScrewAngleForm::sine},
         UnitLength{},
-        DrivenAngle{{unit(), unit(), unit()}},
-        DrivenDistance{{any(), any()}},
-        DrivenDisplacement{{unit(), any(), any()}},
-        DrivenCoordinate{{1}},
-        DrivenCoordinate{{5}},
-        DrivenTheta{}};
+        AngleMeasure{unit(), unit(), unit()},
+        SquaredDistanceMeasure{any(), any()},
+        DisplacementMeasure{unit(), any(), any()},
+        CoordinateMeasure{1},
+        CoordinateMeasure{5},
+        ThetaMeasure{}};
 }
 
 Region random_region(Random& random) {

@@ -16,6 +16,18 @@ Motion random_motion(test::Random& random, const Mechanism& mechanism) {
     return motion;
 }
 
+/// The measure where all lengths are `factor` times as large.
+Measure enlarged(Measure measure, double factor) {
+    if (auto* displacement = std::get_if<DisplacementMeasure>(&measure)) {
+        displacement->B_i_local *= factor;
+        displacement->B_j_local *= factor;
+    } else if (auto* distance = std::get_if<SquaredDistanceMeasure>(&measure)) {
+        distance->P_i_local *= factor;
+        distance->P_j_local *= factor;
+    }
+    return measure;
+}
+
 }  // namespace
 
 TEST_CASE("Rate and acceleration of every measure are differences of its value", "[core][measures]") {
@@ -41,5 +53,26 @@ TEST_CASE("Rate and acceleration of every measure are differences of its value",
                 std::abs(measured.acceleration - test::acceleration_by_difference(value)) <
                 10.0 * test::kAccelerationError);
         }
+    }
+}
+
+TEST_CASE("A measure grows with all lengths as its unit does", "[core][measures]") {
+    constexpr double kFactor = 3.0;
+    test::Random random(7);
+    Mechanism mechanism = test::random_drivers(random);
+    const State state = start_state(mechanism);
+    for (Body& body : mechanism.bodies) { body.r *= kFactor; }
+    State larger = start_state(mechanism);
+    larger.theta = state.theta;
+    const Motion rest = zero_motion(mechanism);
+    for (const Driver& driver : mechanism.drivers) {
+        CAPTURE(driver.measure.index());
+        const auto value = [&](const Measure& measure, const State& at) {
+            return evaluate_measure(measure, driver.body_i, driver.body_j, driver.joint, at, rest, rest)
+                .value;
+        };
+        const double before = value(driver.measure, state);
+        const double after = value(enlarged(driver.measure, kFactor), larger);
+        CHECK(after == Approx(before * unit_of(driver.measure, kFactor)));
     }
 }

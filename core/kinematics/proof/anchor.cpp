@@ -20,7 +20,6 @@ double norm_of(const M& m) {
 
 /// Sets an anchor at a pose. @return false if the part's equations have another rank there
 bool ProvedPart::set_anchor(const StepEnd& end, Anchor& anchor) {
-    ++work_->anchors;
     anchor.is_set = false;
     anchor.centre.clear();
     for (int k = 0; k < coordinates(); ++k) {

@@ -2,25 +2,11 @@
 
 #include <bit>
 
-#include "core/numerics/variants.hpp"
-
 namespace jw {
 
 namespace {
 
-ProvedPrimitive driven(const Measure& measure) {
-    return std::visit(
-        Overloaded{
-            [](const AngleMeasure& m) -> ProvedPrimitive { return DrivenAngle{m}; },
-            [](const DisplacementMeasure& m) -> ProvedPrimitive { return DrivenDisplacement{m}; },
-            [](const SquaredDistanceMeasure& m) -> ProvedPrimitive { return DrivenDistance{m}; },
-            [](const CoordinateMeasure& m) -> ProvedPrimitive { return DrivenCoordinate{m}; },
-            [](const ThetaMeasure&) -> ProvedPrimitive { return DrivenTheta{}; },
-        },
-        measure);
-}
-
-ProvedEquation proved(const System& system, const Constraint& c) {
+ProvedEquation proved(const System& system, const Constraint& c, double length) {
     const Joint& joint = system.mechanism().joints[at(c.joint)];
     const bool is_paired =
         is_parallel(c.role) && c.taken_out == 0 &&
@@ -32,42 +18,41 @@ ProvedEquation proved(const System& system, const Constraint& c) {
     equation.body_j = c.body_j;
     equation.theta = c.theta;
     equation.left_out = is_paired ? 0U : c.left_out();
-    std::visit([&](const auto& p) { equation.primitive = p; }, primitive);
+    std::visit(
+        [&](const auto& p) {
+            equation.primitive = p;
+            equation.unit = p.unit(length);
+            equation.rows = p.kEquations - std::popcount(equation.left_out);
+        },
+        primitive);
     return equation;
 }
 
-ProvedEquation proved(const System& system, const DriverConstraint& d) {
+ProvedEquation proved(const System& system, const DriverConstraint& d, double length) {
     const Driver& driver = system.mechanism().drivers[at(d.driver)];
     ProvedEquation equation;
-    equation.primitive = driven(driver.measure);
+    std::visit([&](const auto& m) { equation.primitive = m; }, driver.measure);
     // a coordinate is one of body j alone
     const bool is_coordinate = std::holds_alternative<CoordinateMeasure>(driver.measure);
     equation.body_i = is_coordinate ? driver.body_j : driver.body_i;
     equation.body_j = driver.body_j;
     if (std::holds_alternative<ThetaMeasure>(driver.measure)) { equation.theta = d.theta; }
     equation.target = &driver.function;
+    equation.unit = unit_of(driver.measure, length);
     return equation;
 }
 
 }  // namespace
 
 std::vector<ProvedEquation> proved_equations(const System& system) {
+    const double length = extent(system.mechanism());
     std::vector<ProvedEquation> all;
-    for (const Constraint& c : system.constraints()) { all.push_back(proved(system, c)); }
-    for (const DriverConstraint& d : system.drivers()) { all.push_back(proved(system, d)); }
+    for (const Constraint& c : system.constraints()) { all.push_back(proved(system, c, length)); }
+    for (const DriverConstraint& d : system.drivers()) { all.push_back(proved(system, d, length)); }
     for (const int body : system.moving_bodies()) {
         ProvedEquation& norm = all.emplace_back();
         norm.primitive = UnitLength{};
         norm.body_i = norm.body_j = body;
-    }
-    const double length = extent(system.mechanism());
-    for (ProvedEquation& equation : all) {
-        std::visit(
-            [&](const auto& c) {
-                equation.unit = c.unit(length);
-                equation.rows = c.kEquations - std::popcount(equation.left_out);
-            },
-            equation.primitive);
     }
     return all;
 }

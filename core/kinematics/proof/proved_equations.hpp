@@ -12,10 +12,7 @@
 namespace jw {
 
 /// Φ = pᵀ p - 1 of body j.
-struct UnitLength {
-    static constexpr int kEquations = 1;
-    double unit(double /*length*/) const { return 1.0; }
-};
+struct UnitLength {};
 
 template <Content K, class C>
 auto equations(
@@ -29,72 +26,46 @@ auto equations(
 
 /// Equation of a driver: its measure takes the value of a function of time, given as θ. An angle is compared
 /// by the sine of the difference, which is 0 at the same poses and has no jump.
-struct DrivenAngle {
-    static constexpr int kEquations = 1;
-    AngleMeasure angle;
-    double unit(double /*length*/) const { return 1.0; }
-};
-struct DrivenDistance {
-    static constexpr int kEquations = 1;
-    SquaredDistanceMeasure distance;
-    double unit(double length) const { return length * length; }
-};
-struct DrivenDisplacement {
-    static constexpr int kEquations = 1;
-    DisplacementMeasure displacement;
-    double unit(double length) const { return length; }
-};
-struct DrivenCoordinate {
-    static constexpr int kEquations = 1;
-    CoordinateMeasure coordinate;
-    double unit(double length) const { return coordinate.coordinate < 3 ? length : 1.0; }
-};
-
 template <Content K, class C>
 auto equations(
-    const DrivenAngle& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& target) {
-    const auto& [s_i, u_i, u_j] = c.angle;
-    return equations<K>(ScrewAngle{s_i, u_i, u_j, ScrewAngleForm::rotation}, i, j, target);
+    const AngleMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& target) {
+    return equations<K>(
+        ScrewAngle{m.s_i_local, m.u_i_local, m.u_j_local, ScrewAngleForm::rotation}, i, j, target);
 }
 
 template <Content K, class C>
 auto equations(
-    const DrivenDistance& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const SquaredDistanceMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
     const ThetaOf<C>& target) {
     const auto length = artificial<C, K>(target);
-    return measured<K>(c.distance, i, j, target) - dot(length, length);
+    return measured<K>(m, i, j, target) - dot(length, length);
 }
 
 template <Content K, class C>
 auto equations(
-    const DrivenDisplacement& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const DisplacementMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
     const ThetaOf<C>& target) {
-    return measured<K>(c.displacement, i, j, target) - artificial<C, K>(target);
+    return measured<K>(m, i, j, target) - artificial<C, K>(target);
 }
 
 template <Content K, class C>
 auto equations(
-    const DrivenCoordinate& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
+    const CoordinateMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
     const ThetaOf<C>& target) {
-    return measured<K>(c.coordinate, i, j, target) - artificial<C, K>(target);
+    return measured<K>(m, i, j, target) - artificial<C, K>(target);
 }
 
 /// θ of a screw minus its target: θ here is the difference of both.
-struct DrivenTheta {
-    static constexpr int kEquations = 1;
-    double unit(double /*length*/) const { return 1.0; }
-};
-
 template <Content K, class C>
 auto equations(
-    const DrivenTheta& /*c*/, const BodyKinematics<C>& /*i*/, const BodyKinematics<C>& /*j*/,
+    const ThetaMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
     const ThetaOf<C>& difference) {
-    return artificial<C, K>(difference);
+    return measured<K>(m, i, j, difference);
 }
 
 using ProvedPrimitive = std::variant<
-    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, UnitLength, DrivenAngle,
-    DrivenDistance, DrivenDisplacement, DrivenCoordinate, DrivenTheta>;
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, UnitLength, AngleMeasure,
+    DisplacementMeasure, SquaredDistanceMeasure, CoordinateMeasure, ThetaMeasure>;
 
 struct ProvedEquation {
     ProvedPrimitive primitive;
@@ -104,7 +75,7 @@ struct ProvedEquation {
     const TimeFunction* target = nullptr;  ///< of a driver
     unsigned left_out = 0;                 ///< bit k: component k has no row
     double unit = 1.0;                     ///< size of a row where lengths are measured by the extent
-    int rows = 0;
+    int rows = 1;
 
     bool has_row(int component) const { return ((left_out >> component) & 1U) == 0; }
 };

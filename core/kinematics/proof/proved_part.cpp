@@ -21,8 +21,7 @@ constexpr double kEnlargement = 1.15;
 
 }  // namespace
 
-ProvedPart::ProvedPart(Part part, ProvedStep& step, StepProof::Work& work)
-    : part_(std::move(part)), step_(&step), work_(&work) {
+ProvedPart::ProvedPart(Part part, ProvedStep& step) : part_(std::move(part)), step_(&step) {
     std::vector<int> place(step.table().all().size(), -1);
     int column = 0;
     for (int k = 0; k < coordinates(); ++k) {
@@ -139,7 +138,6 @@ void ProvedPart::find_bounds(const Anchor& anchor) {
 }
 
 bool ProvedPart::prove(Anchor& anchor) {
-    ++work_->proofs;
     for (const int k : part_.unknowns) { step_->set_error(k, 0.0); }
     if (!anchor.is_set || !measure_reach(anchor)) { return false; }
     bound_residuals(anchor);

@@ -36,8 +36,8 @@ struct Anchor {
 
 class ProvedPart {
 public:
-    /// @param step, work must outlive this
-    ProvedPart(Part part, ProvedStep& step, StepProof::Work& work);
+    /// @param step must outlive this
+    ProvedPart(Part part, ProvedStep& step);
 
     /// Sets the anchor that is tried at an end of the step. @return false if the equations have another rank
     /// there
@@ -67,7 +67,6 @@ private:
 
     Part part_;
     ProvedStep* step_;
-    StepProof::Work* work_;
     std::vector<int> first_column_;  ///< per unknown, and per input among the inputs
     int input_columns_ = 0;
     std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, inputs behind them, or -1

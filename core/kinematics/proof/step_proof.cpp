@@ -27,7 +27,6 @@ public:
     bool is_underdriven = false;
     std::vector<ProvedPart> all;
     std::vector<int> not_proved;  ///< coordinates of parts that are too large
-    Work work;
     double margin = 0.0;
 };
 
@@ -48,10 +47,11 @@ void StepProof::Parts::divide() {
         if (part.columns > kMostProvedColumns) {
             not_proved.insert(not_proved.end(), part.unknowns.begin(), part.unknowns.end());
         } else {
-            all.emplace_back(std::move(part), step, work);
+            all.emplace_back(std::move(part), step);
         }
     }
-    are_divided = true;
+    // at a singular pose equations are dependent that are not so elsewhere
+    are_divided = !is_underdriven;
 }
 
 /// True if the velocities at both ends lead along the step, where nothing is proved.
@@ -70,8 +70,6 @@ bool StepProof::Parts::runs_smoothly() const {
 
 StepProof::StepProof(const System& system) : parts_(std::make_unique<Parts>(system)) {}
 StepProof::~StepProof() = default;
-StepProof::StepProof(StepProof&&) noexcept = default;
-StepProof& StepProof::operator=(StepProof&&) noexcept = default;
 
 bool StepProof::holds(const PathEnd& from, const PathEnd& to) {
     parts_->step.set(from, to);
@@ -101,11 +99,17 @@ bool StepProof::decides_at(const PathEnd& pose) {
         parts_->margin = is_regular ? std::min(parts_->margin, part.margin()) : 0.0;
         decided = decided && is_regular && part.prove_by_trial();
     }
-    if (parts_->is_underdriven) { parts_->margin = -1.0; }
     return decided;
 }
 
 double StepProof::margin() const { return parts_->margin; }
-const StepProof::Work& StepProof::work() const { return parts_->work; }
+
+bool StepProof::leaves_bodies_free(const PathEnd& pose) {
+    if (!parts_->are_divided) {
+        parts_->step.set(pose, pose);
+        parts_->divide();
+    }
+    return parts_->is_underdriven;
+}
 
 }  // namespace jw

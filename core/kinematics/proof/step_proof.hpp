@@ -32,16 +32,14 @@ struct PathEnd {
 ///
 /// Parts of the mechanism that determine their poses one after the other are proved one after the other.
 ///
-/// Of equations that repeat others (n more than unknowns, all of them within rounding at both ends), the most
-/// independent ones are proved; what is left free keeps to x̂ by definition.
+/// Redundant equations: the most independent ones are proved; the others hold within rounding at both ends.
+/// What is left free keeps to x̂ by definition.
 /// @source Kantorovich's theorem; docs/proofs.md
 class StepProof {
 public:
     /// @param system must outlive this
     explicit StepProof(const System& system);
     ~StepProof();
-    StepProof(StepProof&&) noexcept;
-    StepProof& operator=(StepProof&&) noexcept;
 
     /// True if the step is proved; where it is not, a shorter one may be. Near a singular pose none can be:
     /// see decides_at.
@@ -51,13 +49,9 @@ public:
     /// 1 / |M| at the pose that was asked for last, of the part nearest to a singular pose: proportional to
     /// the distance from there, squared proportional to the time until a turning point.
     double margin() const;
-
-    /// Work so far.
-    struct Work {
-        int proofs = 0;
-        int anchors = 0;
-    };
-    const Work& work() const;
+    /// True if drivers leave several bodies free together: nothing is proved of these, and their poses are
+    /// not determined.
+    bool leaves_bodies_free(const PathEnd& pose);
 
 private:
     class Parts;
