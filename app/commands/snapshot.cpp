@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/format_option.hpp"
@@ -114,14 +115,14 @@ Exit record_command(const SnapshotOptions& options, const Streams& streams) {
 /// Compares one lesson; what keeps it from being compared is part of the result.
 snapshot::LessonResult compared(
     const SnapshotOptions& options, const snapshot::SuiteLesson& lesson, const SnapshotRules& rules,
-    bool with_controls, const Streams& streams) {
+    const std::set<snapshot::Fault>& controls, const Streams& streams) {
     snapshot::LessonResult result;
     result.lesson = lesson;
     try {
         const Opened now = opened(lesson.file, streams);
         const snapshot::GoldenFolder folder = folder_of(options, lesson);
         check_head(folder);
-        return snapshot::compare(now.lesson, now.text, lesson, folder, rules, with_controls);
+        return snapshot::compare(now.lesson, now.text, lesson, folder, rules, controls);
     } catch (const FaultyFile& error) { result.problem = error.what(); } catch (const CommandError& error) {
         result.problem = error.what();
     } catch (const std::runtime_error& error) { result.problem = error.what(); }
@@ -139,8 +140,13 @@ std::vector<snapshot::LessonResult> compared(
     };
     const std::vector<snapshot::SuiteLesson> suite =
         snapshot::suite_or_emptied(options.paths, options.golden);
+    std::set<snapshot::Fault> controls = snapshot::all_faults();
     for (const snapshot::SuiteLesson& lesson : suite) {
-        add(compared(options, lesson, rules, results.empty(), streams));
+        add(compared(options, lesson, rules, controls, streams));
+        if (!results.back().problem.empty()) { continue; }
+        // what this lesson had no room for is tried in the next one
+        controls.clear();
+        for (const auto& skipped : results.back().controls.skipped) { controls.insert(skipped.kind); }
     }
     for (const std::string& name : snapshot::deleted_lessons(options.paths, suite, options.golden)) {
         add(snapshot::result_of_deleted(name, options.golden));

@@ -5,7 +5,6 @@
 
 #include "app/host/frames/environment.hpp"
 #include "lessons/diagnostics.hpp"
-#include "render/image_difference.hpp"
 
 namespace jw::snapshot {
 
@@ -18,21 +17,6 @@ std::string size_text(const render::Image& image) {
 }
 
 std::string per_cent(double part) { return short_number(100.0 * part, 3) + " %"; }
-
-/// The first rule of a layer that a mask of differing pixels breaks.
-std::string broken_rule(const render::PixelMask& mask, double share, int patch) {
-    const double part = static_cast<double>(mask.count()) / static_cast<double>(mask.marked.size());
-    const int largest = render::largest_patch(mask);
-    if (largest > patch) {
-        return std::to_string(largest) + " pixels that touch each other differ, and " +
-               std::to_string(mask.count()) + " in all; " + std::to_string(patch) + " may touch";
-    }
-    if (part > share) {
-        return std::to_string(mask.count()) + " pixels differ (" + per_cent(part) + "); " + per_cent(share) +
-               " may";
-    }
-    return {};
-}
 
 int depth_at(const render::Image& depth, int x, int y) { return 256 * depth.at(x, y)[0] + depth.at(x, y)[1]; }
 
@@ -112,6 +96,20 @@ void compare_layers(
 }
 
 }  // namespace
+
+std::string broken_rule(const render::PixelMask& mask, double share, int patch) {
+    const double part = static_cast<double>(mask.count()) / static_cast<double>(mask.marked.size());
+    const int largest = render::largest_patch(mask);
+    if (largest > patch) {
+        return std::to_string(largest) + " pixels that touch each other differ, and " +
+               std::to_string(mask.count()) + " in all; " + std::to_string(patch) + " may touch";
+    }
+    if (part > share) {
+        return std::to_string(mask.count()) + " pixels differ (" + per_cent(part) + "); " + per_cent(share) +
+               " may";
+    }
+    return {};
+}
 
 LayerDifference compare_colours(
     const render::Image& before, const render::Image& now, const SnapshotRules::Colour& rules) {

@@ -7,6 +7,7 @@
 #include "app/snapshot/fact_changes.hpp"
 #include "app/snapshot/taken.hpp"
 #include "lessons/snapshot_rules.hpp"
+#include "render/image_difference.hpp"
 
 /// Two snapshots of the same thing, compared layer by layer.
 namespace jw::snapshot {
@@ -34,6 +35,9 @@ struct Difference {
     bool colour_fails() const { return !colour.broken.empty() && drawn_otherwise.empty(); }
     bool fails() const { return text_fails() || layers_fail() || colour_fails(); }
 };
+
+/// The first rule of a layer that a mask of differing pixels breaks; empty if none is.
+std::string broken_rule(const render::PixelMask& mask, double share, int patch);
 
 Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules);
 

@@ -1,13 +1,19 @@
 #include "app/snapshot/controls.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "app/session/picture/pointable.hpp"
 #include "app/snapshot/comparison.hpp"
+#include "render/image_difference.hpp"
 
 namespace jw::snapshot {
 
 namespace {
+
+constexpr SnapshotRules kDefaults;
+constexpr const char* kNoNumber = "the step has no number that may differ at all";
 
 render::Image shifted(const render::Image& image) {
     render::Image moved = image;
@@ -36,15 +42,33 @@ bool leave_out(Picture& picture, int joint) {
     return picture.scene.shapes.size() + picture.scene.arrows.size() < before;
 }
 
-/// Gives the shapes of the first body after the ground that can be seen the colour of another thing.
-bool swap_colours(Picture& picture) {
+/// Pixels of the parts that are asked for.
+template <class IsIts>
+render::PixelMask pixels_of(const render::PictureLayers& layers, const IsIts& is_its) {
+    render::PixelMask mask(layers.width, layers.height);
+    std::ranges::transform(layers.ids, mask.marked.begin(), is_its);
+    return mask;
+}
+
+/// True for colours that stay apart in the shade, where a quarter of them is left, by more than `level`.
+bool are_plainly_different(const render::Colour& a, const render::Colour& b) {
+    const float apart = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+    return apart > 4.0F * static_cast<float>(kDefaults.colour.level) / 255.0F;
+}
+
+/// Gives the shapes of the first body that is seen the colour of another one.
+/// @return false if no body is seen, or all have one colour
+template <class IsSeen>
+bool swap_colours(Picture& picture, const IsSeen& is_seen) {
     std::vector<render::Shape*> bodies;
     for (render::Shape& shape : picture.scene.shapes) {
         if (pointable_of(shape.id).kind == Pointable::Kind::body) { bodies.push_back(&shape); }
     }
     for (render::Shape* const one : bodies) {
-        const auto other = std::ranges::find_if(
-            bodies, [one](const render::Shape* shape) { return !(shape->colour == one->colour); });
+        if (!is_seen(one->id)) { continue; }
+        const auto other = std::ranges::find_if(bodies, [one](const render::Shape* shape) {
+            return are_plainly_different(shape->colour, one->colour);
+        });
         if (other == bodies.end()) { continue; }
         const render::Colour colour = one->colour;
         const int id = one->id;
@@ -73,21 +97,44 @@ bool change_digit(std::string& text) {
 class Controls {
 public:
     Controls(Camera& camera, const Shot& shot, const SnapshotRules& rules)
-        : camera_(camera), shot_(shot), rules_(rules), right_(camera.take(shot)) {}
+        : camera_(camera),
+          shot_(shot),
+          rules_(rules),
+          view_(camera.view(shot)),
+          right_(camera.take(shot)),
+          seen_(camera.painter().layers(camera.painter().picture(view_))) {}
 
-    std::vector<ControlResult> run() {
-        shift();
-        change_number();
-        loosen_number();
-        change_shown_digit();
-        change_picture("two bodies have swapped their colours", "colours", swap_colours);
-        leave_out_joint();
+    ControlResults run(const std::set<Fault>& wanted) {
+        for (const Fault fault : wanted) {
+            kind_ = fault;
+            make(fault);
+        }
         return std::move(results_);
     }
 
 private:
+    void make(Fault fault) {
+        switch (fault) {
+            case Fault::shift: return shift();
+            case Fault::number: return change_number();
+            case Fault::tolerance: return loosen_number();
+            case Fault::shown_digit: return change_shown_digit();
+            case Fault::colours: return exchange_colours();
+            case Fault::joint: return leave_out_joint();
+        }
+    }
+
     void add(const std::string& fault, const std::string& layer, bool noticed) {
-        results_.push_back({fault, layer, noticed});
+        results_.made.push_back({fault, layer, noticed});
+    }
+    void skip(const std::string& fault, const std::string& layer, const std::string& reason) {
+        results_.skipped.push_back({kind_, fault, layer, reason});
+    }
+
+    /// True if more pixels of these parts are seen than the default rules allow to differ.
+    template <class IsIts>
+    bool is_seen(const IsIts& is_its, double share, int patch) const {
+        return !broken_rule(pixels_of(seen_, is_its), share, patch).empty();
     }
 
     void shift() {
@@ -97,7 +144,10 @@ private:
         Snapshot moved = right_;
         moved.layers.ids = shifted(right_.layers.ids);
         moved.layers.depth = shifted(right_.layers.depth);
-        if (moved.layers.ids == right_.layers.ids) { return; }
+        const render::PixelMask mask = render::differing(right_.layers.ids, moved.layers.ids, 0);
+        if (broken_rule(mask, kDefaults.ids.share, kDefaults.ids.patch).empty()) {
+            return skip(fault, "ids", "no thing has an edge of more pixels than may differ");
+        }
         add(fault, "ids", difference_of(right_, moved, rules_).layers_fail());
     }
 
@@ -110,56 +160,73 @@ private:
     void loosen_number() {
         Snapshot loose = right_;
         Fact* const number = first_number(loose.record.facts);
-        if (number == nullptr) { return; }
+        const std::string fault = "a number of the golden file may differ by too much";
+        if (number == nullptr) { return skip(fault, "text", kNoNumber); }
         // the smallest that must be noticed
         number->tolerance *= 2.0 * kMostOfTolerance;
-        add("a number of the golden file may differ by too much", "text",
-            difference_of(loose, right_, rules_).text_fails());
+        add(fault, "text", difference_of(loose, right_, rules_).text_fails());
     }
 
     void change_number() {
         Snapshot changed = right_;
         Fact* const number = first_number(changed.record.facts);
-        if (number == nullptr) { return; }
+        const std::string fault = "a digit of a number is another";
+        if (number == nullptr) { return skip(fault, "text", kNoNumber); }
         // the first digit that panels show of a number as large as its scale
         *number->value += 1e3 * number->tolerance;
-        add("a digit of a number is another", "text", difference_of(right_, changed, rules_).text_fails());
+        add(fault, "text", difference_of(right_, changed, rules_).text_fails());
     }
 
     void change_shown_digit() {
-        View view = camera_.view(shot_);
-        if (!change_digit(view.sentence)) { return; }
-        const render::Image image = camera_.painter().paint(view, camera_.painter().picture(view));
-        add("a digit on the picture is another", "colours",
-            !compare_colours(right_.colour, image, rules_.colour).broken.empty());
+        View view = view_;
+        const std::string fault = "a digit on the picture is another";
+        if (!change_digit(view.sentence)) {
+            return skip(fault, "colours", "the sentence of the step has no digit");
+        }
+        add(fault, "colours", are_other_colours(view, camera_.painter().picture(view)));
     }
 
-    template <class Change>
-    void change_picture(const std::string& fault, const std::string& layer, const Change& change) {
-        const View view = camera_.view(shot_);
-        Picture picture = camera_.painter().picture(view);
-        if (!change(picture)) { return; }
+    void exchange_colours() {
+        Picture picture = camera_.painter().picture(view_);
+        const auto is_body_seen = [this](int body) {
+            const SnapshotRules::Colour& rules = kDefaults.colour;
+            return is_seen([body](int id) { return id == body; }, rules.share, rules.patch);
+        };
+        const std::string fault = "two bodies have swapped their colours";
+        if (!swap_colours(picture, is_body_seen)) {
+            return skip(fault, "colours", "no body is seen that has another colour than another one");
+        }
+        add(fault, "colours", are_other_colours(view_, picture));
+    }
+
+    bool are_other_colours(const View& view, const Picture& picture) {
         const render::Image image = camera_.painter().paint(view, picture);
-        add(fault, layer, !compare_colours(right_.colour, image, rules_.colour).broken.empty());
+        return !compare_colours(right_.colour, image, rules_.colour).broken.empty();
     }
 
+    /// In the text the first joint that is drawn, in the picture of things the first that is seen.
     void leave_out_joint() {
-        const View view = camera_.view(shot_);
         const Mechanism& mechanism = camera_.story().lesson().mechanism;
+        const Picture whole = camera_.painter().picture(view_);
+        bool is_any_drawn = false;
         for (int joint = 0; joint < static_cast<int>(mechanism.joints.size()); ++joint) {
-            Picture picture = camera_.painter().picture(view);
+            Picture picture = whole;
             if (!leave_out(picture, joint)) { continue; }
-            const std::string& name = mechanism.joints[static_cast<std::size_t>(joint)].name;
-            const std::string fault = "joint " + name + " is left out";
-            add(fault, "text", is_told(camera_.painter().picture(view), picture, mechanism));
-            // one inside a body has no pixel that could be missed
-            if (!is_seen(name)) { continue; }
+            const std::string fault =
+                "joint " + mechanism.joints[static_cast<std::size_t>(joint)].name + " is left out";
+            if (!std::exchange(is_any_drawn, true)) {
+                add(fault, "text", is_told(whole, picture, mechanism));
+            }
+            const auto is_its = [joint](int id) { return belongs_to_joint(id, joint); };
+            // its pixels show something else without it, so the default rules notice
+            if (!is_seen(is_its, kDefaults.ids.share, kDefaults.ids.patch)) { continue; }
             Snapshot changed = right_;
             changed.layers = picture_of(camera_.painter().layers(picture), mechanism);
             changed.record.things = changed.layers.things;
-            add(fault, "ids", difference_of(right_, changed, rules_).layers_fail());
-            return;
+            return add(fault, "ids", difference_of(right_, changed, rules_).layers_fail());
         }
+        if (!is_any_drawn) { skip("a joint is left out", "text", "no joint is drawn"); }
+        skip("a joint is left out", "ids", "no joint is seen on more pixels than may differ");
     }
 
     /// The facts about two pictures differ.
@@ -170,19 +237,21 @@ private:
         return !changes_of(a, b).empty();
     }
 
-    bool is_seen(const std::string& name) const {
-        return std::ranges::any_of(
-            right_.record.things, [&](const auto& thing) { return thing.second == name; });
-    }
-
     Camera& camera_;
     const Shot& shot_;
     const SnapshotRules& rules_;
-    Snapshot right_;
-    std::vector<ControlResult> results_;
+    const View view_;
+    const Snapshot right_;
+    const render::PictureLayers seen_;  ///< of the right picture
+    Fault kind_ = Fault::shift;
+    ControlResults results_;
 };
 
 }  // namespace
+
+std::set<Fault> all_faults() {
+    return {Fault::shift, Fault::number, Fault::tolerance, Fault::shown_digit, Fault::colours, Fault::joint};
+}
 
 const Shot& shot_for_controls(const Camera& camera) {
     const int last = camera.story().last_assembled();
@@ -190,8 +259,9 @@ const Shot& shot_for_controls(const Camera& camera) {
     return found != camera.shots().end() ? *found : camera.shots().back();
 }
 
-std::vector<ControlResult> control(Camera& camera, const Shot& shot, const SnapshotRules& rules) {
-    return Controls(camera, shot, rules).run();
+ControlResults control(
+    Camera& camera, const Shot& shot, const SnapshotRules& rules, const std::set<Fault>& wanted) {
+    return Controls(camera, shot, rules).run(wanted);
 }
 
 }  // namespace jw::snapshot

@@ -102,13 +102,19 @@ std::string section_of(const SnapshotResult& result, bool with_pictures) {
 }
 
 std::string controls_of(const LessonResult& result) {
-    if (result.controls.empty()) { return {}; }
+    const auto& [made, skipped] = result.controls;
+    if (made.empty() && skipped.empty()) { return {}; }
     std::string html = "<details><summary>negative controls: faults that must be noticed</summary><ul>";
-    for (const ControlResult& control : result.controls) {
+    for (const ControlResult& control : made) {
         html += std::string("<li class=\"") + (control.noticed ? "good" : "bad") + "\">" +
                 xml_text(
                     control.fault + " (" + control.layer +
                     "): " + (control.noticed ? "noticed" : "NOT NOTICED")) +
+                "</li>";
+    }
+    for (const SkippedControl& control : skipped) {
+        html += "<li class=\"soft\">" +
+                xml_text(control.fault + " (" + control.layer + "): not made here, " + control.reason) +
                 "</li>";
     }
     return html + "</ul></details>\n";

@@ -11,16 +11,18 @@ struct Counts {
     std::size_t tests = 0;
     std::size_t failures = 0;
     std::size_t errors = 0;
+    std::size_t skipped = 0;
 
     std::string attributes() const {
         return " tests=\"" + std::to_string(tests) + "\" failures=\"" + std::to_string(failures) +
-               "\" errors=\"" + std::to_string(errors) + "\"";
+               "\" errors=\"" + std::to_string(errors) + "\" skipped=\"" + std::to_string(skipped) + "\"";
     }
 };
 
 Counts counts_of(const LessonResult& result) {
-    if (!result.problem.empty()) { return {1, 0, 1}; }
-    Counts counts{result.snapshots.size() + result.controls.size(), 0, 0};
+    if (!result.problem.empty()) { return {1, 0, 1, 0}; }
+    const auto& [made, skipped] = result.controls;
+    Counts counts{result.snapshots.size() + made.size() + skipped.size(), 0, 0, skipped.size()};
     for (const SnapshotResult& snapshot : result.snapshots) {
         counts.failures += fails(snapshot.verdict) ? 1U : 0U;
     }
@@ -28,7 +30,7 @@ Counts counts_of(const LessonResult& result) {
         counts.tests += one ? 1U : 0U;
         counts.failures += one ? 1U : 0U;
     }
-    for (const ControlResult& control : result.controls) { counts.failures += control.noticed ? 0U : 1U; }
+    for (const ControlResult& control : made) { counts.failures += control.noticed ? 0U : 1U; }
     return counts;
 }
 
@@ -70,12 +72,17 @@ std::string suite_of(const LessonResult& result) {
     for (const SnapshotResult& snapshot : result.snapshots) {
         text += case_of(result, snapshot.name, failure_of(result, snapshot));
     }
-    for (const ControlResult& control : result.controls) {
+    const auto name_of = [](const auto& control) {
+        return "negative control: " + control.fault + " (" + control.layer + ")";
+    };
+    for (const ControlResult& control : result.controls.made) {
         const std::string blind =
             "<failure type=\"blind\" message=\"not noticed by " + control.layer + "\"/>";
-        text += case_of(
-            result, "negative control: " + control.fault + " (" + control.layer + ")",
-            control.noticed ? "" : blind);
+        text += case_of(result, name_of(control), control.noticed ? "" : blind);
+    }
+    for (const SkippedControl& control : result.controls.skipped) {
+        text +=
+            case_of(result, name_of(control), "<skipped message=\"" + xml_attribute(control.reason) + "\"/>");
     }
     return text + "  </testsuite>\n";
 }
@@ -90,6 +97,7 @@ std::string junit_of(const std::vector<LessonResult>& results) {
         all.tests += counts.tests;
         all.failures += counts.failures;
         all.errors += counts.errors;
+        all.skipped += counts.skipped;
         suites += suite_of(result);
     }
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"jointwise snapshot\"" +

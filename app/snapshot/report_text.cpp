@@ -60,10 +60,14 @@ std::vector<std::reference_wrapper<const SnapshotResult>> by_weight(
 }
 
 std::string controls_text(const LessonResult& result) {
-    if (result.controls.empty()) { return {}; }
     std::string text;
+    for (const SkippedControl& control : result.controls.skipped) {
+        text += "  negative control not made here: " + control.fault + " (" + control.layer +
+                "): " + control.reason + "\n";
+    }
+    if (result.controls.made.empty()) { return text; }
     std::size_t noticed = 0;
-    for (const ControlResult& control : result.controls) {
+    for (const ControlResult& control : result.controls.made) {
         noticed += control.noticed ? 1U : 0U;
         if (!control.noticed) {
             text += "  BLIND: " + control.fault + ", and the layer of " + control.layer +
@@ -71,7 +75,7 @@ std::string controls_text(const LessonResult& result) {
         }
     }
     return "  negative controls: " + std::to_string(noticed) + " of " +
-           std::to_string(result.controls.size()) + " noticed\n" + text;
+           std::to_string(result.controls.made.size()) + " noticed\n" + text;
 }
 
 Json json_of(const FactChange& change) {
@@ -161,7 +165,7 @@ std::string summary(const std::vector<LessonResult>& results) {
         problems += result.problem.empty() ? 0 : 1;
         deleted += result.is_deleted ? 1 : 0;
         other_steps += result.steps_line().empty() ? 0 : 1;
-        for (const ControlResult& control : result.controls) { blind += control.noticed ? 0 : 1; }
+        for (const ControlResult& control : result.controls.made) { blind += control.noticed ? 0 : 1; }
         for (const SnapshotResult& snapshot : result.snapshots) {
             ++snapshots;
             ++counts[static_cast<std::size_t>(snapshot.verdict)];
@@ -203,9 +207,14 @@ Json json_of(const std::vector<LessonResult>& results) {
         Json snapshots = Json::array();
         for (const SnapshotResult& snapshot : result.snapshots) { snapshots.push_back(json_of(snapshot)); }
         Json controls = Json::array();
-        for (const ControlResult& control : result.controls) {
+        for (const ControlResult& control : result.controls.made) {
             controls.push_back(
                 {{"fault", control.fault}, {"layer", control.layer}, {"noticed", control.noticed}});
+        }
+        Json skipped = Json::array();
+        for (const SkippedControl& control : result.controls.skipped) {
+            skipped.push_back(
+                {{"fault", control.fault}, {"layer", control.layer}, {"reason", control.reason}});
         }
         lessons.push_back(
             {{"name", result.lesson.name},
@@ -218,7 +227,8 @@ Json json_of(const std::vector<LessonResult>& results) {
              {"steps", result.steps_line()},
              {"lesson_changes", result.lesson_changes},
              {"snapshots", std::move(snapshots)},
-             {"controls", std::move(controls)}});
+             {"controls", std::move(controls)},
+             {"controls_skipped", std::move(skipped)}});
     }
     return {
         {"format", "jointwise snapshot report"},

@@ -186,7 +186,7 @@ bool LessonResult::fails() const {
     const auto blind = [](const ControlResult& control) { return !control.noticed; };
     return is_deleted || !problem.empty() || !steps_line().empty() ||
            std::ranges::any_of(snapshots, [](const auto& s) { return snapshot::fails(s.verdict); }) ||
-           std::ranges::any_of(controls, blind);
+           std::ranges::any_of(controls.made, blind);
 }
 
 std::string LessonResult::explanation() const {
@@ -245,7 +245,7 @@ RecordResult record(
 
 LessonResult compare(
     const Lesson& lesson, const std::string& lesson_text, const SuiteLesson& of, const GoldenFolder& folder,
-    const SnapshotRules& rules, bool with_controls) {
+    const SnapshotRules& rules, const std::set<Fault>& controls) {
     LessonResult result;
     result.lesson = of;
     result.title = lesson.title;
@@ -259,8 +259,8 @@ LessonResult compare(
     for (const std::string& name : gone_from(folder, camera)) {
         result.snapshots.push_back(gone_snapshot(folder, name));
     }
-    if (with_controls && !camera.shots().empty()) {
-        result.controls = control(camera, shot_for_controls(camera), rules);
+    if (!controls.empty() && !camera.shots().empty()) {
+        result.controls = control(camera, shot_for_controls(camera), rules, controls);
     }
     return result;
 }

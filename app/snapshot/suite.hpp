@@ -61,7 +61,7 @@ struct LessonResult {
     std::vector<std::string> lesson_changes;  ///< in its file, since the snapshots were taken
     int steps = 0;                            ///< of the story
     std::vector<SnapshotResult> snapshots;    ///< in the order of the story
-    std::vector<ControlResult> controls;      ///< of the first lesson of a suite
+    ControlResults controls;                  ///< faults that no lesson before has had room for
 
     bool fails() const;
     /// "the lesson has 23 steps, 24 before"; empty if it has as many. It counts once, whatever else differs.
@@ -83,11 +83,11 @@ RecordResult record(
 SnapshotResult gone_snapshot(const GoldenFolder& folder, const std::string& name);
 
 /// Compares the lesson with its golden snapshots.
-/// @param with_controls  also tries whether the rules notice what they must notice
+/// @param controls  tries whether the rules notice these faults, too
 /// @throws std::runtime_error if its head cannot be read
 LessonResult compare(
     const Lesson& lesson, const std::string& lesson_text, const SuiteLesson& of, const GoldenFolder& folder,
-    const SnapshotRules& rules, bool with_controls);
+    const SnapshotRules& rules, const std::set<Fault>& controls);
 
 /// Puts what is seen now in place of golden snapshots that differ, are new or gone, with the reason.
 /// @param only  some snapshots; empty: all of the lesson, and the copy of the lesson as well

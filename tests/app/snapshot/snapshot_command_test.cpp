@@ -120,6 +120,42 @@ TEST_CASE("a joint that nobody can see is no fault of the rules", "[snapshot]") 
     CHECK_FALSE(says(ran, "BLIND"));
 }
 
+TEST_CASE("a joint hidden in its body is left out in another lesson, else that is told", "[snapshot]") {
+    const Folder folder;
+    const auto snapshots = [&](const char* verb, std::vector<std::string> more) {
+        more.insert(more.begin(), {verb, folder.path("lessons"), "--golden", folder.path("golden")});
+        return Suite::snapshot(more);
+    };
+    std::filesystem::create_directories(folder.path("lessons"));
+    folder.file("lessons/door.toml", kDoor);
+    REQUIRE(snapshots("record", {"--moments", "0"}).status == 0);
+    const Ran alone = snapshots("compare", {});
+    INFO(alone.out);
+    CHECK(alone.status == 0);
+    CHECK(says(
+        alone, "not made here: a joint is left out (ids): no joint is seen on more pixels than may differ"));
+    CHECK(says(snapshots("compare", {"--format", "junit"}), "<skipped message=\"no joint is seen"));
+
+    folder.file("lessons/plate.toml", kPlate);
+    REQUIRE(snapshots("record", {"--moments", "0"}).status == 0);
+    const auto report = nlohmann::json::parse(snapshots("compare", {"--format", "json"}).out);
+    CHECK(report["fails"] == false);
+    CHECK(report["lessons"][0]["controls_skipped"].size() == 1);
+    const auto& made = report["lessons"][1]["controls"];
+    REQUIRE(made.size() == 2);
+    CHECK(
+        made[1] == nlohmann::json{{"fault", "joint pivot is left out"}, {"layer", "ids"}, {"noticed", true}});
+}
+
+TEST_CASE("rules that let a joint vanish are blind, however much may differ", "[snapshot]") {
+    const Suite suite(kPlate);
+    std::ofstream(suite.golden() + "/rules.toml")
+        << "[ids]\nshare = 1\npatch = 1000000\n[depth]\nshare = 1\npatch = 1000000\n";
+    const Ran ran = suite.compare();
+    CHECK(ran.status == 1);
+    CHECK(says(ran, "BLIND: joint pivot is left out, and the layer of ids does not notice"));
+}
+
 TEST_CASE("rules with mistakes are refused with their place", "[snapshot]") {
     const Suite suite;
     std::ofstream(suite.golden() + "/rules.toml") << "[colour]\nshare = 2\n[depths]\n";

@@ -87,4 +87,30 @@ at = [0, 0, 0]
 axis = [0, 0, 1]
 )";
 
+/// Its hinge shows a few pixels beside the post that it is in.
+inline constexpr const char* kDoor = R"(format = 1
+title = "A door"
+[[body]]
+name = "post"
+fixed = true
+colour = "steel"
+shape = [{ box = { size = [0.1, 0.1, 2.0], at = [0, 0, 1.0] } }]
+[[body]]
+name = "leaf"
+position = [0.45, 0, 1]
+colour = "orange"
+shape = [{ box = { size = [0.8, 0.04, 1.9] } }]
+[[joint]]
+name = "hinge"
+type = "revolute"
+bodies = ["post", "leaf"]
+at = [0, 0, 1]
+axis = [0, 0, 1]
+[[driver]]
+name = "hand"
+joint = "hinge"
+quantity = "angle"
+polynomial_deg = [10]
+)";
+
 }  // namespace jw::test
