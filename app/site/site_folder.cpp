@@ -85,10 +85,11 @@ SiteFolder::SiteFolder(fs::path folder)
     std::error_code error;
     is_new_ = fs::create_directories(folder_, error);
     if (error) { host::refuse(folder_, "cannot be made: " + error.message()); }
-    lock_.take(
+    const bool is_made_again = lock_.take(
         folder_, host::FolderLock::Kind::alone,
         "is not free; does another run write a site into it? Wait until it has ended, or give another "
         "folder");
+    is_new_ = is_new_ || is_made_again;
     const std::set<std::string> ours = top_of_site_in(folder_);
     for (const std::string& name : host::names_in(folder_)) {
         if (is_hidden(name) || name == kManifest || ours.contains(name)) { continue; }

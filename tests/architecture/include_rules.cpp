@@ -51,9 +51,9 @@ constexpr std::array<std::string_view, 10> kPanels{
     "render/palette.hpp"};
 
 // the interface knows no window and no command; exercises are practised in it, and know nothing of it
-constexpr std::array<std::string_view, 13> kHost{
-    "app/host/", "app/panels/", "app/session/", "app/exercises/", "core/",      "lessons/", "render/",
-    "Eigen/",    "imgui.h",     "sha256.h",     "fcntl.h",        "sys/file.h", "unistd.h"};
+constexpr std::array<std::string_view, 14> kHost{
+    "app/host/", "app/panels/", "app/session/", "app/exercises/", "core/",      "lessons/",   "render/",
+    "Eigen/",    "imgui.h",     "sha256.h",     "fcntl.h",        "sys/file.h", "sys/stat.h", "unistd.h"};
 
 // programs of students: the system alone
 constexpr std::array<std::string_view, 14> kRun{

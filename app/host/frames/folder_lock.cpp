@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -19,21 +21,43 @@ namespace {
 constexpr int kLockTries = 100;
 constexpr std::chrono::milliseconds kLockPause{20};
 
+/// True if the path leads to the open folder: it may have been taken away, and another one made.
+bool leads_to(const std::filesystem::path& path, int folder) {
+    struct stat named {};
+    struct stat open {};
+    return ::stat(path.c_str(), &named) == 0 && ::fstat(folder, &open) == 0 && named.st_dev == open.st_dev &&
+           named.st_ino == open.st_ino;
+}
+
 }  // namespace
 
-void FolderLock::take(const std::filesystem::path& folder, Kind kind, const std::string& held) {
-    let_go();
-    folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder_ < 0) { return; }
+bool FolderLock::wait(Kind kind) const {
     // processes of a run that was killed keep their lock until the system has taken them apart
     for (int tries = 0; tries < kLockTries; ++tries) {
         // where the file system knows no locks, nobody is kept out
         const int how = (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB;
-        if (::flock(folder_, how) == 0 || errno != EWOULDBLOCK) { return; }
+        if (::flock(folder_, how) == 0 || errno != EWOULDBLOCK) { return true; }
         std::this_thread::sleep_for(kLockPause);
     }
-    let_go();
-    refuse(folder, held);
+    return false;
+}
+
+bool FolderLock::take(const std::filesystem::path& folder, Kind kind, const std::string& held) {
+    for (;;) {
+        let_go();
+        std::error_code error;
+        const bool is_new = std::filesystem::create_directory(folder, error);
+        if (error) { refuse(folder, "cannot be made a folder: " + error.message()); }
+        folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        // another run may have taken it away in between
+        if (folder_ < 0 && errno == ENOENT) { continue; }
+        if (folder_ < 0) { return is_new; }
+        if (!wait(kind)) {
+            let_go();
+            refuse(folder, held);
+        }
+        if (leads_to(folder, folder_)) { return is_new; }
+    }
 }
 
 void FolderLock::let_go() {

@@ -105,35 +105,34 @@ void FrameDraft::lock(FolderLock::Kind kind) {
         "is what another run draws into at this moment; wait until it has ended, or give another folder");
 }
 
+void FrameDraft::empty() const {
+    std::error_code ignored;
+    if (fs::is_symlink(folder_, ignored)) { return; }
+    for (const std::string& name : names_in(folder_)) {
+        if (is_ours(name)) { fs::remove(folder_ / name, ignored); }
+    }
+}
+
 void FrameDraft::clear() {
     is_begun_ = is_own_ = false;
+    empty();
     std::error_code ignored;
-    if (!fs::is_symlink(folder_, ignored)) {
-        for (const std::string& name : names_in(folder_)) {
-            if (is_ours(name)) { fs::remove(folder_ / name, ignored); }
-        }
-        fs::remove(folder_, ignored);
-    }
+    if (!fs::is_symlink(folder_, ignored)) { fs::remove(folder_, ignored); }
     lock_.let_go();
 }
 
-void FrameDraft::create(const Json& run) {
-    std::error_code error;
-    if (!fs::create_directory(folder_, error)) {
-        refuse(
-            folder_,
-            error ? "cannot be made a folder: " + error.message()
-                  : "is in the way, with files of somebody else; expected a folder for pictures alone");
-    }
-    lock(FolderLock::Kind::alone);
+void FrameDraft::start(const Json& run) {
     is_begun_ = is_own_ = true;
     render::write_file_atomically(folder_ / kRun, json_document(run));
 }
 
 void FrameDraft::begin(const Json& run) {
     lock(FolderLock::Kind::alone);
-    clear();
-    create(run);
+    empty();
+    if (fs::is_symlink(folder_) || !names_in(folder_).empty()) {
+        refuse(folder_, "is in the way, with files of somebody else; expected a folder for pictures alone");
+    }
+    start(run);
 }
 
 void FrameDraft::check_run(const Json& run) const {
@@ -148,11 +147,11 @@ void FrameDraft::check_run(const Json& run) const {
 }
 
 void FrameDraft::go_on(const Json& run) {
-    if (!fs::exists(folder_)) {
-        create(run);
+    lock(FolderLock::Kind::alone);
+    if (names_in(folder_).empty()) {
+        start(run);
         return;
     }
-    lock(FolderLock::Kind::alone);
     check_run(run);
     is_begun_ = true;
     // of writers that are no more
@@ -165,9 +164,7 @@ void FrameDraft::go_on(const Json& run) {
 }
 
 void FrameDraft::join(const Json& run, Joined as) {
-    std::error_code error;
-    fs::create_directory(folder_, error);
-    if (!fs::is_directory(folder_)) { refuse(folder_, "cannot be made a folder: " + error.message()); }
+    // a part is let in by who has begun the folder and holds its lock
     if (as == Joined::shard) { lock(FolderLock::Kind::shared); }
     is_begun_ = true;
     if (!fs::exists(folder_ / kRun)) {
@@ -175,6 +172,7 @@ void FrameDraft::join(const Json& run, Joined as) {
         const fs::path mine =
             folder_ / (std::string(kRun) + ".part-" + std::to_string(std::hash<Json>()(run)));
         render::write_file_atomically(mine, json_document(run));
+        std::error_code error;
         fs::create_hard_link(mine, folder_ / kRun, error);
         fs::remove(mine, error);
     }

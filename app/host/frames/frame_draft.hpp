@@ -53,11 +53,14 @@ public:
     void clear();
 
 private:
-    /// Keeps others out of the folder until it is cleared or this ends.
-    /// @throws std::runtime_error if somebody draws into it
+    /// Makes the folder if it is not there, and keeps others out of it until it is cleared or this ends.
+    /// @throws std::runtime_error if somebody draws into it, or if it cannot be made
     void lock(FolderLock::Kind kind);
     void check_run(const Json& run) const;
-    void create(const Json& run);
+    /// Takes away what is of ours in the folder.
+    void empty() const;
+    /// Begins the folder, which is locked and empty.
+    void start(const Json& run);
 
     std::filesystem::path folder_;
     bool is_begun_ = false;

@@ -73,16 +73,19 @@ FrameFolder::FrameFolder(fs::path folder, std::set<std::string> names, const fs:
             folder_, "cannot be made a folder" + (error ? ": " + error.message() : "") +
                          "; expected a folder that can be written");
     }
+    // another run may be taking places: what is there now, one of these lists names
+    const std::vector<std::string> there = names_in(folder_);
     before_ = named_in(folder_ / kManifest, true);
     before_.merge(named_in(folder_ / kUnfinished, false));
+    before_.merge(named_in(folder_ / kManifest, true));
     if (!keep.empty()) { protect(keep); }
-    refuse_strangers();
+    refuse_strangers(there);
 }
 
 fs::path FrameFolder::draft_folder(const fs::path& folder) { return folder / kDrawn; }
 
-void FrameFolder::refuse_strangers() const {
-    for (const std::string& name : names_in(folder_)) {
+void FrameFolder::refuse_strangers(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
         if (!is_frame_name(name) || before_.contains(name)) { continue; }
         refuse(
             folder_ / name,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/host/frames/frame_draft.hpp"
 
@@ -32,7 +33,7 @@ public:
     void finish(const std::string& manifest);
 
 private:
-    void refuse_strangers() const;
+    void refuse_strangers(const std::vector<std::string>& names) const;
     void protect(const std::filesystem::path& keep) const;
     void remove(const std::string& name) const;
 

@@ -4,9 +4,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "app/host/frames/frame_draft.hpp"
 #include "app/host/frames/frame_files.hpp"
@@ -118,6 +121,33 @@ TEST_CASE(
     two.join(kThis, FrameDraft::Joined::shard);
     FrameDraft end(path);
     CHECK_THROWS_WITH(end.go_on(kThis), Catch::Contains("at this moment"));
+}
+
+TEST_CASE("Of many runs that begin a folder at once one draws, and others wait or are told", "[film]") {
+    const Folder folder;
+    std::atomic<int> inside = 0;
+    std::atomic<int> disturbed = 0;
+    const auto run_often = [&] {
+        for (int round = 0; round < 30; ++round) {
+            try {
+                FrameDraft draft(folder.path("draft"));
+                draft.begin(kThis);
+                disturbed += inside++ > 0 ? 1 : 0;
+                draw(draft, 1);
+                --inside;
+            } catch (const std::runtime_error& error) {
+                const bool is_told =
+                    std::string(error.what()).find("another run draws into") != std::string::npos;
+                disturbed += is_told ? 0 : 1;
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> runs;
+        for (int k = 0; k < 8; ++k) { runs.emplace_back(run_often); }
+    }
+    CHECK(disturbed == 0);
+    CHECK_FALSE(std::filesystem::exists(folder.path("draft")));
 }
 
 TEST_CASE("A run goes on while the system still takes apart a killed one", "[film]") {
