@@ -278,7 +278,9 @@ std::vector<std::string> bless(
         if (!is_meant(shot.name)) { continue; }
         Snapshot actual = camera.take(shot);
         const SnapshotResult now = compared(folder, camera, shot, actual, rules);
-        if (now.verdict == Verdict::same && !now.difference.steps_before) { continue; }
+        const Difference& found = now.difference;
+        const bool is_as_now = !found.steps_before && found.drawn_otherwise.empty();
+        if (now.verdict == Verdict::same && is_as_now) { continue; }
         try {
             if (folder.has(shot.name)) { actual.record.blessed = folder.read(shot.name).record.blessed; }
         } catch (const std::runtime_error&) {  // what cannot be read is replaced

@@ -89,7 +89,8 @@ LessonResult compare(
     const Lesson& lesson, const std::string& lesson_text, const SuiteLesson& of, const GoldenFolder& folder,
     const SnapshotRules& rules, const std::set<Fault>& controls);
 
-/// Puts what is seen now in place of golden snapshots that differ, are new or gone, with the reason.
+/// Puts what is seen now in place of golden snapshots that differ, are drawn with something else, are new or
+/// gone, with the reason.
 /// @param only  some snapshots; empty: all of the lesson, and the copy of the lesson as well
 /// @return names of those that were changed
 std::vector<std::string> bless(

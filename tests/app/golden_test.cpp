@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "app/host/frames/environment.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/read_png.hpp"
@@ -58,6 +61,25 @@ TEST_CASE("lessons show what they did when their golden snapshots were looked at
     const Ran ran = run(arguments);
     INFO(ran.out << ran.err);
     CHECK(ran.status == 0);
+}
+
+TEST_CASE("golden snapshots have the look of now, so that their colours count", "[app][golden]") {
+    // `./dev golden REASON` blesses them; fonts and renderer are those of a machine
+    const host::Environment now = host::environment("", {});
+    int records = 0;
+    for (const char* const folder : {"tests/golden/lessons", "docs/snapshots/template/golden"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path(folder))) {
+            if (entry.path().extension() != ".json" || entry.path().stem() == "snapshots") { continue; }
+            const auto record = nlohmann::json::parse(bytes_of(entry.path()));
+            INFO(entry.path());
+            for (const char* const what : {"look of pictures", "jointwise"}) {
+                CHECK(record["drawn_with"].value(what, "") == now.at(what));
+            }
+            ++records;
+        }
+    }
+    // no fewer than were there when this was written: 7 of ours, 6 of the template
+    CHECK(records >= 13);
 }
 
 TEST_CASE("golden windows look as they did when they were looked at", "[app][golden]") {

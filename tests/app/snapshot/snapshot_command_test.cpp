@@ -190,6 +190,17 @@ TEST_CASE("colours do not count where they are drawn with something else, the re
     CHECK(suite.compare().status == 1);
 }
 
+TEST_CASE("what was drawn with something else is blessed, so that its colours count again", "[snapshot]") {
+    const Suite suite(kPlate, {"--only", "bodies"});
+    const std::string before = bytes_of(suite.golden("bodies.json"));
+    const std::string renderer = nlohmann::json::parse(before)["drawn_with"]["renderer"];
+    // the same pixels
+    suite.change_golden("bodies.json", renderer, "another renderer");
+    REQUIRE(suite.compare().status == 0);
+    CHECK(suite.bless("recorded here").out == "crank: bodies\n");
+    CHECK(nlohmann::json::parse(bytes_of(suite.golden("bodies.json")))["drawn_with"]["renderer"] == renderer);
+}
+
 TEST_CASE("steps can be chosen by their names", "[snapshot]") {
     const Suite suite(kCrank, {"--only", "bodies", "--only", "motion-0.25"});
     const Ran ran = suite.compare();
