@@ -6,6 +6,7 @@
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/translatable.hpp"

@@ -8,6 +8,7 @@
 
 #include "app/snapshot/units_of_keys.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 
 namespace jw::snapshot {
@@ -115,6 +116,35 @@ std::string what_changed(const std::string& path, const std::string& lesson_befo
     return (key == table ? "" : key + " of ") + table + " on " + body;
 }
 
+/// "joint.A: added", "shape 2 of crank: inserted (body.crank.shape.1)" of an entry without a name.
+std::string entry_text(const std::string& path, bool is_there_now) {
+    const std::string key(last_key(path));
+    if (key.find_first_not_of("0123456789") != std::string::npos) {
+        return path + (is_there_now ? ": added" : ": left out");
+    }
+    const std::string what = is_there_now ? "inserted" : "left out";
+    const std::string list = path.substr(0, path.rfind('.'));
+    const std::string subject = list.find('.') == std::string::npos ? "" : " of " + subject_of(list);
+    return std::string(last_key(list)) + " " + std::to_string(std::stoul(key) + 1) + subject + ": " + what +
+           " (" + path + ")";
+}
+
+/// "order of bodies: frame, leaf → leaf, frame"; entries without a name have their numbers, from 1.
+std::string order_text(const OtherOrder& order) {
+    const std::string key(last_key(order.path));
+    const std::string subject = order.path == key ? "" : " of " + subject_of(order.path);
+    const auto line = [&](const std::vector<std::string>& entries) {
+        std::string text;
+        for (const std::string& entry : entries) {
+            const bool is_number = entry.find_first_not_of("0123456789") == std::string::npos;
+            text += (text.empty() ? "" : ", ") + (is_number ? std::to_string(std::stoul(entry) + 1) : entry);
+        }
+        return text;
+    };
+    return "order of " + (key == "body" ? "bodies" : key + "s") + subject + ": " +
+           both_shown(line(order.before), line(order.after));
+}
+
 std::string change_text(
     const std::string& path, const std::string& lesson_before, const std::string& lesson_now) {
     const std::string before = value_in(lesson_before, path);
@@ -139,8 +169,9 @@ std::vector<std::string> lesson_changes(const std::string& before, const std::st
         const bool is_camera = path == "camera" || path.starts_with("camera.");
         (is_camera ? of_camera : lines).push_back(std::move(line));
     };
-    for (const std::string& path : found.removed) { add(path, path + ": left out"); }
-    for (const std::string& path : found.added) { add(path, path + ": added"); }
+    for (const std::string& path : found.removed) { add(path, entry_text(path, false)); }
+    for (const std::string& path : found.added) { add(path, entry_text(path, true)); }
+    for (const OtherOrder& order : found.reordered) { add(order.path, order_text(order)); }
     for (const std::string& path : found.changed) { add(path, change_text(path, before, now)); }
     lines.insert(lines.end(), of_camera.begin(), of_camera.end());
     return lines;

@@ -1,15 +1,13 @@
 #include "lessons/exercise/scene_edits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
 
-#include <toml++/toml.h>
-
+#include "lessons/exercise/scene_nodes.hpp"
 #include "lessons/language_tag.hpp"
 
 namespace jw {
@@ -42,12 +40,6 @@ private:
     std::vector<std::size_t> starts_;
 };
 
-std::optional<toml::table> parsed(const std::string& text) {
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error&) { return std::nullopt; }
-}
-
 std::vector<std::string> parts_of(const std::string& key) {
     std::vector<std::string> parts(1);
     for (const char c : key) {
@@ -60,23 +52,10 @@ std::vector<std::string> parts_of(const std::string& key) {
     return parts;
 }
 
-std::optional<std::size_t> index_in(const toml::array& list, const std::string& part) {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        const toml::table* const table = list[k].as_table();
-        const auto name = table != nullptr ? (*table)["name"].value<std::string>() : std::nullopt;
-        if (name == part) { return k; }
-    }
-    const bool number = !part.empty() && part.size() < 6 &&
-                        std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
-    if (!number) { return std::nullopt; }
-    const std::size_t k = std::stoul(part);
-    return k < list.size() ? std::optional<std::size_t>(k) : std::nullopt;
-}
-
 toml::node* child_of(toml::node& node, const std::string& part) {
     if (toml::table* const table = node.as_table()) { return table->get(part); }
     toml::array* const list = node.as_array();
-    const auto k = list != nullptr ? index_in(*list, part) : std::nullopt;
+    const auto k = list != nullptr ? index_of_entry(*list, part) : std::nullopt;
     return k ? list->get(*k) : nullptr;
 }
 
@@ -124,12 +103,6 @@ std::string without_headers(
     return kept + text.substr(std::min(from, text.size()));
 }
 
-std::string as_toml(const toml::node& node) {
-    std::ostringstream out;
-    node.visit([&](const auto& value) { out << value; });
-    return out.str();
-}
-
 std::string remove_node(
     const std::string& text, const toml::table& root, const toml::node& node, const toml::node& parent,
     const std::string& key) {
@@ -158,7 +131,7 @@ std::string add_key(
 }
 
 std::string edited(const std::string& text, const SceneEdit& edit) {
-    std::optional<toml::table> root = parsed(text);
+    std::optional<toml::table> root = scene_tree(text);
     if (!root) { return {}; }
     std::vector<std::string> parts = parts_of(edit.key);
     toml::node* const node = node_at(*root, parts);
@@ -176,110 +149,6 @@ std::string edited(const std::string& text, const SceneEdit& edit) {
     const std::size_t from = places.byte(node->source().begin);
     return changed.replace(from, places.byte(node->source().end) - from, edit.value);
 }
-
-// what a mechanism is; the others are its looks and words, or claims about it
-constexpr std::array<std::string_view, 12> kMechanical{
-    "body",  "joint",  "driver", "motion", "dynamics",          "order",
-    "force", "torque", "spring", "format", "rotational_spring", "coordinates"};
-constexpr std::array<std::string_view, 4> kLooks{"text", "colour", "shape", "why"};
-
-bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
-    return std::ranges::find(words, word) != words.end();
-}
-
-double number_in(const toml::node& node) {
-    return node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                             : node.as_floating_point()->get();
-}
-
-bool are_equal(const toml::node& a, const toml::node& b) {
-    if (a.is_number() && b.is_number()) { return number_in(a) == number_in(b); }
-    if (a.is_array() && b.is_array()) {
-        return std::ranges::equal(*a.as_array(), *b.as_array(), [](const toml::node& x, const toml::node& y) {
-            return are_equal(x, y);
-        });
-    }
-    return a.type() == b.type() && as_toml(a) == as_toml(b);
-}
-
-bool are_tables(const toml::array& list) {
-    return !list.empty() && std::ranges::all_of(list, [](const toml::node& n) { return n.is_table(); });
-}
-
-class Comparer {
-public:
-    explicit Comparer(SceneParts parts) : parts_(parts) {}
-
-    SceneDifference found;
-
-    void compare(const std::string& path, const toml::table& a, const toml::table& b) {
-        for (const auto& [key, value] : a) {
-            if (skips(path, key.str())) { continue; }
-            const toml::node* const other = b.get(key.str());
-            const std::string here = below(path, key.str());
-            if (other == nullptr) {
-                add_all(here, value, found.removed);
-            } else {
-                compare(here, value, *other);
-            }
-        }
-        for (const auto& [key, value] : b) {
-            if (!skips(path, key.str()) && !a.contains(key.str())) {
-                add_all(below(path, key.str()), value, found.added);
-            }
-        }
-    }
-
-private:
-    bool skips(const std::string& path, std::string_view key) const {
-        if (parts_ == SceneParts::all) { return false; }
-        return path.empty() ? !is_one_of(kMechanical, key) : is_one_of(kLooks, key);
-    }
-    static std::string below(const std::string& path, std::string_view key) {
-        return path.empty() ? std::string(key) : path + "." + std::string(key);
-    }
-
-    /// A list of tables counts table by table.
-    static void add_all(const std::string& path, const toml::node& node, std::vector<std::string>& to) {
-        const toml::array* const list = node.as_array();
-        if (list == nullptr || !are_tables(*list)) {
-            to.push_back(path);
-            return;
-        }
-        for (std::size_t k = 0; k < list->size(); ++k) { to.push_back(below(path, name_of_entry(*list, k))); }
-    }
-    static std::string name_of_entry(const toml::array& list, std::size_t k) {
-        const auto name = (*list[k].as_table())["name"].value<std::string>();
-        return name ? *name : std::to_string(k);
-    }
-
-    void compare(const std::string& path, const toml::node& a, const toml::node& b) {
-        if (a.is_table() && b.is_table()) { return compare(path, *a.as_table(), *b.as_table()); }
-        const bool lists = a.is_array() && b.is_array();
-        if (lists && are_tables(*a.as_array()) && are_tables(*b.as_array())) {
-            return compare_named(path, *a.as_array(), *b.as_array());
-        }
-        if (!are_equal(a, b)) { found.changed.push_back(path); }
-    }
-
-    void compare_named(const std::string& path, const toml::array& a, const toml::array& b) {
-        for (std::size_t k = 0; k < a.size(); ++k) {
-            const std::string name = name_of_entry(a, k);
-            const auto other = index_in(b, name);
-            if (other) {
-                compare(below(path, name), *a[k].as_table(), *b[*other].as_table());
-            } else {
-                found.removed.push_back(below(path, name));
-            }
-        }
-        for (std::size_t k = 0; k < b.size(); ++k) {
-            const std::string name = name_of_entry(b, k);
-            if (!index_in(a, name)) { found.added.push_back(below(path, name)); }
-        }
-    }
-
-    SceneParts parts_;
-};
 
 /// Lines of the texts of a table, the translated ones too.
 void collect_texts(const toml::table& table, std::map<std::size_t, std::size_t>& lines) {
@@ -307,7 +176,7 @@ EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits) {
 }
 
 std::string without_tables(const std::string& scene, const std::vector<std::string>& names) {
-    std::optional<toml::table> root = parsed(scene);
+    std::optional<toml::table> root = scene_tree(scene);
     if (!root) { return scene; }
     std::set<std::size_t> lines;
     for (const std::string& name : names) {
@@ -317,7 +186,7 @@ std::string without_tables(const std::string& scene, const std::vector<std::stri
 }
 
 std::string without_texts(const std::string& scene) {
-    const std::optional<toml::table> root = parsed(scene);
+    const std::optional<toml::table> root = scene_tree(scene);
     if (!root) { return scene; }
     std::map<std::size_t, std::size_t> lines;
     collect_texts(*root, lines);
@@ -339,13 +208,13 @@ std::string without_texts(const std::string& scene) {
 }
 
 std::string value_in(const std::string& scene, const std::string& key) {
-    std::optional<toml::table> root = parsed(scene);
+    std::optional<toml::table> root = scene_tree(scene);
     const toml::node* const node = root ? node_at(*root, parts_of(key)) : nullptr;
-    return node != nullptr ? as_toml(*node) : std::string();
+    return node != nullptr ? node_text(*node) : std::string();
 }
 
 std::string claims_in(const std::string& scene) {
-    const std::optional<toml::table> root = parsed(scene);
+    const std::optional<toml::table> root = scene_tree(scene);
     const toml::node* const claims = root ? root->get("expect") : nullptr;
     if (claims == nullptr) { return {}; }
     toml::table kept;
@@ -353,14 +222,6 @@ std::string claims_in(const std::string& scene) {
     std::ostringstream out;
     out << toml::toml_formatter{kept};
     return out.str() + "\n";
-}
-
-SceneDifference difference_of(const std::string& before, const std::string& after, SceneParts parts) {
-    const auto a = parsed(before);
-    const auto b = parsed(after);
-    Comparer comparer(parts);
-    if (a && b) { comparer.compare("", *a, *b); }
-    return comparer.found;
 }
 
 }  // namespace jw

@@ -34,22 +34,4 @@ std::string value_in(const std::string& scene, const std::string& key);
 /// The tables [[expect]] of a lesson, as TOML.
 std::string claims_in(const std::string& scene);
 
-/// Parts of a lesson file that are compared.
-enum class SceneParts {
-    mechanics,  ///< what a mechanism is, without looks, words and claims
-    all,
-};
-
-/// Keys whose values differ between two lesson files. A table that only one of them has counts once, by its
-/// own path; the order of keys does not count.
-struct SceneDifference {
-    std::vector<std::string> changed;
-    std::vector<std::string> added;
-    std::vector<std::string> removed;
-
-    std::size_t count() const { return changed.size() + added.size() + removed.size(); }
-};
-SceneDifference difference_of(
-    const std::string& before, const std::string& after, SceneParts parts = SceneParts::mechanics);
-
 }  // namespace jw

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 
 using namespace jw;

@@ -118,6 +118,50 @@ TEST_CASE("comments and layout are no changes of a lesson", "[snapshot]") {
     CHECK(changes("colour = \"vermilion\"", "\n\ncolour  =  \"vermilion\"").empty());
 }
 
+TEST_CASE(
+    "an inserted shape is one change, wherever it stands, and one that is left out another", "[snapshot]") {
+    const auto body = [](const std::string& shapes) {
+        return "[[body]]\nname = \"crank\"\nshape = [" + shapes + "]\n";
+    };
+    const std::string rod = "{ rod = { from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 } }";
+    const std::string box = "{ box = { size = [1, 1, 1] } }";
+    const std::string ball = "{ sphere = { radius = 0.2 } }";
+    const std::string two = body(rod + ", " + box);
+    using Lines = std::vector<std::string>;
+    const auto inserted = [](const std::string& number, const std::string& path) {
+        return "shape " + number + " of crank: inserted (body.crank.shape." + path + ")";
+    };
+    CHECK(lesson_changes(two, body(ball + ", " + rod + ", " + box)) == Lines{inserted("1", "0")});
+    CHECK(lesson_changes(two, body(rod + ", " + ball + ", " + box)) == Lines{inserted("2", "1")});
+    CHECK(lesson_changes(two, body(rod + ", " + box + ", " + ball)) == Lines{inserted("3", "2")});
+    CHECK(
+        lesson_changes(body(rod + ", " + ball + ", " + box), two) ==
+        Lines{"shape 2 of crank: left out (body.crank.shape.1)"});
+    CHECK(
+        lesson_changes(two, body(ball + ", " + rod + ", " + ball + ", " + box)) ==
+        Lines{inserted("1", "0"), inserted("3", "2")});
+    // another value beside it is a change of its own
+    const std::string thicker = replaced(rod, "0.1", "0.3");
+    CHECK(
+        lesson_changes(two, body(thicker + ", " + box + ", " + ball)) ==
+        Lines{
+            inserted("3", "2"), "radius of crank: 0.2 m larger (body.crank.shape.0.rod.radius, 0.1 → 0.3)"});
+    CHECK(lesson_changes(two, body(box + ", " + rod)) == Lines{"order of shapes of crank: [1, 2] → [2, 1]"});
+}
+
+TEST_CASE("another order of bodies is told as such", "[snapshot]") {
+    const std::string frame = "[[body]]\nname = \"frame\"\n";
+    const std::string leaf = "[[body]]\nname = \"leaf\"\nmass = 1\n";
+    const std::string knob = "[[body]]\nname = \"knob\"\n";
+    CHECK(
+        lesson_changes(frame + leaf, leaf + frame) ==
+        std::vector<std::string>{"order of bodies: frame, leaf → leaf, frame"});
+    CHECK(lesson_changes(frame + leaf, knob + frame + leaf) == std::vector<std::string>{"body.knob: added"});
+    const std::vector<std::string> both = lesson_changes(frame + leaf, replaced(leaf, "1", "2") + frame);
+    REQUIRE(both.size() == 2);
+    CHECK(both[1].starts_with("mass of leaf: 1 kg larger"));
+}
+
 TEST_CASE("a table that is left out is named", "[snapshot]") {
     const std::string all = std::string(test::kCrank);
     const std::string less = replaced(

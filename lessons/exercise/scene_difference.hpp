@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What two lesson files say differently; keys are the paths of scene_edits.hpp.
+namespace jw {
+
+/// Parts of a lesson file that are compared.
+enum class SceneParts {
+    mechanics,  ///< what a mechanism is, without looks, words and claims
+    all,
+};
+
+/// A list whose entries are there in another order.
+struct OtherOrder {
+    std::string path;                 ///< "body"
+    std::vector<std::string> before;  ///< names, or numbers from 0
+    std::vector<std::string> after;
+
+    bool operator==(const OtherOrder&) const = default;
+};
+
+/// Keys whose values differ between two lesson files. A table that only one of them has counts once, by its
+/// own path: of an entry without a name its number in that file. The order of keys does not count.
+struct SceneDifference {
+    std::vector<std::string> changed;
+    std::vector<std::string> added;
+    std::vector<std::string> removed;
+    std::vector<OtherOrder> reordered;
+
+    /// Keys, whatever their order.
+    std::size_t count() const { return changed.size() + added.size() + removed.size(); }
+};
+SceneDifference difference_of(
+    const std::string& before, const std::string& after, SceneParts parts = SceneParts::mechanics);
+
+}  // namespace jw
