@@ -68,7 +68,10 @@ install(DIRECTORY docs DESTINATION share/doc/jointwise COMPONENT jointwise
 
 include(CMakePackageConfigHelpers)
 set(JW_INSTALL_CMAKE lib/cmake/jointwise)
-install(TARGETS jointwise_core jointwise_lessons jointwise_render jointwise_film EXPORT jointwise-targets
+set(JW_LIBRARIES jointwise_core jointwise_lessons jointwise_render jointwise_film)
+# what has to be built before anything is installed
+add_custom_target(jw_installed DEPENDS jw_help_files jointwise ${JW_LIBRARIES})
+install(TARGETS ${JW_LIBRARIES} EXPORT jointwise-targets
   ARCHIVE DESTINATION lib COMPONENT jointwise-dev)
 install(EXPORT jointwise-targets NAMESPACE jointwise:: DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)
 install(DIRECTORY include/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DESTINATION include

@@ -45,11 +45,20 @@ done
     --frames 0 2>err || fail "render: $(cat err)"
 cmp -s <(head -c 8 frames/*.png) <(printf '\x89PNG\r\n\x1a\n') || fail "render wrote no picture"
 
+# what ./dev package builds is all that is installed
+ninja -C "$build" -t commands jw_installed >commands || fail "ninja knows no jw_installed"
+for built in "$tree"/bin/* "$tree"/lib/*.a; do
+    grep -qF "/$(basename "$built") " commands || fail "$(basename "$built") is installed, and jw_installed does not build it"
+done
+
+# packages take the place of earlier ones, and leave a wheel
+mkdir "$folder/packages"
+touch "$folder/packages/jointwise-0.0-linux.tar.gz" "$folder/packages/jointwise.whl"
+"$sources/cmake/packages.sh" "${cmake%cmake}cpack" "$build" "$folder/packages" TGZ || fail "cpack"
+[ -e "$folder/packages/jointwise.whl" ] || fail "packages have deleted a wheel"
+[ ! -e "$folder/packages/jointwise-0.0-linux.tar.gz" ] || fail "an earlier package is still there"
+
 # the tarball has the libraries in it that other systems have in other versions
-if ! "${cmake%cmake}cpack" --config "$build/CPackConfig.cmake" -G TGZ -B "$folder/packages" >log 2>&1; then
-    fail "cpack"
-    cat log
-fi
 mkdir "$folder/an other place"
 tar xzf "$folder"/packages/*.tar.gz -C "$folder/an other place" --strip-components=1
 ldd "$folder/an other place/bin/jointwise" >libraries

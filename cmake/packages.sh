@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Packages of what was built, in place of earlier ones, beside wheels: packages.sh CPACK BUILD FOLDER [GENERATOR].
+set -euo pipefail
+
+cpack=$1 build=$2 folder=$3
+rm -f "$folder"/*.deb "$folder"/*.tar.gz
+"$cpack" --config "$build/CPackConfig.cmake" -B "$folder" ${4:+-G "$4"} >"$build/packages.log" 2>&1 || {
+    cat "$build/packages.log" >&2
+    exit 1
+}
+rm -rf "$folder/_CPack_Packages"
