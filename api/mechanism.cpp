@@ -90,8 +90,11 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const Home& i, const Ho
         expect(g.length > 0.0, "at and to coincide; expected two points with a distance");
     }
     if (type.uses(jw::Role::screw_advance)) {
-        expect(std::isfinite(place.pitch), "pitch is not finite");
-        g.alpha = place.pitch / (2.0 * std::numbers::pi);
+        expect(
+            place.pitch.has_value(),
+            "pitch is absent; expected the advance in one turn [m], negative for a left-hand thread");
+        expect(std::isfinite(*place.pitch), "pitch is not finite");
+        g.alpha = *place.pitch / (2.0 * std::numbers::pi);
         g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
     }
     return g;
@@ -125,7 +128,7 @@ Mechanism::Inside& Mechanism::own() {
     return *inside_;
 }
 
-int Mechanism::add_body(const std::string& name, const Vector3& r, const Vector4& p) {
+int Mechanism::add_body(const std::string& name, const Argument<3>& r, const Argument<4>& p) {
     expect_new_name(name, inside_->mechanism.bodies);
     expect_finite(r, "r of body '" + name + "'");
     expect(p.allFinite() && p.norm() > 0.0, "p of body '" + name + "' is zero or not finite");
@@ -184,7 +187,7 @@ int Mechanism::add_driver(const std::string& name, int joint, const Polynomial& 
     return static_cast<int>(inside_->mechanism.drivers.size()) - 1;
 }
 
-void Mechanism::set_velocity(int body, const Vector3& r_dot, const Vector3& omega_local) {
+void Mechanism::set_velocity(int body, const Argument<3>& r_dot, const Argument<3>& omega_local) {
     expect_index(body, inside_->mechanism.bodies.size(), "body");
     expect_finite(r_dot, "r_dot");
     expect_finite(omega_local, "omega_local");
@@ -193,7 +196,8 @@ void Mechanism::set_velocity(int body, const Vector3& r_dot, const Vector3& omeg
     mine.omega_local = omega_local;
 }
 
-void Mechanism::set_mass(int body, double mass, const Matrix3& J_local, const Vector3& centre_local) {
+void Mechanism::set_mass(
+    int body, double mass, const Argument<3, 3>& J_local, const Argument<3>& centre_local) {
     expect_index(body, inside_->loads.masses.size(), "body");
     expect(std::isfinite(mass) && mass > 0.0, "a mass is not positive");
     expect_finite(J_local, "J_local");
@@ -201,14 +205,14 @@ void Mechanism::set_mass(int body, double mass, const Matrix3& J_local, const Ve
     own().loads.masses[static_cast<std::size_t>(body)] = jw::MassProperties{mass, centre_local, J_local};
 }
 
-void Mechanism::set_gravity(const Vector3& g) {
+void Mechanism::set_gravity(const Argument<3>& g) {
     expect_finite(g, "gravity");
     own().loads.gravity = g;
 }
 
 void Mechanism::add_spring(
-    int body_i, const Vector3& P_i_local, int body_j, const Vector3& P_j_local, double k, double free_length,
-    double c) {
+    int body_i, const Argument<3>& P_i_local, int body_j, const Argument<3>& P_j_local, double k,
+    double free_length, double c) {
     const std::size_t bodies = inside_->mechanism.bodies.size();
     expect_index(body_i, bodies, "body");
     expect_index(body_j, bodies, "body");

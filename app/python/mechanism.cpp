@@ -32,7 +32,7 @@ int body_of(const Mechanism& m, const py::object& value) { return number_of(valu
 int add_joint(
     Mechanism& m, const std::string& name, const std::string& type, const py::object& body_i,
     const py::object& body_j, const py::object& at, const py::object& to, const py::object& axis,
-    const py::object& axis2, const py::object& side, double pitch) {
+    const py::object& axis2, const py::object& side, const std::optional<double>& pitch) {
     Place place;
     place.at = vector_of<3>(at, "at");
     place.to = optional_vector_of(to, "to");
@@ -63,7 +63,7 @@ void add_building(py::class_<Mechanism>& type) {
         .def(
             "add_joint", &add_joint, "name"_a, "type"_a, "body_i"_a, "body_j"_a, py::kw_only(), "at"_a = zero,
             "to"_a = py::none(), "axis"_a = py::make_tuple(0.0, 0.0, 1.0), "axis2"_a = py::none(),
-            "side"_a = py::none(), "pitch"_a = 0.0,
+            "side"_a = py::none(), "pitch"_a = py::none(),
             "Adds a joint of a type of `joint_types()` between two bodies, given by number or name. The "
             "place is "
             "global, at the start pose: point `at` of the first body and `to` of the second (None: the same) "

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,14 +24,37 @@ using Vector3 = Eigen::Vector3d;
 using Vector4 = Eigen::Vector4d;  ///< Euler parameters e0, e1, e2, e3
 using Matrix3 = Eigen::Matrix3d;
 
+/// A vector or matrix as an argument: any expression of Eigen of that size, or a vector's numbers in braces,
+/// {1, 0, 0}. Eigen's own types take two numbers whatever their size and abort when the program runs; here
+/// they do not compile, and an expression whose size is known late throws std::invalid_argument.
+template <int Rows, int Columns = 1>
+struct Argument : Eigen::Matrix<double, Rows, Columns> {
+    using Value = Eigen::Matrix<double, Rows, Columns>;
+
+    template <class Expression>
+    Argument(const Eigen::EigenBase<Expression>& value) : Value(checked(value.derived())) {}
+    template <std::convertible_to<double>... Numbers>
+    requires(Columns == 1 && sizeof...(Numbers) == Rows) Argument(Numbers... numbers)
+        : Value(static_cast<double>(numbers)...) {}
+
+private:
+    template <class Expression>
+    static const Expression& checked(const Expression& value) {
+        if (value.size() == Rows * Columns) { return value; }
+        throw std::invalid_argument(
+            "jointwise: an argument has " + std::to_string(value.size()) + " numbers; expected " +
+            std::to_string(Rows * Columns));
+    }
+};
+
 /// Where a joint is, in the global frame at the start pose of its bodies. Each type uses its part of it.
 struct Place {
-    Vector3 at = Vector3::Zero();       ///< point of the first body [m]
-    std::optional<Vector3> to = {};     ///< point of the second body [m]; absent: `at`
-    Vector3 axis = Vector3::UnitZ();    ///< of both bodies, any length
-    std::optional<Vector3> axis2 = {};  ///< of the second body, where the two are perpendicular
-    std::optional<Vector3> side = {};   ///< perpendicular to the axis: where angles begin; absent: any
-    double pitch = 0.0;                 ///< screw: advance in one turn [m], negative for a left-hand thread
+    Argument<3> at = Vector3::Zero();       ///< point of the first body [m]
+    std::optional<Argument<3>> to = {};     ///< point of the second body [m]; absent: `at`
+    Argument<3> axis = Vector3::UnitZ();    ///< of both bodies, any length
+    std::optional<Argument<3>> axis2 = {};  ///< of the second body, where the two are perpendicular
+    std::optional<Argument<3>> side = {};   ///< perpendicular to the axis: where angles begin; absent: any
+    std::optional<double> pitch = {};       ///< a screw needs it: advance in one turn [m], left-hand below 0
 };
 
 /// c0 + c1 t + c2 t² + ...: what a driver prescribes [rad or m].
@@ -46,7 +71,7 @@ public:
     Mechanism& operator=(const Mechanism&) = default;
 
     /// Adds a moving body at its start estimate. @return its number
-    int add_body(const std::string& name, const Vector3& r, const Vector4& p = Vector4::Unit(0));
+    int add_body(const std::string& name, const Argument<3>& r, const Argument<4>& p = Vector4::Unit(0));
     /// Adds a joint; `joint_types()` lists the types. @return its number
     int add_joint(
         const std::string& name, const std::string& type, int body_i, int body_j, const Place& place);
@@ -55,15 +80,16 @@ public:
     int add_driver(const std::string& name, int joint, const Polynomial& value);
 
     /// Velocities of a body at the start: of its origin, and its angular velocity in its own frame.
-    void set_velocity(int body, const Vector3& r_dot, const Vector3& omega_local);
+    void set_velocity(int body, const Argument<3>& r_dot, const Argument<3>& omega_local);
     /// Mass [kg], inertia tensor about the centre of mass in axes of the body [kg m²], centre in its frame
     /// [m].
     void set_mass(
-        int body, double mass, const Matrix3& J_local, const Vector3& centre_local = Vector3::Zero());
-    void set_gravity(const Vector3& g);  ///< [m/s²]
+        int body, double mass, const Argument<3, 3>& J_local,
+        const Argument<3>& centre_local = Vector3::Zero());
+    void set_gravity(const Argument<3>& g);  ///< [m/s²]
     /// Spring and damper between two points in the frames of their bodies: f = k (l - free_length) + c dl/dt.
     void add_spring(
-        int body_i, const Vector3& P_i_local, int body_j, const Vector3& P_j_local, double k,
+        int body_i, const Argument<3>& P_i_local, int body_j, const Argument<3>& P_j_local, double k,
         double free_length, double c = 0.0);
 
     std::vector<std::string> body_names() const;

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <limits>
+#include <stdexcept>
 
 #include "jointwise/analysis.hpp"
 #include "jointwise/lesson.hpp"
@@ -18,7 +19,39 @@ Mechanism pair_of_bodies() {
     return m;
 }
 
+// Eigen's own vectors are made of two numbers and abort
+template <class M>
+concept TakesTwoNumbers = requires(M m) {
+    m.add_body("a", {0.0, 0.0});
+}
+|| requires(M m) { m.add_body("a", {0, 0, 0}, {1, 0}); }
+|| requires(M m) { m.set_gravity({0.0, -9.8}); }
+|| requires(M m) { m.set_mass(1, 1.0, {1.0, 2.0}); }
+|| requires(M m, Place place) { m.add_joint("a", "spherical", 0, 1, {.at = {0.0, 0.0}}); };
+template <class M>
+concept TakesThreeNumbers = requires(M m) {
+    m.add_body("a", {0, 0.5, 0}, {1, 0, 0, 0});
+    m.add_joint("a", "spherical", 0, 1, {.at = {0.0, 0.0, 1}});
+};
+
 }  // namespace
+
+TEST_CASE("A vector of another size is no argument", "[api]") {
+    static_assert(!TakesTwoNumbers<Mechanism> && TakesThreeNumbers<Mechanism>);
+    Mechanism m = pair_of_bodies();
+    CHECK_THROWS_WITH(m.add_body("a", Eigen::VectorXd::Zero(2)), Contains("2 numbers; expected 3"));
+    CHECK_THROWS_WITH(m.set_mass(1, 1.0, Eigen::MatrixXd::Zero(2, 3)), Contains("6 numbers; expected 9"));
+    CHECK(m.add_body("a", Eigen::VectorXd::Ones(3)) == 3);
+}
+
+TEST_CASE("A screw needs its pitch, as in a lesson", "[api]") {
+    Mechanism m = pair_of_bodies();
+    CHECK_THROWS_WITH(
+        m.add_joint("x", "screw", 0, 1, {.axis = {0, 0, 1}}),
+        Contains("pitch is absent; expected the advance in one turn [m]"));
+    CHECK_THROWS_AS(m.add_joint("x", "screw", 0, 1, {}), std::invalid_argument);
+    CHECK_NOTHROW(m.add_joint("x", "screw", 0, 1, {.pitch = -0.1}));
+}
 
 TEST_CASE("Arguments that make no sense are said and leave the mechanism as it was", "[api]") {
     Mechanism m = pair_of_bodies();

@@ -25,6 +25,7 @@ class Errors(unittest.TestCase):
             ("no body 'tree'; expected one of ground, one, two", lambda: m.add_joint("x", "revolute", 0, "tree")),
             ("axis is zero", lambda: m.add_joint("x", "revolute", 0, 1, axis=[0, 0, 0])),
             ("axis2 is absent", lambda: m.add_joint("x", "universal", 0, 1)),
+            ("pitch is absent", lambda: m.add_joint("x", "screw", 0, 1)),
             ("'ball' has no angle", lambda: m.add_driver("x", "ball", [1])),
             ("no joint 'x'", lambda: m.add_driver("x", "x", [1])),
             ("value is no list of numbers", lambda: m.add_driver("x", "ball", 3.0)),
