@@ -29,7 +29,20 @@ bool is_plain_name(const std::string& name) {
     return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
 }
 
-std::string name_in(Fields& fields, const Names& before) {
+Names folders_in(const fs::path& folder) {
+    Names names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored)) { names.push_back(entry->path().filename().string()); }
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+/// @param folder  that chapters are in; empty: not asked
+std::string name_in(Fields& fields, const Names& before, const fs::path& folder) {
     fields.require("name", "the name of the chapter's folder");
     const auto name = fields.text("name");
     if (!name) { return {}; }
@@ -42,6 +55,12 @@ std::string name_in(Fields& fields, const Names& before) {
         fields.problems().add(
             Code::course_twice, name->span,
             "there are two chapters " + in_quotes(name->value) + "; expected each of them once");
+    } else if (std::error_code error; !folder.empty() && !fs::is_directory(folder / name->value, error)) {
+        fields.problems().add(
+            Code::course_name, name->span,
+            "there is no folder " + in_quotes(name->value) +
+                " beside this file; expected that of the chapter",
+            did_you_mean(name->value, folders_in(folder)));
     }
     return name->value;
 }
@@ -82,7 +101,7 @@ Names lessons_in(Fields& fields) {
     return lessons;
 }
 
-Course course_in(Fields& root) {
+Course course_in(Fields& root, const fs::path& folder) {
     Course course;
     Names names;
     root.require("format", "format = 1");
@@ -90,7 +109,7 @@ Course course_in(Fields& root) {
     root.require("chapter", "at least one [[chapter]]");
     for (Fields& fields : root.tables("chapter", kMostChapters)) {
         Chapter chapter;
-        chapter.name = name_in(fields, names);
+        chapter.name = name_in(fields, names, folder);
         fields.require("title", "the title of the chapter");
         if (const auto title = fields.plain_words("title")) { chapter.title = title->value; }
         if (const auto about = fields.plain_words("about")) { chapter.about = about->value; }
@@ -121,7 +140,9 @@ public:
 
     const CourseRead& of(const fs::path& folder) {
         const auto [entry, is_new] = read_.try_emplace(folder);
-        if (is_new) { entry->second = read_course_of(folder); }
+        // around a chapter alone the others need not be there
+        const auto chapters = folder == highest_ ? ChapterFolders::not_asked : ChapterFolders::must_be_there;
+        if (is_new) { entry->second = read_course_of(folder, chapters); }
         return entry->second;
     }
 
@@ -180,13 +201,13 @@ std::string CourseRead::report() const {
     return text;
 }
 
-CourseRead read_course(std::string source, std::string file_name) {
+CourseRead read_course(std::string source, std::string file_name, const fs::path& folder) {
     CourseRead read;
     read.source = std::move(source);
     Problems problems(std::move(file_name), read.source);
     if (const auto table = reading::parse_toml(read.source, problems)) {
         Fields root(*table, "the course", problems);
-        Course course = course_in(root);
+        Course course = course_in(root, folder);
         if (problems.errors_count() == 0) { read.course = std::move(course); }
     }
     read.diagnostics = problems.take();
@@ -194,12 +215,15 @@ CourseRead read_course(std::string source, std::string file_name) {
     return read;
 }
 
-CourseRead read_course_of(const fs::path& folder) {
+CourseRead read_course_of(const fs::path& folder, ChapterFolders chapters) {
     const fs::path path = folder / kCourseFile;
     std::error_code error;
     if (!fs::exists(path, error)) { return {}; }
     FileText file = read_file_text(path, kLargestCourse);
-    if (file.problem.empty()) { return read_course(std::move(file.text), path.string()); }
+    if (file.problem.empty()) {
+        const bool asks = chapters == ChapterFolders::must_be_there;
+        return read_course(std::move(file.text), path.string(), asks ? folder : fs::path());
+    }
     CourseRead read;
     const std::string message = file.problem + "; expected the order of a course";
     read.diagnostics.push_back({path.string(), {}, Code::file_unreadable, message, {}, Severity::error});

@@ -40,10 +40,13 @@ struct CourseRead {
     std::string report() const;
 };
 
-/// Never throws for bad input. Whether there are files of these names is not asked.
-CourseRead read_course(std::string source, std::string file_name);
+/// Never throws for bad input. Whether there are lessons of these names is not asked.
+/// @param folder  where the folders of chapters must be; empty: that is not asked either
+CourseRead read_course(std::string source, std::string file_name, const std::filesystem::path& folder = {});
+enum class ChapterFolders { must_be_there, not_asked };
 /// The course of a folder; without `course.toml` there is nothing wrong.
-CourseRead read_course_of(const std::filesystem::path& folder);
+CourseRead read_course_of(
+    const std::filesystem::path& folder, ChapterFolders chapters = ChapterFolders::must_be_there);
 
 /// Lessons below a folder in the order of their course.
 struct CourseLessons {

@@ -65,8 +65,10 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
 }
 
 /// What is wrong with the order of a course, or that it is one.
-ReadResult no_lesson_but_course(std::string source, const std::string& file_name) {
-    CourseRead course = read_course(std::move(source), file_name);
+ReadResult no_lesson_but_course(std::string source, const std::filesystem::path& path) {
+    const std::string file_name = path.string();
+    CourseRead course =
+        read_course(std::move(source), file_name, path.has_parent_path() ? path.parent_path() : ".");
     if (course.diagnostics.empty()) {
         const std::string message = "this is the order of a course; expected a lesson (.toml)";
         course.diagnostics.push_back({file_name, {}, Code::course_no_lesson, message, {}, Severity::error});
@@ -156,7 +158,7 @@ ReadResult read_lesson_file(const std::filesystem::path& path) {
         result.diagnostics.push_back({name, {}, Code::file_unreadable, message, {}, Severity::error});
         return result;
     }
-    if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path.string()); }
+    if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path); }
     return read_lesson(std::move(file.text), path.string());
 }
 

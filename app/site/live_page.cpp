@@ -64,7 +64,7 @@ void add_orders(const fs::path& folder, const fs::path& place, std::vector<Cours
         }
     }
     if (!fs::exists(folder / kCourseFile, error) && fs::is_regular_file(folder / ".." / kCourseFile, error)) {
-        files.push_back({folder / ".." / kCourseFile, place / kCourseFile});
+        files.push_back({folder / ".." / kCourseFile, place.parent_path() / kCourseFile});
     }
 }
 

@@ -93,6 +93,23 @@ TEST_CASE("A course is found from a folder above it and from the folder one is i
     CHECK(here.front() == "z/b.toml");
 }
 
+TEST_CASE("A chapter without a folder is told with its place", "[lessons][course]") {
+    const School school;
+    const fs::path file = school.write(
+        "course.toml", std::string(kTwoChapters) + "[[chapter]]\nname = \"loop\"\ntitle = \"Loops\"\n");
+    fs::create_directory(school.path() / "loops");
+    const std::string told = course_lessons(school.path()).report;
+    CHECK_THAT(
+        told, Catch::StartsWith(file.string() + ":11:8: error: there is no folder 'loop' beside this file"));
+    CHECK_THAT(told, Catch::Contains("did you mean 'loops'?"));
+    CHECK_THAT(read_lesson_file(file).report(), Catch::Contains(":11:8: error: there is no folder 'loop'"));
+    // of a chapter alone the others are not asked for
+    CHECK(course_lessons(school.path() / "z").report.empty());
+    CHECK(names_below(school.path() / "z", school.path()).front() == "z/b.toml");
+    fs::create_directory(school.path() / "loop");
+    CHECK(course_lessons(school.path()).report.empty());
+}
+
 TEST_CASE("The joints come in the order of the slides", "[lessons][course]") {
     std::vector<std::string> joints;
     for (const CourseLessons::Entry& entry : course_lessons(catalogue_folder()).lessons) {

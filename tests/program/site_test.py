@@ -243,6 +243,12 @@ with tempfile.TemporaryDirectory() as place:
     assert changed != version, "other lessons, the same version"
     assert 'href="slides.pdf#page=8"' in (out / "slides.html").read_text() and (out / "slides.pdf").exists()
 
+    # of a chapter alone the page knows the course around it
+    run("site", lessons / "loops", "--page", page, "--out", place / "alone")
+    bundle = json.loads((place / "alone/live/lessons.json").read_text())
+    assert bundle["lessons"] == "/course/loops" and "/course/course.toml" in bundle["files"], sorted(bundle["files"])
+    shutil.rmtree(place / "alone")
+
     # slides as an address; what is no lesson, but is called like one, is told of and left out
     os.mkfifo(lessons / "pipe.toml")
     (lessons / "broken.toml").symlink_to("nowhere.toml")
