@@ -115,19 +115,25 @@ bool MotionTracker::cross(double t) {
 }
 
 void MotionTracker::explain_end(double t) {
+    if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
+    const bool is_driven = !system_->drivers().empty();
+    const Root root = is_driven ? find_root() : Root{};
+    if (root.kind == Root::Kind::simple_root) {
+        failure_->cause = FailureCause::turning_point;
+        failure_->t = root.t;
+        return;
+    }
     // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
     // determined at `t`
-    if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
     PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
     if (there.cause == FailureCause::cannot_close) {
         failure_ = std::move(there);
         return;
     }
-    if (system_->drivers().empty()) { return; }
-    const Root root = find_root();
-    const bool turns_back = root.kind == Root::Kind::simple_root;
-    failure_->cause = turns_back ? FailureCause::turning_point : FailureCause::undecided;
-    failure_->t = turns_back ? root.t : frame_.t;
+    if (is_driven && !is_decided()) {
+        failure_->cause = FailureCause::undecided;
+        failure_->t = frame_.t;
+    }
 }
 
 }  // namespace jw

@@ -264,6 +264,7 @@ bool MotionTracker::try_thorough_step(double h, Way way) {
 
 bool MotionTracker::advance_to(double t) {
     frame_.substeps = 0;
+    frame_.tries = 0;
     frame_.rows_switched = false;
     const double from = frame_.t;
     const auto go_to_kink = [&](double kink) { return (kink - from) * (t - kink) <= 0.0 || reach(kink); };
@@ -293,6 +294,7 @@ bool MotionTracker::reach(double t) {
     for (int tried = 0; std::abs(t - frame_.t) > 1e-12 * std::max(1.0, std::abs(t)); ++tried) {
         const double whole = t - frame_.t;
         const double h = std::copysign(std::min(std::abs(whole), step_), whole);
+        if (tried < kMostTried) { ++frame_.tries; }
         if (tried < kMostTried && try_step(h)) {
             ++frame_.substeps;
             is_crossing_ = false;

@@ -28,7 +28,8 @@ struct MotionFrame {
     Motion acceleration;
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
-    int substeps = 1;
+    int substeps = 1;            ///< steps since the last frame
+    int tries = 1;               ///< attempts at steps, those rejected included: each a proof
     bool rows_switched = false;  ///< a p1 / p2 choice changed since the last frame
     bool change_point = false;   ///< singular pose or nearly so, passed along the previous tangent
 };

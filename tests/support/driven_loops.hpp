@@ -54,7 +54,47 @@ inline double angle_that_meets(double a, double b, double c, double side) {
     return std::atan2(b, a) + side * std::atan2(std::sqrt(std::max(square - c * c, 0.0)), c);
 }
 
-/// Crank a, coupler b, rocker c, ground d in a plane: near folding where b + c exceeds d + a, or |b - c|
+/// Crank a, coupler b, rocker c on a ground d, in a plane.
+struct FourBarLinks {
+    double a;
+    double b;
+    double c;
+    double d;
+};
+
+/// @param start angle of the crank [rad] @param sense of its turn @param side on which the rocker stands
+inline DrivenLoop four_bar_of(
+    const Place& place, const FourBarLinks& links, double margin, double start, double sense, double side) {
+    const auto [a, b, c, d] = links;
+    const auto meeting = [place, a = a, b = b, c = c, d = d, start, sense, side](double t) {
+        const double theta = start + sense * 2.0 * std::numbers::pi * t;
+        const double x = a * std::cos(theta) - d;
+        const double y = a * std::sin(theta);
+        const double phi = angle_that_meets(x, y, (x * x + y * y + c * c - b * b) / (2.0 * c), side);
+        return place.at(d + c * std::cos(phi), c * std::sin(phi));
+    };
+    SceneBuilder scene;
+    const Vec3 A = place.at(a * std::cos(start), a * std::sin(start));
+    const Vec3 z = place.along(0, 0, 1);
+    const int crank = scene.add_body("crank", place.at(0.3 * a, 0.2));
+    const int coupler = scene.add_body("coupler", 0.5 * (A + meeting(0.0)));
+    const int rocker = scene.add_body("rocker", place.at(d, 0.1));
+    Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
+    scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
+    scene.add_joint("revolute", crank, coupler, A, z);
+    scene.add_joint("revolute", coupler, rocker, meeting(0.0), z);
+    scene.add_joint("revolute", 0, rocker, place.at(d, 0), z);
+    drive(scene.mechanism, 0, start, sense);
+    return {scene.mechanism, coupler,   scene.local_point(coupler, meeting(0.0)), meeting, place.size,
+            margin,          "four-bar"};
+}
+
+/// Links 1 - e, 2, 1, 2: the crank, in line with the ground, comes within e of folding.
+inline DrivenLoop crank_near_folding(double e) {
+    return four_bar_of({}, {1.0 - e, 2.0, 1.0, 2.0}, e, 1.0, 1.0, 1.0);
+}
+
+/// Any four-bar: near folding where b + c exceeds d + a, or |b - c|
 /// falls below d - a, by `margin` only.
 inline DrivenLoop driven_four_bar(Random& random, double margin) {
     const Place place = random_place(random);
@@ -79,27 +119,7 @@ inline DrivenLoop driven_four_bar(Random& random, double margin) {
     const double start = random.number(0.0, 2.0 * std::numbers::pi);
     const double sense = random.number() > 0.0 ? 1.0 : -1.0;
     const double side = random.number() > 0.0 ? 1.0 : -1.0;
-    const auto meeting = [=](double t) {
-        const double theta = start + sense * 2.0 * std::numbers::pi * t;
-        const double x = a * std::cos(theta) - d;
-        const double y = a * std::sin(theta);
-        const double phi = angle_that_meets(x, y, (x * x + y * y + c * c - b * b) / (2.0 * c), side);
-        return place.at(d + c * std::cos(phi), c * std::sin(phi));
-    };
-    SceneBuilder scene;
-    const Vec3 A = place.at(a * std::cos(start), a * std::sin(start));
-    const Vec3 z = place.along(0, 0, 1);
-    const int crank = scene.add_body("crank", place.at(0.3 * a, 0.2));
-    const int coupler = scene.add_body("coupler", 0.5 * (A + meeting(0.0)));
-    const int rocker = scene.add_body("rocker", place.at(d, 0.1));
-    Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
-    scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
-    scene.add_joint("revolute", crank, coupler, A, z);
-    scene.add_joint("revolute", coupler, rocker, meeting(0.0), z);
-    scene.add_joint("revolute", 0, rocker, place.at(d, 0), z);
-    drive(scene.mechanism, 0, start, sense);
-    return {scene.mechanism, coupler,   scene.local_point(coupler, meeting(0.0)), meeting, place.size,
-            margin,          "four-bar"};
+    return four_bar_of(place, {a, b, c, d}, margin, start, sense, side);
 }
 
 /// Crank a, coupler b, slide along x at height e: near folding where b exceeds a + |e| by `margin` only.

@@ -196,6 +196,8 @@ void add_summary(const Lesson& lesson, View& view) {
 std::string velocity_note_of(const Step& step) {
     if (step.kind != Step::Kind::motion) { return {}; }
     const auto row = [&](const LinearVerdict& verdict) { return row_label(*step.system, verdict.worst_row); };
+    // at its end the motion is no longer determined, and the failure says why
+    if (step.failed()) { return {}; }
     if (!step.velocity_verdict.consistent) {
         return tr("The rows contradict each other: no velocity satisfies {0}.", row(step.velocity_verdict));
     }
