@@ -144,9 +144,9 @@ int Mechanism::add_body(const std::string& name, const Argument<3>& r, const Arg
 
 int Mechanism::add_joint(
     const std::string& name, const std::string& type, int body_i, int body_j, const Place& place) {
-    const auto& [bodies, joints, drivers] = inside_->mechanism;
-    expect_new_name(name, joints);
-    expect_new_name(name, drivers);
+    const std::vector<jw::Body>& bodies = inside_->mechanism.bodies;
+    expect_new_name(name, inside_->mechanism.joints);
+    expect_new_name(name, inside_->mechanism.drivers);
     expect_index(body_i, bodies.size(), "body");
     expect_index(body_j, bodies.size(), "body");
     expect(body_i != body_j, "joint '" + name + "' connects a body with itself; expected two bodies");
@@ -164,9 +164,9 @@ int Mechanism::add_joint(
 }
 
 int Mechanism::add_driver(const std::string& name, int joint, const Polynomial& value) {
-    const auto& [bodies, joints, drivers] = inside_->mechanism;
+    const std::vector<jw::Joint>& joints = inside_->mechanism.joints;
     expect_new_name(name, joints);
-    expect_new_name(name, drivers);
+    expect_new_name(name, inside_->mechanism.drivers);
     expect_index(joint, joints.size(), "joint");
     for (const double c : value) { expect(std::isfinite(c), "the function of '" + name + "' is not finite"); }
     const jw::Joint& along = joints[static_cast<std::size_t>(joint)];

@@ -1,5 +1,7 @@
 #include "lessons/fields.hpp"
 
+#include "lessons/text_place.hpp"
+
 /// Access to keys that hold lists: numbers, vectors, matrices, names.
 namespace jw {
 
@@ -110,6 +112,23 @@ std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
         return std::nullopt;
     }
     return v;
+}
+
+std::vector<TypedText> Fields::typed_numbers(std::string_view key) const {
+    std::vector<TypedText> out;
+    const auto add = [&](const toml::node& node) {
+        if (const auto value = node.value<double>()) {
+            out.push_back({*value, number_at(problems_->source(), span_of(node.source()))});
+        }
+    };
+    const toml::node* node = table_->get(key);
+    if (node == nullptr) { return out; }
+    if (const toml::array* list = node->as_array()) {
+        for (const toml::node& entry : *list) { add(entry); }
+    } else {
+        add(*node);
+    }
+    return out;
 }
 
 std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {

@@ -24,6 +24,12 @@ inline constexpr std::size_t kLongestText = 20000;
 /// Shorter than this a vector is no direction: normalising it would enlarge rounding.
 inline constexpr double kShortestDirection = 1e-9;
 
+/// A number and the characters that stand for it.
+struct TypedText {
+    double value = 0.0;
+    std::string text;
+};
+
 /// "a table", "a number", ...: for messages.
 std::string kind_of(const toml::node& node);
 
@@ -92,6 +98,9 @@ public:
 
     /// A number under `key` + "_deg" or `key` + "_rad" [rad].
     std::optional<Located<double>> angle(std::string_view key);
+
+    /// The numbers under a key as they were typed; none if it is not there.
+    std::vector<TypedText> typed_numbers(std::string_view key) const;
 
     /// The value as it stands, for those who copy it; nothing if the key is not there.
     const toml::node* raw(std::string_view key) {

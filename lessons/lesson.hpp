@@ -131,6 +131,14 @@ struct StepTexts {
     std::vector<AtTime> times;  ///< sorted by time
 };
 
+/// What the numbers of joints are worth.
+struct Precision {
+    bool exact = false;  ///< all are exact as they are typed
+    int digits = 5;      ///< those with so many significant digits are known to half a unit of the last one
+
+    bool operator==(const Precision&) const = default;
+};
+
 struct Lesson {
     std::string file_name;  ///< as it was given to the reader
     Text title;
@@ -139,7 +147,8 @@ struct Lesson {
     Text text;
     Text summary;  ///< what to remember, in two lines; shown at the end
 
-    Mechanism mechanism;          ///< bodies[0] is the ground
+    Mechanism mechanism;  ///< bodies[0] is the ground
+    Precision precision;
     std::vector<Look> looks;      ///< one per body of the mechanism
     std::vector<Addition> order;  ///< every joint and driver once, in the order in which they are added
     CoordinateChoice coordinates = CoordinateChoice::modified_euler_parameters;

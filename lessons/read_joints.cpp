@@ -137,7 +137,9 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices) {
 }
 
 void read_joints(Fields& root, Reading& reading) {
-    for (Fields& fields : root.tables("joint", kMostJoints)) { read_joint(fields, reading); }
+    std::vector<Fields> joints = root.tables("joint", kMostJoints);
+    for (Fields& fields : joints) { read_joint(fields, reading); }
+    if (reading.problems->errors_count() == 0) { take_as_meant(joints, reading); }
 }
 
 }  // namespace jw::reading

@@ -84,6 +84,7 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_camera(root, read.lesson);
     reading::read_bodies(root, read);
     reading::read_dynamics(root, read);
+    reading::read_precision(root, read.lesson);
     reading::read_joints(root, read);
     reading::read_drivers(root, read);
     reading::read_loads(root, read);

@@ -64,6 +64,8 @@ void read_camera(Fields& root, Lesson& lesson);
 void read_bodies(Fields& root, Reading& reading);
 /// [dynamics], with what the bodies need for it; after the bodies.
 void read_dynamics(Fields& root, Reading& reading);
+/// [precision]; before the joints.
+void read_precision(Fields& root, Lesson& lesson);
 void read_joints(Fields& root, Reading& reading);
 void read_drivers(Fields& root, Reading& reading);
 /// Forces, torques, springs; after joints and drivers.
@@ -132,6 +134,8 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices);
 
 /// Vectors of a joint whose type and bodies are known.
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
+/// Gives the joints the geometry that was meant, where they repeat each other to the digits typed only.
+void take_as_meant(std::vector<Fields>& joints, Reading& reading);
 /// Relative angle u_i to u_j and displacement s_i·d at the start pose.
 double start_angle(const BodyPair& pair, const JointGeometry& geometry);
 double start_displacement(const BodyPair& pair, const JointGeometry& geometry);

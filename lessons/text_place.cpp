@@ -32,6 +32,11 @@ public:
         }
         ++at_;
     }
+    /// Goes on to a line and column.
+    void reach(const SourceSpan& place) {
+        while (!at_end() && line_ < place.line) { step(); }
+        while (!at_end() && line_ == place.line && column_ < place.column) { step(); }
+    }
     void step(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) { step(); }
     }
@@ -79,8 +84,7 @@ std::size_t step_value(Cursor& cursor, bool escapes, bool several_lines) {
 
 SourceSpan place_in_text(std::string_view source, const SourceSpan& start, std::size_t at) {
     Cursor cursor(source);
-    while (!cursor.at_end() && cursor.line() < start.line) { cursor.step(); }
-    while (!cursor.at_end() && cursor.column() < start.column) { cursor.step(); }
+    cursor.reach(start);
     const char quote = cursor.peek();
     if (cursor.line() != start.line || (quote != '"' && quote != '\'')) { return start; }
     const bool several_lines = cursor.peek(1) == quote && cursor.peek(2) == quote;
@@ -91,6 +95,22 @@ SourceSpan place_in_text(std::string_view source, const SourceSpan& start, std::
         bytes += step_value(cursor, quote == '"', several_lines);
     }
     return {cursor.line(), cursor.column(), 1};
+}
+
+std::string number_at(std::string_view source, const SourceSpan& start) {
+    Cursor cursor(source);
+    cursor.reach(start);
+    std::string typed;
+    for (; !cursor.at_end(); cursor.step()) {
+        const char c = cursor.peek();
+        if (c == '_') { continue; }
+        if (std::isdigit(static_cast<unsigned char>(c)) == 0 &&
+            std::string_view("+-.eE").find(c) == std::string_view::npos) {
+            break;
+        }
+        typed += c;
+    }
+    return typed;
 }
 
 }  // namespace jw

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "lessons/source_span.hpp"
@@ -12,5 +13,8 @@ namespace jw {
 /// line feed of a text in three quotes are counted as TOML reads them. `start` itself where that is not
 /// known.
 SourceSpan place_in_text(std::string_view source, const SourceSpan& start, std::size_t at);
+
+/// A number as it is typed at a place, without underscores; empty if there is none.
+std::string number_at(std::string_view source, const SourceSpan& start);
 
 }  // namespace jw

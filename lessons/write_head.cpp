@@ -43,6 +43,16 @@ void write_head(const Written& written, Lines& lines) {
     }
 }
 
+void write_precision(const Precision& precision, Lines& lines) {
+    if (precision == Precision()) { return; }
+    lines.table("[precision]");
+    if (precision.exact) {
+        lines.key("exact", "true");
+    } else {
+        lines.key("digits", std::to_string(precision.digits));
+    }
+}
+
 void write_motion(const Lesson& lesson, Lines& lines) {
     if (!lesson.motion) { return; }
     const MotionPlan& plan = *lesson.motion;

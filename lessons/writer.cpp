@@ -131,6 +131,7 @@ std::string lesson_text(const Lesson& lesson) {
     writing::Lines lines;
     writing::write_head(written, lines);
     writing::write_bodies(lesson, lines);
+    writing::write_precision(lesson.precision, lines);
     writing::write_joints(written, lines);
     writing::write_drivers(written, lines);
     writing::write_dynamics(written, lines);

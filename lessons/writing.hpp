@@ -57,6 +57,7 @@ struct Written {
 
 void write_head(const Written& written, Lines& lines);
 void write_motion(const Lesson& lesson, Lines& lines);
+void write_precision(const Precision& precision, Lines& lines);
 void write_camera(const Lesson& lesson, Lines& lines);
 void write_steps(const Lesson& lesson, Lines& lines);
 void write_bodies(const Lesson& lesson, Lines& lines);

@@ -7,6 +7,7 @@
 #include "core/kinematics/manifold.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/newton.hpp"
+#include "core/poses/rank.hpp"
 
 namespace jw {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,24 @@ struct Driver {
     TimeFunction function;
 };
 
+/// What the digits of typed numbers leave open about the rank of all joints together.
+struct TypedVerdict {
+    int rank_as_typed = 0;
+    int rank = 0;         ///< of the mechanism that was meant
+    double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along that one's motion, scaled
+    double share = 0.0;   ///< largest change of a number, in half units of its last digit
+    /// Per joint, geometry of a mechanism within the digits that has `rank` along a motion of finite length.
+    /// Empty where none was found: the rank cannot be told to the digits typed.
+    std::vector<JointGeometry> geometry;
+
+    bool is_told() const { return !geometry.empty(); }
+};
+
 struct Mechanism {
     std::vector<Body> bodies;
     std::vector<Joint> joints;
     std::vector<Driver> drivers;
+    std::optional<TypedVerdict> typed;  ///< where the digits of the joints decide their rank
 
     int moving_bodies_count() const;
     /// Joint index -> index of its artificial coordinate, -1 where it has none.

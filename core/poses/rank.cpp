@@ -243,6 +243,11 @@ RankReport analyse_rank(
     report.assembled = report.residual <= kAssembledResidual;
 
     judge(report, svd);
+    const Mechanism& mechanism = system.mechanism();
+    if (mechanism.typed && system.selection().joints.size() == mechanism.joints.size()) {
+        report.typed = mechanism.typed;
+        report.decided = report.decided && report.typed->is_told();
+    }
     if (detail == RankDetail::verdict) { return report; }
 
     const VectorX& sigma = report.singular_values;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/equations/system.hpp"
@@ -58,12 +59,13 @@ struct RankReport {
     /// about residual / σ_r, and Φq changes by as much.
     double pose_error = 0.0;
     /// False if the rank is undecided: σ_r is within its error of the threshold, or σ_(r+1) is, or the
-    /// decomposition does not pass its check.
+    /// decomposition does not pass its check, or typed digits leave it open.
     bool decided = true;
-    double residual = 0.0;       ///< largest |Φ|, scaled
-    double largest_gap = 0.0;    ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
-    bool assembled = true;       ///< false: the residual is so large that only the matrix is described
-    bool near_singular = false;  ///< σ_r is small against σ_(r-1)
+    std::optional<TypedVerdict> typed;  ///< where the digits of all joints decide
+    double residual = 0.0;              ///< largest |Φ|, scaled
+    double largest_gap = 0.0;           ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
+    bool assembled = true;              ///< false: the residual is so large that only the matrix is described
+    bool near_singular = false;         ///< σ_r is small against σ_(r-1)
     std::vector<RedundantRow> redundant_rows;
     std::vector<FreeMotion> free_motions;
     std::vector<FreeMotionProof> free_motion_proofs;  ///< one per free motion

@@ -19,6 +19,7 @@ KeyTable lesson_keys() {
          word_key("coordinates", "choice of coordinates that the pictures show", words_of(kChoices)),
          {"order", KeyKind::texts, "joints and drivers in the order in which they are added"},
          required(table_key("body", KeyKind::tables, "bodies: where their frames are at the start", "body")),
+         table_key("precision", KeyKind::table, "what the digits of joints are worth", "precision"),
          table_key("joint", KeyKind::tables, "joints, in the order in which they are added", "joint"),
          table_key(
              "driver", KeyKind::tables, "quantities that are prescribed as functions of time", "driver"),
@@ -133,6 +134,16 @@ KeyTable joint_keys() {
     return joint;
 }
 
+KeyTable precision_keys() {
+    return {
+        "precision",
+        {{"exact", KeyKind::flag, "all numbers of joints are exact as they are typed"},
+         counted_key(
+             "digits", KeyKind::whole_number,
+             "numbers with so many significant digits are known to half a unit of the last one; default 5", 2,
+             17)}};
+}
+
 KeyTable camera_keys() {
     return {
         "camera",
@@ -151,6 +162,7 @@ void add_scene_tables(std::vector<KeyTable>& tables_of_lesson) {
     tables_of_lesson.push_back(rotation_keys());
     add_shape_tables(tables_of_lesson);
     tables_of_lesson.push_back(joint_keys());
+    tables_of_lesson.push_back(precision_keys());
     tables_of_lesson.push_back(camera_keys());
 }
 

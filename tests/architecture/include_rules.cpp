@@ -112,7 +112,7 @@ constexpr std::array kFolders{
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 35> kRooms{
+constexpr std::array<std::string_view, 36> kRooms{
     "core/elementary/",
     "core/eigen/",
     "core/numerics/",
@@ -120,6 +120,7 @@ constexpr std::array<std::string_view, 35> kRooms{
     "core/model/",
     "core/equations/",
     "core/poses/",
+    "core/poses/typed/",
     "core/motion/",
     "core/motion/block/",
     "core/motion/tree/",

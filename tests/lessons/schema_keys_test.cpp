@@ -62,6 +62,8 @@ quantity = "slide.point.x"
 point = [0, 0, 1]
 at_s = 1
 tolerance = 0.1
+[precision]
+digits = 4
 )";
 
 /// A question about an angle or one of its derivatives.

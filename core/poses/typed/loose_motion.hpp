@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "core/numerics/svd.hpp"
+#include "core/poses/closest_fit.hpp"
+
+/// Motion of joints that repeat each other only nearly: as if their smallest singular values were zero, with
+/// the equations met in least squares.
+namespace jw {
+
+/// Equations of the joints alone at a state, with the rows that are chosen there, scaled.
+struct JointEquations {
+    JointEquations(const Mechanism& mechanism, const State& state);
+    JointEquations(const JointEquations&) = delete;
+    JointEquations& operator=(const JointEquations&) = delete;
+
+    Svd svd() const { return svd_of(scaled.jacobian()); }
+    /// Largest |Φ|.
+    double misfit() const { return scaled.phi().cwiseAbs().maxCoeff(); }
+
+    System system;
+    ScaledEquations scaled;
+};
+
+/// Moves a state to where the equations hold best, along the first `rank` singular vectors.
+/// @return false if it does not come to rest
+bool settle(const Mechanism& mechanism, int rank, State& state);
+
+/// Settled poses along the motions that are free with this rank, from a settled start in both senses.
+/// @param step  largest turn of a body [rad], or displacement in sizes of the machine, from pose to pose
+/// @param steps at most this many in each sense; fewer where the motion ends
+std::vector<State> walk(const Mechanism& mechanism, int rank, const State& start, double step, int steps);
+
+}  // namespace jw
