@@ -26,7 +26,7 @@ enum Block : std::size_t { kR_i, kP_i, kR_j, kP_j, kArtificial };
 inline constexpr std::size_t kBlocks = 5;
 
 /// Bounds of Taylor coefficients along a path: entry k bounds |w^(k)| / k!; entry 0 is not used.
-using Series = std::array<double, 5>;
+using TaylorSeries = std::array<double, 5>;
 
 /// Body at the middle of a region, and the bounds of its path in it.
 template <>
@@ -37,15 +37,15 @@ struct BodyKinematics<Majorants> {
     double reach_r = 0.0;    ///< [m]
     double reach_p = 0.0;    ///< 0 for a fixed body
     double size_of_p = 1.0;  ///< bound of |p|
-    Series r_series{};
-    Series p_series{};
+    TaylorSeries r_series{};
+    TaylorSeries p_series{};
 };
 
 /// θ in the middle of its region, and the bounds of its path.
 struct BoundedTheta {
     double value = 0.0;
     double reach = 0.0;
-    Series series{};
+    TaylorSeries series{};
 };
 template <>
 struct ThetaOfChoice<Majorants> {
@@ -65,16 +65,16 @@ struct Jet<Majorants, K, Dim, S> {
     Vector value;       ///< in the middle of the region
     double away = 0.0;  ///< bound of |w - value| in it
     double size = 0.0;  ///< bound of |w| in it
-    std::conditional_t<K == Content::motion, Series, DerivativeBounds> bounds{};
+    std::conditional_t<K == Content::motion, TaylorSeries, DerivativeBounds> bounds{};
 };
 
 template <Content K>
-using Bounds = std::conditional_t<K == Content::motion, Series, DerivativeBounds>;
+using Bounds = std::conditional_t<K == Content::motion, TaylorSeries, DerivativeBounds>;
 
 namespace detail {
 
-inline Series sum(const Series& a, const Series& b) {
-    Series out;
+inline TaylorSeries sum(const TaylorSeries& a, const TaylorSeries& b) {
+    TaylorSeries out;
     for (std::size_t k = 0; k < out.size(); ++k) { out[k] = a[k] + b[k]; }
     return out;
 }
@@ -89,8 +89,8 @@ inline DerivativeBounds sum(const DerivativeBounds& a, const DerivativeBounds& b
 }
 
 /// Bounds of a product by the product rule.
-inline Series product(double size_a, const Series& a, double size_b, const Series& b) {
-    Series out{};
+inline TaylorSeries product(double size_a, const TaylorSeries& a, double size_b, const TaylorSeries& b) {
+    TaylorSeries out{};
     for (std::size_t k = 1; k < out.size(); ++k) {
         out[k] = size_a * b[k] + a[k] * size_b;
         for (std::size_t l = 1; l < k; ++l) { out[k] += a[l] * b[k - l]; }
@@ -113,8 +113,8 @@ inline DerivativeBounds product(
 
 /// Bounds of f(x) for a function f whose derivatives are at most 1: its Taylor coefficients are below those
 /// of the exponential function.
-inline Series of_bounded_function(const Series& x) {
-    Series out{1.0};
+inline TaylorSeries of_bounded_function(const TaylorSeries& x) {
+    TaylorSeries out{1.0};
     for (std::size_t n = 1; n < out.size(); ++n) {
         for (std::size_t k = 1; k <= n; ++k) {
             out[n] += static_cast<double>(k) / static_cast<double>(n) * x[k] * out[n - k];
@@ -139,7 +139,7 @@ B stacked(B top, const B& bottom) {
     const auto join = [](auto& of, const auto& with) {
         for (std::size_t k = 0; k < of.size(); ++k) { of[k] = length_of(of[k], with[k]); }
     };
-    if constexpr (std::is_same_v<B, Series>) {
+    if constexpr (std::is_same_v<B, TaylorSeries>) {
         join(top, bottom);
     } else {
         join(top.first, bottom.first);

@@ -117,7 +117,7 @@ struct Cubic {
         return c.col(0) + t * (c.col(1) + t * (c.col(2) + t * c.col(3)));
     }
     /// Bounds of |x^(k)| / k! for t in [0, 1].
-    Series series() const {
+    TaylorSeries series() const {
         return {
             0.0, c.col(1).norm() + 2.0 * c.col(2).norm() + 3.0 * c.col(3).norm(),
             c.col(2).norm() + 3.0 * c.col(3).norm(), c.col(3).norm(), 0.0};
@@ -215,7 +215,7 @@ TEST_CASE("Bounds along a path hold for every primitive", "[core][majorants]") {
         theta.series = angle.series();
         for (const ProvedPrimitive& primitive : primitives(random)) {
             CAPTURE(n, primitive.index());
-            Series bounds{};
+            TaylorSeries bounds{};
             std::visit(
                 [&](const auto& c) { bounds = equations<Content::motion>(c, i, j, theta).bounds; },
                 primitive);

@@ -101,7 +101,7 @@ void ProvedPart::bound_residuals(Anchor& anchor) {
             theta.series =
                 detail::sum(theta.series, step_->path(step_->table().of_theta(equation.theta)).series);
         }
-        Series series{};
+        TaylorSeries series{};
         visit_equation<Content::motion>(
             equation, anchor.i[g], anchor.j[g], theta, [&](const auto& jet) { series = jet.bounds; });
         residual_[g] =

@@ -12,7 +12,7 @@ namespace jw {
 /// Cubic path of one block of coordinates over a step, as its Bézier control points.
 struct Path {
     std::array<Vec4, 4> control;
-    Series series{};
+    TaylorSeries series{};
     double size = 0.0;  ///< largest control point: bound of |x|
 };
 
@@ -45,7 +45,7 @@ public:
     double h() const { return ends_[1].t - ends_[0].t; }
     const Path& path(int coordinate) const { return paths_[at(coordinate)]; }
     /// Bounds of the target of a driver over the step.
-    const Series& target(int equation) const { return targets_[at(equation)]; }
+    const TaylorSeries& target(int equation) const { return targets_[at(equation)]; }
 
     /// Bound of |x - x̂| over the step, once it is proved.
     double error(int coordinate) const { return error_[at(coordinate)]; }
@@ -66,7 +66,7 @@ private:
     std::vector<EquationJacobian> jacobians_;
     std::array<StepEnd, 2> ends_;
     std::vector<Path> paths_;
-    std::vector<Series> targets_;
+    std::vector<TaylorSeries> targets_;
     std::vector<double> error_;
 };
 
