@@ -6,6 +6,8 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/commands/proof_file.hpp"
 #include "app/session/output/describe_inspection.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/labels.hpp"
@@ -24,6 +26,7 @@ struct InspectOptions {
     bool spectrum = false;
     std::string coordinates;
     std::string format;
+    std::string proof;
 };
 
 Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
@@ -52,10 +55,23 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     return inspect_step(story, options.step.value_or(last), choice, spectrum);
 }
 
+/// Proof of the rank at the moment that is inspected, as the start of a motion without steps.
+void write_rank(const std::string& file, const Inspection& inspection, const Lesson& lesson) {
+    ProofRecorder recorder(*inspection.system);
+    MotionFrame frame;
+    frame.t = inspection.t;
+    frame.state = inspection.state;
+    frame.velocity = inspection.velocity;
+    recorder.add(frame);
+    write_proof(file, recorder.take(), *inspection.system, lesson);
+}
+
 Exit inspect(const InspectOptions& options, const Streams& streams) {
+    if (!options.proof.empty()) { check_output("--proof", options.proof, {options.file}); }
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     const Lesson& lesson = changed.lesson;
     const Inspection inspection = inspected(options, lesson);
+    if (!options.proof.empty()) { write_rank(options.proof, inspection, lesson); }
     if (options.format == "json") {
         Json json = json_of(inspection, lesson);
         add_done(json, changed.done);
@@ -94,6 +110,8 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
     add_format_option(*command, options->format, {"text", "json"});
+    command->add_option("--proof", options->proof, "file for a proof of the rank (docs/proofs.md)")
+        ->type_name("FILE");
     command->footer(
         "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
         "json");

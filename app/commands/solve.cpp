@@ -6,6 +6,8 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/experiment_option.hpp"
 #include "app/commands/format_option.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/commands/proof_file.hpp"
 #include "app/commands/quantity_option.hpp"
 #include "app/session/output/csv.hpp"
 #include "app/session/output/json_tables.hpp"
@@ -27,6 +29,7 @@ struct SolveOptions {
     std::string format;
     std::vector<std::string> quantities;
     bool old_names = false;
+    std::string proof;
 };
 
 // a table of more rows than this is a slip of a decimal point
@@ -98,16 +101,19 @@ void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Str
 }
 
 Exit solve_command(const SolveOptions& options, const Streams& streams) {
+    if (!options.proof.empty()) { check_output("--proof", options.proof, {options.file}); }
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     const Lesson& lesson = changed.lesson;
     streams.err << done_text(changed.done);
     SweepPlan plan = plan_of(options, lesson);
+    plan.with_proof = !options.proof.empty();
     plan.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     Sweep sweep;
     {
         ProgressBar bar(streams, "solving");
         sweep = solve_sweep(lesson, plan, [&](double fraction) { bar.show(fraction); });
     }
+    if (sweep.proof) { write_proof(options.proof, *sweep.proof, *sweep.system, lesson); }
     if (options.old_names) { rename_columns(sweep.columns, sweep.columns.size() - plan.quantities.size()); }
     if (options.format == "json") {
         Json json = json_of(sweep, plan.analysis, lesson);
@@ -139,6 +145,8 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     add_format_option(*command, options->format, {"csv", "json"});
     add_quantities_option(*command, options->quantities);
     add_old_names_flag(*command, options->old_names);
+    command->add_option("--proof", options->proof, "file for a proof of each step (docs/proofs.md)")
+        ->type_name("FILE");
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "

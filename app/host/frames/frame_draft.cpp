@@ -88,8 +88,9 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-std::string sha256_of(const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = bytes_of(file);
+std::string sha256_of(const fs::path& file) { return sha256_of(bytes_of(file)); }
+
+std::string sha256_of(std::span<const std::uint8_t> bytes) {
     std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
     if (SHA256Data(bytes.data(), bytes.size(), digits.data()) == nullptr) { throw std::bad_alloc(); }
     return digits.data();

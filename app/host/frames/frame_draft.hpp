@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,5 +75,6 @@ std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 /// SHA-256 of a file as hexadecimal digits. @throws std::runtime_error if it cannot be read
 std::string sha256_of(const std::filesystem::path& file);
+std::string sha256_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace jw::host

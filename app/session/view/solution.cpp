@@ -187,20 +187,27 @@ Sweep solve_sweep(
         scene = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
     }
     Sweep sweep;
+    std::optional<ProofRecorder> recorder;
+    if (plan.with_proof) {
+        sweep.system = last.system;
+        recorder.emplace(*sweep.system);
+    }
     sweep.columns = columns_of(list, plan, lesson.mechanism);
     const std::vector<double> times = times_of(plan);
     for (std::size_t k = 0; k < times.size(); ++k) {
         bool switched = false;
         if (!advance_along(tracker, lesson, times[k], switched)) {
             sweep.failure = not_reached(lesson, system, *tracker.failure()).what();
-            return sweep;
+            break;
         }
+        if (recorder) { recorder->add(tracker.frame()); }
         sweep.rows.push_back(row_of(system, tracker.frame(), plan, list, scene));
         if (!sweep.rows.back().consistent && sweep.contradiction.empty()) {
             sweep.contradiction = contradiction_at(system, tracker.frame());
         }
         if (progress) { progress(static_cast<double>(k + 1) / static_cast<double>(times.size())); }
     }
+    if (recorder) { sweep.proof = recorder->take(); }
     return sweep;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/session/view/inspection.hpp"
+#include "core/kinematics/proof/proof_record.hpp"
 #include "core/quantity/names.hpp"
 
 /// Position, velocity and acceleration analysis over a sweep of time, as a table of numbers.
@@ -19,6 +22,7 @@ struct SweepPlan {
     double step = 0.01;  ///< [s], > 0; the last interval may be shorter
     /// Columns besides those of the analysis.
     std::vector<NamedQuantity> quantities = {};
+    bool with_proof = false;
 };
 
 struct SweepRow {
@@ -36,6 +40,9 @@ struct Sweep {
     /// Empty, or which equations contradict each other in velocities or accelerations, where that is so
     /// first.
     std::string contradiction;
+    /// With the system whose motion it proves; none if not asked for.
+    std::optional<ProofRecord> proof;
+    std::shared_ptr<const System> system;
 };
 
 /// The times of a plan.

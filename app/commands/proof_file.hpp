@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/kinematics/proof/proof_record.hpp"
+#include "lessons/lesson.hpp"
+
+namespace jw {
+
+/// Writes a proof for docs/proofs/check_proof.py: JSON in one line, whose last key `sha256` is the hash of
+/// what stands before it, so that a damaged file is told from a wrong proof.
+void write_proof(
+    const std::filesystem::path& file, const ProofRecord& proof, const System& system, const Lesson& lesson);
+
+}  // namespace jw
