@@ -12,8 +12,8 @@ namespace jw {
 
 namespace {
 
-// relative to the largest coefficient; far above rounding, far below any meaningful term
-constexpr double kNegligibleTerm = 1e-9;
+// relative to the largest coefficient, as in rank.cpp: the next one where the terms left out are felt
+constexpr std::array kNegligibleTerms{1e-9, 1e-12, 0.0};
 // iterations: for the largest value to a per cent, and to distinguish the smallest ones by a factor of a
 // thousand
 constexpr int kPowerSteps = 30;
@@ -74,23 +74,33 @@ std::array<double, 2> smallest_singular_values(const SparseQr& qr, Eigen::Index 
 }
 
 SparseCombination combination_of(
-    const SparseQr& qr, const SparseRows& rows, const VectorX& row, const VectorX& column, int repeating) {
+    const SparseQr& qr, const SparseRows& rows, const VectorX& row, const VectorX& column, int repeating,
+    double next_at_most) {
     VectorX v = VectorX::Zero(static_cast<Eigen::Index>(rows.rows.size()));
     v(repeating) = -1.0;
     qr.solve_upper(v);
     v(repeating) = 0.0;
     for (const int other : qr.repeating()) { v(other) = 0.0; }
 
-    // residual of the combination
-    VectorX difference = rows.transposed_times(v.cwiseQuotient(row));
-    rows.for_each_entry(
-        rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
-    SparseCombination combination{repeating, {}, {}, difference.cwiseProduct(column).cwiseAbs().maxCoeff()};
-    const double negligible = std::max(kNegligibleTerm * v.cwiseAbs().maxCoeff(), combination.misfit);
-    for (Eigen::Index k = 0; k < v.size(); ++k) {
-        if (std::abs(v(k)) <= negligible) { continue; }
+    const auto misfit_of = [&](const VectorX& terms) {
+        VectorX difference = rows.transposed_times(terms.cwiseQuotient(row));
+        rows.for_each_entry(
+            rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
+        return difference.cwiseProduct(column).norm();
+    };
+    // a left null vector of this length leaves no more than σ_(r+1) times it
+    const double bound = next_at_most * std::sqrt(1.0 + v.squaredNorm());
+    const double size = v.cwiseAbs().maxCoeff();
+    VectorX terms;
+    for (const double share : kNegligibleTerms) {
+        terms = (v.array().abs() > share * size).select(v, 0.0);
+        if (misfit_of(terms) <= bound) { break; }
+    }
+    SparseCombination combination{repeating, {}, {}, misfit_of(terms), bound};
+    for (Eigen::Index k = 0; k < terms.size(); ++k) {
+        if (terms(k) == 0.0) { continue; }
         combination.rows.push_back(static_cast<int>(k));
-        combination.coefficients.push_back(v(k));
+        combination.coefficients.push_back(terms(k));
     }
     return combination;
 }
@@ -131,9 +141,10 @@ SparseRank sparse_rank_of(
     for (const int repeating : result.repeating) {
         // a row that is rounding only reads 0 = 0 and depends on no other
         if (result.rank == 0 || scaled_size(rows, row, column, repeating) <= result.threshold) {
-            result.combinations.push_back({repeating, {}, {}, 0.0});
+            result.combinations.push_back({repeating, {}, {}});
         } else {
-            result.combinations.push_back(combination_of(qr, rows, row, column, repeating));
+            result.combinations.push_back(
+                combination_of(qr, rows, row, column, repeating, result.next_at_most));
         }
     }
     return result;

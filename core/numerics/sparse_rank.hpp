@@ -13,7 +13,8 @@ struct SparseCombination {
     std::vector<int> rows;
     std::vector<double>
         coefficients;     ///< of scaled rows; row = Σ coefficient * row, negligible terms left out
-    double misfit = 0.0;  ///< largest entry of the difference, scaled
+    double misfit = 0.0;  ///< norm of the difference from these terms, scaled
+    double bound = 0.0;   ///< bound of `misfit` from σ_(r+1) and rounding
 };
 
 /// Rank verdict. Singular values are those of D⁻¹ Φq S, with row sizes D and column sizes S.

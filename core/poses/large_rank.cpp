@@ -82,7 +82,7 @@ RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, 
     report.largest_gap = found.last / std::max(found.next_at_most, kRounding * found.largest);
     report.near_singular = report.rank > 1 && found.last < kNearSingularRatio * found.last_but_one;
     for (const SparseCombination& combination : found.combinations) {
-        RedundantRow entry{combination.row, {}, combination.misfit};
+        RedundantRow entry{combination.row, {}, combination.misfit, combination.bound};
         for (std::size_t k = 0; k < combination.rows.size(); ++k) {
             const int row = combination.rows[k];
             entry.terms.push_back(

@@ -149,6 +149,7 @@ TEST_CASE("The sparse rank is that of the singular values, and its bounds hold",
         if (!c.is_clear()) { continue; }
         for (std::size_t k = 0; k < told.redundant_rows.size(); ++k) {
             const RedundantRow& row = told.redundant_rows[k];
+            CHECK(row.misfit <= row.bound);
             // what the terms add up to is the row
             VectorX difference = -c.scaled.row(row.row).transpose() * c.scaling.row(row.row);
             for (const RedundantRow::Term& term : row.terms) {
@@ -185,6 +186,11 @@ TEST_CASE("Chains and ladders have the rank that theory says", "[core][sparse][r
         CHECK(ladder.dof == 1);
         CHECK(ladder.redundant() == 3 * n);
         CHECK(static_cast<int>(ladder.redundant_rows.size()) == 3 * n);
+        // rounding explains what the combinations leave: lengths of 1, and n loops in each at most
+        for (const RedundantRow& row : ladder.redundant_rows) {
+            CHECK(row.misfit <= row.bound);
+            CHECK(row.bound < 1e-9);
+        }
     }
 }
 
