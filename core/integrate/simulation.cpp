@@ -152,7 +152,7 @@ std::vector<double> Simulation::integrated_start() const {
     return y;
 }
 
-std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
+std::unique_ptr<TimeStepper> Simulation::stepper(double t, std::vector<double> start, double end) const {
     IntegrationOptions options;
     if (end > 0.0) { options.duration = end; }
     options.longest_step = half_of_fastest_swing(scene_);
@@ -162,7 +162,7 @@ std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
     if (!entry_of(settings_.method).adaptive) { options.fixed_step = settings_.step; }
     if (counts_turns()) { options.most_turn = kCountedTurn; }
     const auto explicit_one = [&](const RungeKuttaTable& table) {
-        return std::make_unique<ExplicitIntegrator>(integrated(), table, options, 0.0, integrated_start());
+        return std::make_unique<ExplicitIntegrator>(integrated(), table, options, t, std::move(start));
     };
     const auto implicit_one = [&](int stages) {
         std::unique_ptr<ReducedCoordinates> coordinates;
@@ -172,14 +172,15 @@ std::unique_ptr<TimeStepper> Simulation::stepper(double end) const {
             coordinates = std::make_unique<IndependentCoordinates>(scene_, *block_);
         }
         return std::make_unique<RadauIntegrator>(
-            integrated(), std::move(coordinates), stages, options, 0.0, integrated_start());
+            integrated(), std::move(coordinates), stages, options, t, std::move(start));
     };
     switch (settings_.method) {
         case Method::euler: return explicit_one(explicit_euler());
         case Method::rk4: return explicit_one(runge_kutta_4());
         case Method::explicit_5: return explicit_one(dormand_prince_54());
         case Method::explicit_8: return explicit_one(dormand_prince_853());
-        case Method::semi_implicit: return std::make_unique<SemiImplicitEuler>(*block_, options, 0.0, start_);
+        case Method::semi_implicit:
+            return std::make_unique<SemiImplicitEuler>(*block_, options, t, std::move(start));
         case Method::implicit_5: return implicit_one(3);
         case Method::implicit_9: break;
     }
@@ -222,6 +223,10 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
         return too_many_steps(integration);
     }
     return std::nullopt;
+}
+
+bool Simulation::may_leave_joints() const {
+    return other_ && !settings_.dense && settings_.formulation == Formulation::automatic;
 }
 
 std::pair<State, Motion> Simulation::unpacked(const std::vector<double>& y) const {

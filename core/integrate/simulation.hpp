@@ -84,6 +84,9 @@ struct SimulationOutcome {
     std::optional<SimulationFailure> failure;
     /// Largest residuals of the accelerations in the equations of motion over all steps.
     AccelerationResidual residual;
+    /// When a run in coordinates of the joints went on with those of the bodies, because its accelerations
+    /// could no longer be proved [s].
+    std::optional<double> bodies_from;
 };
 
 /// Simulation of one mechanism from its start pose on.
@@ -127,7 +130,7 @@ public:
 private:
     friend class SimulationRun;
 
-    std::unique_ptr<TimeStepper> stepper(double end) const;
+    std::unique_ptr<TimeStepper> stepper(double t, std::vector<double> start, double end) const;
     Baumgarte stabilisation() const;
     void take_joints();
     bool keeps_digits(TreeEquations& tree);  ///< compared with the block equations
@@ -136,6 +139,8 @@ private:
     bool counts_turns() const;
     /// Counts the turns of rotational springs at a flat state that the motion has reached.
     void count_turns_at(const std::vector<double>& y);
+    /// Whether coordinates of the joints are integrated that nobody has asked for.
+    bool may_leave_joints() const;
     void look_for_contradiction(const std::vector<double>& as_given);
     void look_for_contradicting_rates();
     /// Flat state of the numbers that are integrated.
@@ -184,14 +189,24 @@ public:
     bool step();
     /// Result of the run, once it has ended.
     SimulationOutcome finish();
+    /// See SimulationOutcome.
+    std::optional<double> bodies_from() const { return outcome_.bodies_from; }
 
 private:
     bool goes_on() const;
+    void begin(double t, std::vector<double> start);
+    bool go_on_with_bodies();
+    void remember();
 
     Simulation* simulation_;
     RunWatch watch_;
-    double end_ = 0.0;            ///< [s]
-    std::vector<double> events_;  ///< times ahead at which steps end [s], the next one last
+    std::vector<double> times_;  ///< [s]
+    Sampler::Receive receive_;
+    double end_ = 0.0;                    ///< [s]
+    double proved_until_ = 0.0;           ///< [s]
+    std::vector<double> proved_;          ///< state at that time, in coordinates of the joints; else unused
+    IntegrationCounts counts_in_joints_;  ///< of a run that has left them
+    std::vector<double> events_;          ///< times ahead at which steps end [s], the next one last
     std::unique_ptr<TimeStepper> stepper_;
     std::unique_ptr<Sampler> sampler_;
     std::unique_ptr<Certificate> certificate_;

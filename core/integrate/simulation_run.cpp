@@ -17,33 +17,64 @@ SimulationOutcome Simulation::run(
 
 SimulationRun::SimulationRun(
     Simulation& simulation, const std::vector<double>& times, Sampler::Receive receive, RunWatch watch)
-    : simulation_(&simulation), watch_(std::move(watch)), end_(times.empty() ? 0.0 : times.back()) {
+    : simulation_(&simulation),
+      watch_(std::move(watch)),
+      times_(times),
+      receive_(std::move(receive)),
+      end_(times.empty() ? 0.0 : times.back()) {
     outcome_.failure = simulation.contradiction_;
     if (outcome_.failure) { return; }
     if (simulation.counts_turns()) {
         begin_turns(simulation.scene_.loads, kinematics_of(simulation.unpacked(simulation.start_).first));
     }
     simulation.count_turns_at(simulation.start_);
-    stepper_ = simulation.stepper(end_);
+    begin(0.0, simulation.integrated_start());
+    // fixed steps do not stop at events
+    const bool adaptive = entry_of(simulation.settings_.method).adaptive;
+    events_ = adaptive ? events_until(end_, simulation.scene_) : std::vector{end_};
+    std::ranges::reverse(events_);
+}
+
+SimulationRun::~SimulationRun() = default;
+
+/// Begins at a state of the numbers that are integrated, and gives out its sample.
+void SimulationRun::begin(double t, std::vector<double> start) {
+    Simulation& simulation = *simulation_;
+    stepper_ = simulation.stepper(t, std::move(start), end_);
     sampler_ = std::make_unique<Sampler>(
-        simulation.integrated(), times, std::move(receive), simulation.tolerance_of_samples());
+        simulation.integrated(), times_, receive_, simulation.tolerance_of_samples());
     sampler_->take(*stepper_);
-    const SimulationSettings& settings = simulation.settings_;
     // checking all joints would cost more than an evaluation in joint coordinates: a quarter of them per step
-    const bool in_joints = simulation.other_ && !settings.dense;
+    const bool in_joints = simulation.other_ && !simulation.settings_.dense;
     const int shares = in_joints ? 4 : 1;
     certificate_ = std::make_unique<Certificate>(simulation.scene_, simulation.stabilisation(), shares);
     // all of them at the start: a contradictory scene is not started
     for (int share = 0; share < shares && !outcome_.failure; ++share) {
         outcome_.failure = simulation.failure_of_proof(*certificate_, *stepper_, outcome_.residual);
     }
-    // fixed steps do not stop at events
-    const bool adaptive = entry_of(settings.method).adaptive;
-    events_ = adaptive ? events_until(end_, simulation.scene_) : std::vector{end_};
-    std::ranges::reverse(events_);
+    remember();
 }
 
-SimulationRun::~SimulationRun() = default;
+void SimulationRun::remember() {
+    proved_until_ = stepper_->t();
+    if (simulation_->other_) { proved_ = stepper_->y(); }
+}
+
+/// Goes on from the last state that was proved, in the coordinates of the bodies.
+bool SimulationRun::go_on_with_bodies() {
+    Simulation& simulation = *simulation_;
+    if (!simulation.may_leave_joints()) { return false; }
+    std::vector<double> start = simulation.flat_of(proved_);
+    sampler_->finish();
+    if (sampler_->ended()) { return false; }
+    simulation.other_.reset();
+    counts_in_joints_ = stepper_->counts();
+    outcome_.bodies_from = proved_until_;
+    outcome_.failure.reset();
+    std::erase_if(times_, [&](double t) { return t <= proved_until_; });
+    begin(proved_until_, std::move(start));
+    return true;
+}
 
 bool SimulationRun::goes_on() const {
     return stepper_->t() < events_.back() && !outcome_.failure && !sampler_->ended();
@@ -55,9 +86,15 @@ bool SimulationRun::step() {
         events_.pop_back();
     }
     if (events_.empty()) { return false; }
+    const AccelerationResidual proved = outcome_.residual;
     outcome_.failure = simulation_->failure_of_step(*stepper_, events_.back(), end_);
     if (!outcome_.failure) {
         outcome_.failure = simulation_->failure_of_proof(*certificate_, *stepper_, outcome_.residual);
+    }
+    if (outcome_.failure && outcome_.failure->cause == SimulationFailure::Cause::not_proven) {
+        const AccelerationResidual not_proved = std::exchange(outcome_.residual, proved);
+        if (go_on_with_bodies()) { return true; }
+        outcome_.residual = not_proved;
     }
     const long steps = stepper_->counts().steps;
     if (watch_ && !outcome_.failure && steps % kStepsBetweenLooks == 0 && stepper_->t() < end_ &&
@@ -65,6 +102,7 @@ bool SimulationRun::step() {
         outcome_.failure = simulation_->too_many_steps(*stepper_);
     }
     if (!outcome_.failure || outcome_.failure->cause == SimulationFailure::Cause::too_many_steps) {
+        remember();
         sampler_->take(*stepper_);
     }
     return true;
@@ -77,7 +115,8 @@ SimulationOutcome SimulationRun::finish() {
         outcome_.failure =
             SimulationFailure{SimulationFailure::Cause::step_too_small, *sampler_->ended(), {}, 0.0};
     }
-    outcome_.counts = stepper_->counts();
+    outcome_.counts = counts_in_joints_;
+    outcome_.counts += stepper_->counts();
     return outcome_;
 }
 

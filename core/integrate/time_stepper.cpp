@@ -10,6 +10,17 @@ namespace jw {
 
 using Kind = NumberScale::Kind;
 
+IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& other) {
+    steps += other.steps;
+    rejected += other.rejected;
+    evaluations += other.evaluations;
+    projections += other.projections;
+    jacobians += other.jacobians;
+    row_choices += other.row_choices;
+    singular_passages += other.singular_passages;
+    return *this;
+}
+
 StepAhead::StepAhead(double t, double t_end, double wanted) {
     const double left = t_end - t;
     // a remainder of rounding is not a step of its own

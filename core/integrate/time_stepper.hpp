@@ -32,6 +32,8 @@ struct IntegrationCounts {
     long jacobians = 0;          ///< Jacobians of implicit methods
     long row_choices = 0;        ///< changes of the choice of rows
     long singular_passages = 0;  ///< steps near a singular position
+
+    IntegrationCounts& operator+=(const IntegrationCounts& other);
 };
 
 /// Step of about `wanted` [s] from `t` that does not pass `t_end`. The remainder is divided into two equal

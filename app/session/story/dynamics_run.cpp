@@ -73,6 +73,7 @@ std::string summary_of(const DynamicsTable& table) {
         text = tr("{0}, {1} steps near a singular position", text, c.singular_passages);
     }
     if (c.row_choices > 0) { text = tr("{0}, rows chosen anew {1} times", text, c.row_choices); }
+    if (table.outcome.bodies_from) { text = tr("{0}; {1}", text, bodies_note(*table.outcome.bodies_from)); }
     double position = 0.0;
     double energy = 0.0;
     for (const std::vector<double>& row : table.rows) {
@@ -245,6 +246,12 @@ std::vector<double> equal_times(double duration, int intervals) {
 std::string start_note(const Mechanism& given, const Snapshot& start) {
     const std::string pose = pose_note(given, start);
     return pose.empty() ? speed_note(given, start) : pose;
+}
+
+std::string bodies_note(double t) {
+    return tr(
+        "from t = {0} s on in coordinates of the bodies, since those of the joints lose digits there",
+        number_text(t, 6));
 }
 
 std::size_t DynamicsTable::column_of(std::string_view name) const {

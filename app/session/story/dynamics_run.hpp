@@ -66,6 +66,9 @@ Mechanism placed_at(const Mechanism& mechanism, const State& state);
 /// @param start of the simulation, at t = 0
 std::string start_note(const Mechanism& given, const Snapshot& start);
 
+/// Says that a run has left the coordinates of the joints at `t` [s].
+std::string bodies_note(double t);
+
 /// Why a simulation ended early, with what to do about it.
 std::string failure_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism);

@@ -108,6 +108,9 @@ private:
         if (samples_++ % between_ != 0) { return; }
         step.rows_switched = switched_;
         switched_ = false;
+        if (run_ && run_->bodies_from() && !std::exchange(bodies_told_, true)) {
+            step.note = bodies_note(*run_->bodies_from());
+        }
         steps_.push_back(std::move(step));
     }
 
@@ -137,9 +140,10 @@ private:
     std::shared_ptr<const System> shared_;
     int between_ = 1;  ///< samples from one step to the next
     int samples_ = 0;
-    double told_until_ = 0.0;  ///< [s]
-    bool switched_ = false;    ///< a choice of rows has changed since the last step
-    std::vector<Step> steps_;  ///< received and not yet passed on
+    double told_until_ = 0.0;   ///< [s]
+    bool switched_ = false;     ///< a choice of rows has changed since the last step
+    bool bodies_told_ = false;  ///< that the run has left the coordinates of the joints
+    std::vector<Step> steps_;   ///< received and not yet passed on
     std::vector<Step> curve_;
     std::optional<SimulationRun> run_;
 };
