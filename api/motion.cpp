@@ -30,7 +30,9 @@ constexpr std::array kCauses{
     "accelerations do not satisfy the equations of motion",
     "the step became too small",
     "a number is not finite",
+    "a step turns a rotational spring too far for its turns to be counted",
     "there were too many steps"};
+static_assert(kCauses.size() == static_cast<std::size_t>(jw::SimulationFailure::Cause::too_many_steps) + 1);
 
 NotReached ended(const jw::SimulationFailure& failure) {
     const std::string of = failure.equation_of.empty() ? "" : " (" + failure.equation_of + ")";

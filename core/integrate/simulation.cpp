@@ -218,7 +218,11 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
         return SimulationFailure{Cause::not_finite, integration.t(), {}, 0.0};
     }
     if (!went_on) { return failure_of(integration); }
-    if (counts_turns()) { count_turns_at(flat_of(integration.y())); }
+    if (counts_turns()) {
+        const std::vector<double> flat = flat_of(integration.y());
+        count_turns_at(flat);
+        if (const auto lost = failure_of_turns(integration.t(), flat)) { return lost; }
+    }
     if (integration.t() < end && integration.counts().steps >= settings_.most_steps) {
         return too_many_steps(integration);
     }

@@ -51,14 +51,16 @@ struct SimulationFailure {
         not_proven,     ///< accelerations do not satisfy the equations of motion
         step_too_small,
         not_finite,
+        turns_lost,  ///< a fixed step turns a rotational spring too far for its turns to be counted
         too_many_steps
     };
     Cause cause = Cause::step_too_small;
     double t = 0.0;
     /// For the first three causes: the joint or driver with the largest residual; empty if it is that of the
-    /// forces.
+    /// forces. For turns_lost: the joint of the spring.
     std::string equation_of;
     double violation = 0.0;  ///< for the first three causes: the residual divided by the size of the equation
+    double turn = 0.0;       ///< for turns_lost: by how much the spring turns within the step [rad]
     bool of_accelerations = false;  ///< `violation` is that of the accelerations
     /// For too_many_steps: stability bounded the steps, not accuracy; an implicit method takes longer ones.
     bool bound_by_stability = false;
@@ -139,6 +141,8 @@ private:
     bool counts_turns() const;
     /// Counts the turns of rotational springs at a flat state that the motion has reached.
     void count_turns_at(const std::vector<double>& y);
+    /// Whether a fixed step from a flat state would lose turns of rotational springs.
+    std::optional<SimulationFailure> failure_of_turns(double t, const std::vector<double>& y) const;
     /// Whether coordinates of the joints are integrated that nobody has asked for.
     bool may_leave_joints() const;
     void look_for_contradiction(const std::vector<double>& as_given);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/equations/assembler.hpp"
 #include "core/equations/constraint_rounding.hpp"
@@ -131,6 +132,28 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     failure.violation = here.constraints;
     failure.equation_of = here.driver >= 0 ? scene_.mechanism.drivers[at(here.driver)].name
                                            : scene_.mechanism.joints[at(here.joint)].name;
+    return failure;
+}
+
+/// The nearest of all whole turns is taken at every stage of a step. Its end may lie half a turn away, but a
+/// method whose steps turn a spring by more than a quarter of one knows its angle no better than its turns.
+std::optional<SimulationFailure> Simulation::failure_of_turns(double t, const std::vector<double>& y) const {
+    constexpr double most = 0.5 * std::numbers::pi;
+    if (entry_of(settings_.method).adaptive) { return std::nullopt; }
+    const auto [state, motion] = unpacked(y);
+    const Motion none = zero_motion(scene_.mechanism);
+    SimulationFailure failure{SimulationFailure::Cause::turns_lost, t, {}, 0.0};
+    for (const RotationalSpring& spring : scene_.loads.rotational_springs) {
+        const Measured angle =
+            evaluate_measure(spring.angle, spring.body_i, spring.body_j, -1, state, motion, none);
+        const double turn = settings_.step * std::abs(angle.rate);
+        if (spring.stiffness == 0.0 || turn <= std::max(most, failure.turn)) { continue; }
+        failure.turn = turn;
+        const auto joint = std::ranges::find_if(
+            scene_.mechanism.joints, [&](const Joint& of) { return acts_about(spring, of); });
+        failure.equation_of = joint != scene_.mechanism.joints.end() ? joint->name : std::string();
+    }
+    if (failure.turn == 0.0) { return std::nullopt; }
     return failure;
 }
 

@@ -29,6 +29,9 @@ SimulationRun::SimulationRun(
     }
     simulation.count_turns_at(simulation.start_);
     begin(0.0, simulation.integrated_start());
+    if (simulation.counts_turns() && !outcome_.failure) {
+        outcome_.failure = simulation.failure_of_turns(0.0, simulation.start_);
+    }
     // fixed steps do not stop at events
     const bool adaptive = entry_of(simulation.settings_.method).adaptive;
     events_ = adaptive ? events_until(end_, simulation.scene_) : std::vector{end_};

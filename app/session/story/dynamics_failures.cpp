@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <numbers>
+
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -132,6 +133,12 @@ std::string cause_text(
             return tr(
                 "the solution diverged; use a smaller step or an adaptive method (explicit-8), for stiff "
                 "springs implicit-5");
+        case SimulationFailure::Cause::turns_lost:
+            return tr(
+                "the rotational spring of {0} turns by {1}° within one step, and its turns are counted "
+                "surely up to 90° only; use a step of {2} s or less, or an adaptive method (explicit-8)",
+                in_quotes(failure.equation_of), number_text(kDegreesPerRadian * failure.turn, 3),
+                number_text(0.95 * (0.5 * std::numbers::pi / failure.turn) * settings.step, 2));
         case SimulationFailure::Cause::too_many_steps:
             return tr("{0} steps were not enough; {1}", settings.most_steps, why_so_many(failure, settings));
         case SimulationFailure::Cause::step_too_small: break;

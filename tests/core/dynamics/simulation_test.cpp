@@ -113,3 +113,30 @@ TEST_CASE("Implicit methods move bodies whose joints have no coordinates", "[cor
         }
     }
 }
+
+TEST_CASE("Fixed steps end where a rotational spring turns too far in one", "[core][dynamics]") {
+    test::SceneBuilder scene;
+    const int disc = scene.add_body("disc", Vec3::Zero());
+    scene.add_joint("revolute", 0, disc, Vec3::Zero(), Vec3::UnitZ());
+    scene.mechanism.bodies[1].omega_local = scene.local(disc, 300.0 * Vec3::UnitZ());
+    Loads loads;
+    loads.masses = {std::nullopt, MassProperties{1.0, Vec3::Zero(), Vec3(0.5, 0.5, 0.01).asDiagonal()}};
+    loads.rotational_springs.push_back({0, disc, angle_of(scene.mechanism.joints[0]), 0.5, 0.0, 0.0});
+    SimulationSettings settings;
+    for (const Method method : {Method::rk4, Method::semi_implicit}) {
+        settings.method = method;
+        // 300 rad/s: 34 and 103 degrees in a step
+        for (const double step : {0.002, 0.006}) {
+            CAPTURE(static_cast<int>(method), step);
+            settings.step = step;
+            Simulation simulation(scene.mechanism, loads, settings);
+            const SimulationOutcome outcome =
+                simulation.run({0.0, 0.5}, [](double, const std::vector<double>&) {});
+            REQUIRE(outcome.failure.has_value() == (step > 0.005));
+            if (!outcome.failure) { continue; }
+            CHECK(outcome.failure->cause == SimulationFailure::Cause::turns_lost);
+            CHECK(outcome.failure->equation_of == scene.mechanism.joints[0].name);
+            CHECK(outcome.failure->turn == Approx(300.0 * step));
+        }
+    }
+}
