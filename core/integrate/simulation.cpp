@@ -14,6 +14,7 @@
 #include "core/motion/certificate.hpp"
 #include "core/motion/dense/dense_equations.hpp"
 #include "core/motion/forces.hpp"
+#include "core/motion/start_velocities.hpp"
 #include "core/motion/time_events.hpp"
 #include "core/motion/tree/tree_equations.hpp"
 
@@ -84,6 +85,7 @@ Simulation::Simulation(const Mechanism& mechanism, const Loads& loads, const Sim
     const std::vector<double> as_given = start_;
     block_->project(0.0, start_.data());
     look_for_contradiction(as_given);
+    if (!contradiction_) { keep_given_velocities(mechanism, scene_, *block_, start_); }
     if (settings.dense) {
         other_ = dense_equations(scene_, *settings.dense, stabilisation());
     } else if (joints_may_pay(settings, block_->masses_are_apart())) {

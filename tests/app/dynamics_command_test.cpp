@@ -274,7 +274,9 @@ TEST_CASE(
 TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {
     const Folder folder;
     std::string text = bytes_of(kPendulum);
-    text.replace(text.find("mass = 1 "), 9, "omega_local_rad_per_s = [0, 0, 10]\nmass = 1 ");
+    // towards the hinge, where the rod does not let it
+    text.replace(
+        text.find("mass = 1 "), 9, "omega_local_rad_per_s = [0, 0, 10]\nvelocity = [3, 0, 0]\nmass = 1 ");
     const Ran ran = run({"simulate", folder.file("spun.toml", text), "--duration", "0.1"});
     CHECK(ran.status == 0);
     CHECK(ran.err.find("body 'ball' was given 10 rad/s and begins with") != std::string::npos);
@@ -314,6 +316,21 @@ TEST_CASE("bench draws one scene as a plot", "[app][dynamics]") {
     CHECK(bytes_of(picture).size() > 10000);
     CHECK(run({"bench", "simple-pendulum", "andrews", "--picture", picture}).status == 2);
     CHECK(run({"bench", "no-such-scene"}).status == 2);
+}
+
+TEST_CASE("simulate keeps a start velocity that one body of a chain was given", "[app][dynamics]") {
+    const Folder folder;
+    std::string text = bytes_of(kPendulum);
+    text.replace(text.find("mass = 1 "), 9, "omega_local_rad_per_s = [0, 0, 10]\nmass = 1 ");
+    const Ran ran = run(
+        {"simulate", folder.file("spun.toml", text), "--duration", "0.1", "--samples", "1", "--format",
+         "json"});
+    CHECK(ran.status == 0);
+    CHECK(ran.err.find("note") == std::string::npos);
+    const auto json = nlohmann::json::parse(ran.out);
+    const auto columns = json["columns"].get<std::vector<std::string>>();
+    const auto omega = std::ranges::find(columns, "ball.omega_local.z") - columns.begin();
+    CHECK(json["rows"][0][static_cast<std::size_t>(omega)] == Approx(10.0).epsilon(1e-12));
 }
 
 TEST_CASE(

@@ -143,7 +143,7 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
     double most = typed * fastest;
     std::string text;
     const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
-                             const std::string& unit, bool away) {
+                             const std::string& unit) {
         const double off = (found - wanted).norm();
         if (wanted.norm() == 0.0 || !(off / size > most)) { return; }
         most = off / size;
@@ -151,12 +151,11 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
             tr("body {0} was given {1} and begins with {2}, {3} off", in_quotes(body.name),
                number_text(wanted.norm(), 4) + unit, number_text(found.norm(), 4) + unit,
                number_text(off, 2) + unit);
-        if (away) { text = tr("{0} (a joint away from its origin needs a 'velocity' as well)", text); }
     };
     for (std::size_t b = 0; b < given.bodies.size(); ++b) {
         const Body& body = given.bodies[b];
-        compare(body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s", true);
-        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s", false);
+        compare(body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s");
+        compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s");
     }
     if (text.empty()) { return text; }
     return tr("the start velocities do not fit the joints; the nearest ones that do are used: {0}", text);

@@ -140,3 +140,40 @@ TEST_CASE("Fixed steps end where a rotational spring turns too far in one", "[co
         }
     }
 }
+
+TEST_CASE(
+    "A start velocity that is given for one body of a loop is kept, and the others follow",
+    "[core][dynamics]") {
+    Mechanism mechanism = test::four_bar_at(0.9);
+    const auto turning = [&](int body, double rate) {
+        const Vec4& p = mechanism.bodies[static_cast<std::size_t>(body)].p;
+        return Vec3(rotation_matrix(p).transpose() * (rate * Vec3::UnitZ()));
+    };
+    const auto started = [&] {
+        test::Random random(5);
+        Loads loads;
+        loads.masses.emplace_back();
+        for (int body = 1; body < 4; ++body) { loads.masses.emplace_back(test::random_mass(random)); }
+        Simulation simulation(mechanism, loads, {});
+        Snapshot start;
+        const SimulationOutcome outcome = simulation.run(
+            {0.0}, [&](double, const std::vector<double>& y) { start = simulation.snapshot(0.0, y); });
+        REQUIRE_FALSE(outcome.failure);
+        CHECK(start.velocity_violation < 1e-13);
+        return start.velocity;
+    };
+    // the crank, whose origin lies on its axis, and the coupler, whose origin does not
+    for (const int body : {1, 2}) {
+        CAPTURE(body);
+        const auto b = static_cast<std::size_t>(body);
+        mechanism.bodies[b].omega_local = turning(body, 5.0);
+        CHECK((started().omega_local[b] - mechanism.bodies[b].omega_local).norm() < 1e-12);
+        mechanism.bodies[b].omega_local.setZero();
+    }
+    // two that no motion has: the nearest ones that there are, neither of them as given
+    mechanism.bodies[1].omega_local = turning(1, 5.0);
+    mechanism.bodies[3].omega_local = turning(3, -5.0);
+    const Motion nearest = started();
+    CHECK((nearest.omega_local[1] - mechanism.bodies[1].omega_local).norm() > 1.0);
+    CHECK((nearest.omega_local[3] - mechanism.bodies[3].omega_local).norm() > 1.0);
+}
