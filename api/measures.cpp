@@ -4,6 +4,7 @@
 
 #include "api/convert.hpp"
 #include "api/inside.hpp"
+#include "core/kinematics/joint_angles.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
 
@@ -75,8 +76,7 @@ struct Quantities::Inside {
     const jw::Mechanism& data() const { return mechanism.inside().mechanism; }
 
     /// @param values  [names]
-    void evaluate(const Moment& moment, const std::shared_ptr<const jw::Centroidal>& now, double* values) {
-        jw::Instant instant = instant_of(data(), moment);
+    void evaluate(jw::Instant instant, const std::shared_ptr<const jw::Centroidal>& now, double* values) {
         system.choose_rows(instant.state);
         // the system is no longer asked when this returns
         instant.system = {std::shared_ptr<const void>(), &system};
@@ -122,7 +122,7 @@ const std::vector<std::string>& Quantities::units() const { return inside_->unit
 
 Eigen::VectorXd Quantities::at(const Moment& moment) const {
     Eigen::VectorXd values(static_cast<Eigen::Index>(inside_->list.size()));
-    inside_->evaluate(moment, inside_->scene, values.data());
+    inside_->evaluate(instant_of(inside_->data(), moment), inside_->scene, values.data());
     return values;
 }
 
@@ -130,13 +130,17 @@ Table Quantities::along(const Trajectory& trajectory) const {
     Table table(trajectory.times(), static_cast<Eigen::Index>(inside_->list.size()));
     // a scene of its own, which counts turns
     const auto scene = inside_->scene ? std::make_shared<jw::Centroidal>(*inside_->scene) : nullptr;
+    jw::FollowedAngles angles(inside_->data());
     for (int k = 0; k < trajectory.times(); ++k) {
-        const Moment moment = trajectory.moment(k);
+        jw::Instant instant = instant_of(inside_->data(), trajectory.moment(k));
+        if (k == 0) { angles.begin(instant.t, instant.state, instant.velocity, *instant.acceleration); }
+        if (k > 0) { angles.reach(instant.t, instant.state, instant.velocity, *instant.acceleration); }
+        instant.turns = angles.turns();
         if (scene && !scene->loads.rotational_springs.empty()) {
-            const jw::State state = scene->to_centroidal(state_of(inside_->data(), moment.pose));
+            const jw::State state = scene->to_centroidal(instant.state);
             jw::count_turns(scene->loads, jw::kinematics_of(state));
         }
-        inside_->evaluate(moment, scene, table.row(k).data());
+        inside_->evaluate(std::move(instant), scene, table.row(k).data());
     }
     return table;
 }

@@ -231,6 +231,22 @@ std::optional<SimulationFailure> Simulation::failure_of_step(
     return std::nullopt;
 }
 
+void Simulation::follow_angles_to(const TimeStepper& stepper) {
+    if (!angles_) { return; }
+    std::vector<ProbedBody> found(moving_.size());
+    integrated().motion_of_bodies(stepper.t(), stepper.y().data(), stepper.y_dot().data(), found);
+    const auto [state, motion] = unpacked(flat_of(stepper.y()));
+    Motion acceleration = zero_motion(scene_.mechanism);
+    for (std::size_t m = 0; m < moving_.size(); ++m) {
+        acceleration.omega_local[at(moving_[m])] = found[m].A.transpose() * found[m].alpha;
+    }
+    if (stepper.t() == 0.0) {
+        angles_->begin(stepper.t(), state, motion, acceleration);
+    } else {
+        angles_->reach(stepper.t(), state, motion, acceleration);
+    }
+}
+
 bool Simulation::may_leave_joints() const {
     return other_ && !settings_.dense && settings_.formulation == Formulation::automatic;
 }
@@ -255,6 +271,7 @@ Snapshot Simulation::snapshot(double t, const std::vector<double>& y) const {
     snapshot.kinetic = now.kinetic;
     snapshot.potential = now.potential;
     std::tie(snapshot.position_violation, snapshot.velocity_violation) = block_->violation(t, y.data());
+    if (angles_) { snapshot.turns = angles_->turns_at(t, state); }
     snapshot.state = scene_.as_given(state);
     snapshot.velocity = scene_.as_given(state, motion);
     return snapshot;

@@ -8,6 +8,7 @@
 
 #include "core/integrate/methods.hpp"
 #include "core/integrate/sampler.hpp"
+#include "core/kinematics/joint_angles.hpp"
 #include "core/motion/forces.hpp"
 #include "core/motion/tolerances.hpp"
 
@@ -41,6 +42,7 @@ struct Snapshot {
     double position_violation = 0.0;  ///< largest |Φ|, divided by the size of its equation
     double velocity_violation = 0.0;  ///< largest |Φq q̇ - ν| likewise [1/s]
     double p_drift = 0.0;             ///< largest ||p| - 1|
+    std::vector<int> turns;           ///< of every joint; empty unless they are followed, see follow_angles
 };
 
 /// Reason why a simulation ended early.
@@ -107,6 +109,8 @@ public:
     [[nodiscard]] SimulationOutcome run(
         const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch = {});
 
+    /// Follows the angles of joints from the next run on, for snapshots of it.
+    void follow_angles() { angles_ = std::make_unique<FollowedAngles>(scene_.mechanism); }
     /// State, energies and violations at time t [s].
     /// @param y flat state, as passed to `receive`
     Snapshot snapshot(double t, const std::vector<double>& y) const;
@@ -143,6 +147,8 @@ private:
     void count_turns_at(const std::vector<double>& y);
     /// Whether a fixed step from a flat state would lose turns of rotational springs.
     std::optional<SimulationFailure> failure_of_turns(double t, const std::vector<double>& y) const;
+    /// Follows the angles of joints to the state of the stepper, if anybody asks for them.
+    void follow_angles_to(const TimeStepper& stepper);
     /// Whether coordinates of the joints are integrated that nobody has asked for.
     bool may_leave_joints() const;
     void look_for_contradiction(const std::vector<double>& as_given);
@@ -175,6 +181,7 @@ private:
     std::optional<SimulationFailure> contradiction_;
     std::unique_ptr<Certificate>
         certificate_;  ///< of accelerations between the steps, made when they are asked for
+    std::unique_ptr<FollowedAngles> angles_;  ///< if they are followed
 };
 
 /// A run of a simulation, step by step: for those who do other things in between.

@@ -44,6 +44,7 @@ SimulationRun::~SimulationRun() = default;
 void SimulationRun::begin(double t, std::vector<double> start) {
     Simulation& simulation = *simulation_;
     stepper_ = simulation.stepper(t, std::move(start), end_);
+    simulation.follow_angles_to(*stepper_);
     sampler_ = std::make_unique<Sampler>(
         simulation.integrated(), times_, receive_, simulation.tolerance_of_samples());
     sampler_->take(*stepper_);
@@ -105,6 +106,7 @@ bool SimulationRun::step() {
         outcome_.failure = simulation_->too_many_steps(*stepper_);
     }
     if (!outcome_.failure || outcome_.failure->cause == SimulationFailure::Cause::too_many_steps) {
+        simulation_->follow_angles_to(*stepper_);
         remember();
         sampler_->take(*stepper_);
     }

@@ -64,6 +64,7 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
       newton_(system),
       kinematics_(system),
       sides_(intended_sides(system)),
+      angles_(system.mechanism()),
       proof_(system) {
     for (const DriverConstraint& d : system.drivers()) {
         system.mechanism().drivers[at(d.driver)].function.append_kinks(kinks_);
@@ -78,6 +79,8 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
         quick_ = std::make_unique<DrivenFrames>(system);
     }
     analyse(0.0);
+    angles_.begin(t, frame_.state, frame_.velocity, frame_.acceleration);
+    frame_.turns = angles_.turns();
     restart_quick_way();
 }
 
@@ -280,11 +283,17 @@ bool MotionTracker::is_determined() {
            !proof_.leaves_bodies_free({frame_.t, &frame_.state, &path_velocity_});
 }
 
+void MotionTracker::follow_angles() {
+    angles_.reach(frame_.t, frame_.state, frame_.velocity, frame_.acceleration);
+    frame_.turns = angles_.turns();
+}
+
 bool MotionTracker::reach(double t) {
     bool is_driven = !system_->drivers().empty() && is_determined();
     if (is_start_ && !is_driven && !system_->drivers().empty() && cross(t)) {
         // at a singular start fewer equations are independent than after it
         ++frame_.substeps;
+        follow_angles();
         is_driven = is_determined();
     }
     is_start_ = false;
@@ -297,6 +306,7 @@ bool MotionTracker::reach(double t) {
         if (tried < kMostTried) { ++frame_.tries; }
         if (tried < kMostTried && try_step(h)) {
             ++frame_.substeps;
+            follow_angles();
             is_crossing_ = false;
             if (step_ < HUGE_VAL) { remember(); }
             if (std::abs(h) == step_) { step_ *= is_driven ? kGrowth : 2.0; }
@@ -312,6 +322,7 @@ bool MotionTracker::reach(double t) {
             return false;
         }
         ++frame_.substeps;
+        follow_angles();
         step_ = HUGE_VAL;
         latest_.clear();
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/kinematics/joint_angles.hpp"
 #include "core/kinematics/kinematics.hpp"
 #include "core/kinematics/proof/step_proof.hpp"
 #include "core/poses/position.hpp"
@@ -26,6 +27,7 @@ struct MotionFrame {
     State state;
     Motion velocity;
     Motion acceleration;
+    std::vector<int> turns;  ///< of every joint, see FollowedAngles
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
     int substeps = 1;            ///< steps since the last frame
@@ -75,6 +77,7 @@ private:
     Root find_root();
     bool is_decided();
     void remember();
+    void follow_angles();
     bool find_pose(double h, Way way);
     bool is_proved(
         const MotionFrame& from, const Motion& velocity, const MotionFrame& to, const Motion& to_velocity);
@@ -94,6 +97,7 @@ private:
     std::unique_ptr<DrivenFrames> quick_;
     bool quick_is_sound_ = false;
     MotionFrame reached_;
+    FollowedAngles angles_;
     StepProof proof_;
     Motion path_velocity_;  ///< of the frame by all its equations; at change points `frame_` leaves one out
     std::vector<double> kinks_;  ///< times at which a third derivative of a driver jumps

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
@@ -138,6 +139,9 @@ QuantityValue Evaluation::operator()(const MeasureQuantity& q) const {
             return out;
         }
         m = distance_of(m);
+    }
+    if (std::holds_alternative<AngleMeasure>(q.measure) && q.joint >= 0 && !instant_->turns.empty()) {
+        m.value += 2.0 * std::numbers::pi * instant_->turns[at(q.joint)];
     }
     return with_accelerations({m.value, m.rate, m.acceleration}, 2);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/motion/forces.hpp"
 #include "core/motion/reactions.hpp"
@@ -20,6 +21,9 @@ public:
     std::shared_ptr<const System> system;
     State state;
     Motion velocity;
+    /// Whole turns of every joint that the motion has made (FollowedAngles); empty: only a pose is known, and
+    /// angles lie in (-π, π].
+    std::vector<int> turns;
     std::optional<Motion> acceleration;  ///< nothing: not known, so there are no second derivatives
     /// Masses and forces, if there are any.
     std::shared_ptr<const Centroidal> scene;

@@ -146,7 +146,7 @@ Unit unit_of(const Measure& measure);
 /// Number of derivatives that have a meaning and are known: 0, 1 or 2.
 int derivatives_of(const Quantity& quantity);
 
-/// True if the quantity is known modulo a turn only.
+/// True if a pose gives the quantity up to whole turns only.
 bool is_modulo_turn(const Quantity& quantity);
 
 /// True for quantities of a motion by masses and forces: energies, reactions, efforts.

@@ -31,7 +31,7 @@ public:
     /// since the start pose that the pose tells: none.
     Eigen::VectorXd at(const Moment& moment) const;
     /// A row per time. Turns of rotational springs are counted along the rows, which must lie less than half
-    /// a turn of any spring apart.
+    /// a turn of any spring apart. Turns of angles are followed from row to row by their rates.
     Table along(const Trajectory& trajectory) const;
 
 private:

@@ -161,4 +161,50 @@ TEST_CASE("solve names both drivers that contradict each other, when, and by how
     CHECK(ran.err.find("asks for another rate: 91 deg/s instead of 90 deg/s") != std::string::npos);
 }
 
+TEST_CASE("An angle has the same turns in every command and claim", "[app][solve]") {
+    const Folder folder;
+    const auto claimed = [](const std::string& at, const std::string& degrees) {
+        return "[[expect]]\nquantity = \"gamma.angle\"\n" + at + "\nvalue_deg = " + degrees +
+               "\ntolerance_deg = 1e-6\n";
+    };
+    const std::string hinge = R"(format = 1
+title = "Three turns"
+[[body]]
+name = "module"
+mass = 1
+inertia = [1, 1, 1]
+[[joint]]
+name = "gamma"
+type = "revolute"
+bodies = ["ground", "module"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+[[driver]]
+name = "bend"
+joint = "gamma"
+quantity = "angle"
+step = { from_deg = 0, to_deg = 1080, start_s = 0, end_s = 6 }
+)";
+    for (const std::string motion : {"[motion]\nto_s = 8\nsteps = 1\n", "[dynamics]\nduration = 8\n"}) {
+        CAPTURE(motion);
+        const bool driven = motion[1] == 'm';
+        const std::string file = folder.file("turns.toml", hinge + motion + claimed("at_s = 8", "1080"));
+        REQUIRE(run({"check", file}).status == 0);
+        const Ran table = driven ? run({"solve", file, "--quantities", "gamma.angle"})
+                                 : run({"simulate", file, "--samples", "1", "--quantities", "gamma.angle"});
+        const std::vector<std::string> lines = split(table.out, '\n');
+        const std::vector<std::string> header = split(lines.front(), ',');
+        const auto column = std::ranges::find(header, "gamma.angle") - header.begin();
+        const std::string last = split(lines.back(), ',')[static_cast<std::size_t>(column)];
+        CHECK(std::stod(last) == Approx(6.0 * std::numbers::pi).epsilon(1e-9));
+        const auto steps = nlohmann::json::parse(run({"step", file, "--format", "json"}).out)["steps"];
+        CHECK(steps.back()["quantities"][0]["value"] == Approx(1080.0).epsilon(1e-9));
+        // 0 is another angle after a motion, and the same pose without one
+        const std::string wrong = folder.file("wrong.toml", hinge + motion + claimed("at_s = 8", "0"));
+        CHECK(run({"check", wrong}).status == 1);
+        const std::string pose = folder.file("pose.toml", hinge + motion + claimed("as_given = true", "360"));
+        CHECK(run({"check", pose}).status == 0);
+    }
+}
+
 }  // namespace jw::test

@@ -176,3 +176,40 @@ TEST_CASE("Switching the rows of p1 on the way changes no motion", "[core][motio
     }
     CHECK(switches > 0);
 }
+
+TEST_CASE("Turns of a crank do not depend on how many moments are asked for", "[core][motion]") {
+    const Mechanism mechanism = test::driven(test::four_bar_at(0.9), 0, 2.0 * kPi);
+    constexpr double end = 3.7;
+    const auto angles_after = [&](int intervals) {
+        System system(mechanism, everything(mechanism));
+        MotionTracker tracker(system, start_state(mechanism), 0.0);
+        for (int k = 1; k <= intervals; ++k) { REQUIRE(tracker.advance_to(end * k / intervals)); }
+        std::vector<double> angles;
+        for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+            const MotionFrame& frame = tracker.frame();
+            angles.push_back(relative_angle(mechanism.joints[j], frame.state) + 2.0 * kPi * frame.turns[j]);
+        }
+        // and all the way back
+        REQUIRE(tracker.advance_to(0.0));
+        CHECK(tracker.frame().turns == std::vector<int>(mechanism.joints.size(), 0));
+        return angles;
+    };
+    const std::vector<double> angles = angles_after(1);
+    // rounding of 24 rad
+    CHECK(std::abs(angles[0] - (0.9 + 2.0 * kPi * end)) < 1e-13);
+    for (const int intervals : {2, 11, 400}) {
+        const std::vector<double> others = angles_after(intervals);
+        for (std::size_t j = 0; j < angles.size(); ++j) { CHECK(std::abs(others[j] - angles[j]) < 1e-12); }
+    }
+    // the rocker swings, and the coupler goes round against the crank
+    CHECK(std::abs(angles[3]) < kPi);
+    CHECK(std::abs(angles[1] + 2.0 * kPi * end) < kPi);
+}
+
+TEST_CASE("A driven angle begins with the turns that its driver asks for", "[core][motion]") {
+    Mechanism mechanism = test::four_bar_at(0.9);
+    test::drive_angle(mechanism, 0, test::polynomial({0.9 - 4.0 * kPi, 1.0}));
+    System system(mechanism, everything(mechanism));
+    const MotionTracker tracker(system, start_state(mechanism), 0.0);
+    CHECK(tracker.frame().turns == std::vector<int>{-2, 0, 0, 0});
+}

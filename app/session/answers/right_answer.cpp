@@ -50,6 +50,7 @@ std::optional<Instant> driven_instant(const Story& story, double t) {
     instant.system = std::make_shared<const System>(system);
     instant.state = tracker.frame().state;
     instant.velocity = tracker.frame().velocity;
+    instant.turns = tracker.frame().turns;
     instant.acceleration = tracker.frame().acceleration;
     return instant;
 }

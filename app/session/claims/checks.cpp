@@ -76,9 +76,11 @@ double number_of(const QuantityClaim& claim, const Instant& instant, Absence& wh
     return v.derivatives[static_cast<std::size_t>(claim.derivative)];
 }
 
-double difference_of(const QuantityClaim& claim, double a, double b) {
-    const bool is_plain_angle = claim.derivative == 0 && is_modulo_turn(claim.quantity);
-    return is_plain_angle ? std::remainder(a - b, 2.0 * std::numbers::pi) : a - b;
+/// A pose gives an angle up to whole turns; a motion tells them.
+double difference_of(const QuantityClaim& claim, const Instant& instant, double a, double b) {
+    const bool has_turns_open =
+        claim.derivative == 0 && is_modulo_turn(claim.quantity) && instant.turns.empty();
+    return has_turns_open ? std::remainder(a - b, 2.0 * std::numbers::pi) : a - b;
 }
 
 std::string not_proved(const std::string& found, const std::string& apart) {
@@ -102,12 +104,13 @@ void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
         result.found = tr("nothing: {0}", absence_text(why));
         return;
     }
-    const double difference = difference_of(claim, found, claim.value);
+    const double difference = difference_of(claim, pose.instant, found, claim.value);
     result.found =
         tr("{0}, off by {1}", number_text(factor * found, 15) + unit, small_text(factor * difference));
     result.holds = std::abs(difference) <= claim.tolerance;
     if (!pose.rough) { return; }
-    const double apart = std::abs(difference_of(claim, found, number_of(claim, *pose.rough, why)));
+    const double rough = number_of(claim, *pose.rough, why);
+    const double apart = std::abs(difference_of(claim, pose.instant, found, rough));
     if (apart <= claim.tolerance) { return; }
     result.found = not_proved(result.found, small_text(factor * apart) + unit);
     result.holds = false;

@@ -113,6 +113,7 @@ void ClaimPoses::follow_motion() {
         pose.instant.system = std::make_shared<System>(system);
         pose.instant.state = frame.state;
         pose.instant.velocity = frame.velocity;
+        pose.instant.turns = frame.turns;
         pose.instant.acceleration = frame.acceleration;
         pose.instant.t = t;
         pose.instant.scene = scene_;

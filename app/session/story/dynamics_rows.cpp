@@ -41,6 +41,7 @@ Instant instant_of(
     instant.t = snapshot.t;
     instant.state = snapshot.state;
     instant.velocity = snapshot.velocity;
+    instant.turns = snapshot.turns;
     instant.energy = Energy{snapshot.kinetic, snapshot.potential};
     instant.scene = std::move(scene);
     if (with_accelerations) {
@@ -61,6 +62,7 @@ std::string instants_by_forces(
     settings.tolerance = limits.tolerance;
     settings.most_steps = limits.most_steps;
     Simulation simulation(lesson.mechanism, plan.loads, settings);
+    simulation.follow_angles();
     System system(lesson.mechanism, selection_of(lesson, static_cast<int>(lesson.order.size())));
     const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
         const Snapshot now = simulation.snapshot(t, y);
@@ -78,7 +80,9 @@ DynamicsRows::DynamicsRows(
       simulation_(&simulation),
       list_(columns_of_run(lesson)),
       system_(std::make_shared<System>(lesson.mechanism, everything(lesson.mechanism))),
-      scene_(std::make_shared<const Centroidal>(simulation.scene())) {}
+      scene_(std::make_shared<const Centroidal>(simulation.scene())) {
+    if (!further_.empty()) { simulation.follow_angles(); }
+}
 
 std::vector<std::string> DynamicsRows::columns() const {
     const Mechanism& mechanism = system_->mechanism();

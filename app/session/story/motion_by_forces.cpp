@@ -41,6 +41,7 @@ public:
           shared_(from.system) {
         const int intervals = options.intervals > 0 ? options.intervals : plan.steps;
         between_ = moments_between(options, intervals, assembled_);
+        simulation_.follow_angles();
         run_.emplace(
             simulation_, equal_times(plan.to, intervals * between_),
             [this](double t, const std::vector<double>& y) { receive(t, y); });
@@ -96,6 +97,7 @@ private:
         step.t = t;
         step.state = snapshot.state;
         step.velocity = snapshot.velocity;
+        step.turns = snapshot.turns;
         step.centroidal_acceleration = simulation_.acceleration(t, y);
         step.acceleration = simulation_.acceleration_as_given(y, step.centroidal_acceleration);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;

@@ -40,6 +40,7 @@ private:
         step.state = frame.state;
         step.velocity = frame.velocity;
         step.acceleration = frame.acceleration;
+        step.turns = frame.turns;
         step.rows_switched = switched;
         step.change_point = frame.change_point;
         step.velocity_verdict = frame.velocity_verdict;

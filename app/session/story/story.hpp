@@ -55,6 +55,7 @@ struct Step {
     State state;
     Motion velocity;                 ///< motion only; else the lesson's own
     Motion acceleration;             ///< motion only
+    std::vector<int> turns;          ///< motion only: of the angle of every joint, see FollowedAngles
     std::vector<RowChoice> choices;  ///< equations: of the joint's p1 and p2, in the order of its primitives
     std::vector<PositionEvent> events;  ///< iteration and later: what happened in this solve so far
     RankWhenAsked rank_before;          ///< before the addition, at its pose

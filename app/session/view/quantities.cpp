@@ -1,8 +1,5 @@
 #include "app/session/view/quantities.hpp"
 
-#include <cmath>
-
-#include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "core/quantity/names.hpp"
 
@@ -33,6 +30,7 @@ Instant instant_of(const Step& step) {
     instant.system = step.system;
     instant.state = step.state;
     instant.velocity = step.velocity;
+    instant.turns = step.turns;
     if (step.kind == Step::Kind::motion) { instant.acceleration = step.acceleration; }
     instant.scene = step.centroidal;
     if (step.centroidal) { instant.centroidal_acceleration = step.centroidal_acceleration; }
@@ -46,14 +44,7 @@ std::vector<QuantityMotion> quantities_of(const Step& step) {
     const Instant instant = instant_of(step);
     std::vector<QuantityMotion> quantities;
     for (const DriverConstraint& d : system.drivers()) {
-        const Driver& driver = mechanism.drivers[static_cast<std::size_t>(d.driver)];
-        QuantityMotion quantity = motion_of(measure_of_driver(mechanism, d.driver), instant, true);
-        if (std::holds_alternative<AngleMeasure>(driver.measure)) {
-            // a driven angle goes on beyond half a turn as its function does
-            const double target = kDegreesPerRadian * driver.function.at(step.t).f;
-            quantity.value = target + std::remainder(quantity.value - target, 360.0);
-        }
-        quantities.push_back(std::move(quantity));
+        quantities.push_back(motion_of(measure_of_driver(mechanism, d.driver), instant, true));
     }
     for (const int j : system.selection().joints) {
         for (const MeasureQuantity& measure : measures_of(mechanism, j)) {

@@ -25,14 +25,6 @@ constexpr double kSmallestRounding = 1e-12;  // where everything of a unit is at
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Angles come modulo a turn: takes the turn that is nearest to where the rates lead.
-void unwrap(const std::vector<double>& t, Series& angle, const std::vector<double>& rate) {
-    for (std::size_t k = 1; k < angle.values.size(); ++k) {
-        const double expected = angle.values[k - 1] + 0.5 * (rate[k - 1] + rate[k]) * (t[k] - t[k - 1]);
-        angle.values[k] = expected + std::remainder(angle.values[k] - expected, 360.0);
-    }
-}
-
 void set_rounding(std::vector<Series>& series) {
     std::map<std::string, double> largest;
     for (const Series& s : series) {
@@ -193,9 +185,6 @@ SeriesSet motion_series(const Story& story, const BodyPoint& traced) {
     if (set.at.empty()) { return set; }
     for (std::size_t point = 0; point < set.at.size(); ++point) {
         add_measures(moment_at(story, set, point), set.series);
-    }
-    for (std::size_t k = 0; k + 1 < set.series.size(); ++k) {
-        if (set.series[k].unit == "deg") { unwrap(set.at, set.series[k], set.series[k + 1].values); }
     }
     add_series(set, story, further_quantities(moment_at(story, set, 0), traced));
     set.telling = telling_measure(story, set);

@@ -63,6 +63,7 @@ Instant instant_of(const System& system, const MotionFrame& frame, bool has_acce
     instant.system = std::shared_ptr<const System>(std::shared_ptr<const System>(), &system);
     instant.state = frame.state;
     instant.velocity = frame.velocity;
+    instant.turns = frame.turns;
     if (has_accelerations) { instant.acceleration = frame.acceleration; }
     return instant;
 }

@@ -114,6 +114,38 @@ TEST_CASE("Implicit methods move bodies whose joints have no coordinates", "[cor
     }
 }
 
+TEST_CASE(
+    "The angle of a disc is followed through steps of many turns, and at times between", "[core][dynamics]") {
+    test::SceneBuilder scene;
+    const int disc = scene.add_body("disc", Vec3::Zero());
+    scene.add_joint("revolute", 0, disc, Vec3::Zero(), Vec3::UnitZ());
+    Loads loads;
+    loads.masses = {std::nullopt, MassProperties{1.0, Vec3::Zero(), 0.01 * Mat3::Identity()}};
+    AppliedTorque torque;
+    torque.body = disc;
+    torque.magnitude = test::polynomial({0.0, 6.0});
+    loads.torques.push_back(torque);
+    for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
+        SimulationSettings settings;
+        settings.formulation = formulation;
+        settings.tolerance = 1e-9;
+        Simulation simulation(scene.mechanism, loads, settings);
+        simulation.follow_angles();
+        const SimulationOutcome outcome =
+            simulation.run({0.0, 0.7, 2.0, 2.9, 3.0}, [&](double t, const std::vector<double>& y) {
+                const Snapshot now = simulation.snapshot(t, y);
+                const double angle =
+                    relative_angle(scene.mechanism.joints[0], now.state) + 2.0 * test::kPi * now.turns[0];
+                CAPTURE(formulation, t);
+                // θ̈ = 600 t; hundreds of steps of 1e-9 of 2700 rad
+                CHECK(std::abs(angle - 100.0 * t * t * t) < 1e-3);
+            });
+        REQUIRE_FALSE(outcome.failure);
+        // in coordinates of the joint, steps are longer than turns
+        if (formulation == Formulation::joints) { CHECK(outcome.counts.steps < 100); }
+    }
+}
+
 TEST_CASE("Fixed steps end where a rotational spring turns too far in one", "[core][dynamics]") {
     test::SceneBuilder scene;
     const int disc = scene.add_body("disc", Vec3::Zero());
