@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary/elementary.hpp"
 #include "core/kinematics/motion_tracker.hpp"
 
 /// Change points, which are crossed, and the causes of an end: the poses at which no step can be proved.
@@ -19,6 +20,11 @@ constexpr std::size_t kMostRemembered = 40;
 constexpr double kApart = 2.0;
 // least value of the parabola, as a share of the one at the pose, that counts as none
 constexpr double kDoubleRoot = 0.1;
+
+// [rad, or units of length]: far enough for the singular value to be plain, near enough to be beside the pose
+constexpr double kBeside = 1e-2;
+// [rad], no part of a turn: the numbers of a motion that has no symmetry
+constexpr double kNoSymmetry = 2.4;
 
 }  // namespace
 
@@ -49,6 +55,33 @@ bool MotionTracker::satisfies_between(const MotionFrame& from, const MotionFrame
         if (!(std::abs(phi(row)) <= kCrossed * system_->row_unit(row))) { return false; }
     }
     return true;
+}
+
+/// Largest rank beside the pose: along a free motion that mixes all of them, to either side.
+int MotionTracker::rank_beside() {
+    Motion any = zero_motion(system_->mechanism());
+    double phase = 0.0;
+    const auto next = [&] { return elementary::cos(phase += kNoSymmetry); };
+    for (const int body : system_->moving_bodies()) {
+        for (int k = 0; k < 3; ++k) {
+            any.r_dot[at(body)](k) = next() * system_->length_unit();
+            any.omega_local[at(body)](k) = next();
+        }
+    }
+    const Layout<OmegaLocal> layout(*system_);
+    const auto columns_of = [&](const Motion& motion) { return layout.columns_of(frame_.state, motion); };
+    const VectorX free = columns_of(kinematics_.solve_velocity(any).velocity) -
+                         columns_of(kinematics_.solve_velocity(zero_motion(system_->mechanism())).velocity);
+    Kinematics<OmegaLocal> beside(*system_);
+    int rank = 0;
+    for (const double step : {kBeside, -kBeside}) {
+        State state = frame_.state;
+        layout.advance(state, step * free);
+        if (!solve_position<OmegaLocal>(*system_, state, frame_.t).ok()) { continue; }
+        beside.set_state(state, frame_.t);
+        rank = std::max(rank, beside.rank());
+    }
+    return rank;
 }
 
 /// False where rounding hides the branch: no step can be proved.

@@ -79,6 +79,8 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
         quick_ = std::make_unique<DrivenFrames>(system);
     }
     analyse(0.0);
+    if (full_rank_ < system.columns(OmegaLocal::kAngular)) { rank_beside_ = rank_beside(); }
+    frame_.change_point = is_at_change_ || full_rank_ < rank_beside_;
     angles_.begin(t, frame_.state, frame_.velocity, frame_.acceleration);
     frame_.turns = angles_.turns();
     restart_quick_way();
@@ -88,7 +90,7 @@ MotionTracker::~MotionTracker() = default;
 
 /// Resumes quick steps where the rows are sound again after a full step.
 void MotionTracker::restart_quick_way() {
-    quick_is_sound_ = quick_ && !frame_.change_point && frame_.velocity_verdict.unique &&
+    quick_is_sound_ = quick_ && !is_at_change_ && frame_.velocity_verdict.unique &&
                       frame_.velocity_verdict.consistent && frame_.acceleration_verdict.consistent &&
                       quick_->start(frame_.state, frame_.velocity, frame_.acceleration, frame_.t);
 }
@@ -99,12 +101,10 @@ void MotionTracker::polish() {
     for (int k = 0; k < kMostCorrections; ++k) {
         const double residual = kinematics_.residual();
         State corrected = kinematics_.corrected_state();
-        if (frame_.change_point && movement(*system_, frame_.state, corrected) > kLargestCorrection) {
-            return;
-        }
+        if (is_at_change_ && movement(*system_, frame_.state, corrected) > kLargestCorrection) { return; }
         std::swap(frame_.state, corrected);
         kinematics_.set_state(frame_.state, frame_.t);
-        if (!frame_.change_point) { return; }
+        if (!is_at_change_) { return; }
         if (kinematics_.residual() > 0.5 * residual) {
             frame_.state = std::move(corrected);
             kinematics_.set_state(frame_.state, frame_.t);
@@ -115,13 +115,13 @@ void MotionTracker::polish() {
 
 /// @param h time since the velocities and accelerations of the frame [s]
 void MotionTracker::analyse(double h) {
-    const Motion expected =
-        after(*system_, frame_.velocity, frame_.acceleration, frame_.change_point ? 0.0 : h);
+    const Motion expected = after(*system_, frame_.velocity, frame_.acceleration, is_at_change_ ? 0.0 : h);
     kinematics_.set_state(frame_.state, frame_.t);
     full_rank_ = std::max(full_rank_, kinematics_.rank());
     const bool is_lost = kinematics_.last_pivot_ratio() < kLostPivotRatio;
-    frame_.change_point =
+    is_at_change_ =
         kinematics_.rank() < full_rank_ || is_lost || kinematics_.last_pivot_ratio() < kChangePointRatio;
+    frame_.change_point = is_at_change_ || kinematics_.rank() < rank_beside_;
 
     polish();
     if (is_lost) {
@@ -138,7 +138,7 @@ void MotionTracker::analyse(double h) {
     AccelerationOutcome acceleration = kinematics_.solve_acceleration(frame_.velocity);
     frame_.acceleration = std::move(acceleration.acceleration);
     frame_.acceleration_verdict = acceleration.verdict;
-    if (frame_.change_point && !acceleration.verdict.consistent) { follow_branch(); }
+    if (is_at_change_ && !acceleration.verdict.consistent) { follow_branch(); }
 }
 
 /// Corrects the velocity at a change point. There the velocity equations do not determine the tangent, but
@@ -203,7 +203,7 @@ bool MotionTracker::find_pose(double h, Way way) {
     MotionFrame base = frame_;
     if (way == Way::proved) { base.velocity = path_velocity_; }
     // at a change point accelerations are not determined by the rows: predict along the tangent alone
-    if (frame_.change_point) { base.acceleration = zero_motion(system_->mechanism()); }
+    if (is_at_change_) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
     // between solves: after a large step the kept pair may have lost rank
     frame_.rows_switched = system_->choose_rows(prediction) || frame_.rows_switched;
@@ -211,7 +211,7 @@ bool MotionTracker::find_pose(double h, Way way) {
     const NewtonOutcome outcome = solve(newton_);
     if (!outcome.converged) {
         failure_ = PositionFailure{
-            frame_.change_point ? FailureCause::singular : FailureCause::no_convergence,
+            is_at_change_ ? FailureCause::singular : FailureCause::no_convergence,
             outcome.largest_row,
             outcome.largest_value,
             outcome.residual,
@@ -246,6 +246,7 @@ bool MotionTracker::try_thorough_step(double h, Way way) {
     if (!find_pose(h, way)) { return false; }
     const MotionFrame before = frame_;
     const Motion velocity_before = path_velocity_;
+    const bool was_at_change = is_at_change_;
     frame_.t += h;
     frame_.state = newton_.state();
     frame_.rows_switched = system_->choose_rows(frame_.state) || frame_.rows_switched;
@@ -259,6 +260,7 @@ bool MotionTracker::try_thorough_step(double h, Way way) {
         frame_ = before;
         frame_.rows_switched = rows_switched;
         path_velocity_ = velocity_before;
+        is_at_change_ = was_at_change;
         return false;
     }
     failure_.reset();

@@ -33,7 +33,9 @@ struct MotionFrame {
     int substeps = 1;            ///< steps since the last frame
     int tries = 1;               ///< attempts at steps, those rejected included: each a proof
     bool rows_switched = false;  ///< a p1 / p2 choice changed since the last frame
-    bool change_point = false;   ///< singular pose or nearly so, passed along the previous tangent
+    /// Singular pose or nearly so: the rank is lower than in poses around it. Passed along the previous
+    /// tangent.
+    bool change_point = false;
 };
 
 /// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and accepts
@@ -63,6 +65,7 @@ private:
 
     void restart_quick_way();
     bool is_determined();
+    int rank_beside();
     bool reach(double t);
     bool try_step(double h);
     Quick try_quick_step(double h);
@@ -111,6 +114,9 @@ private:
     std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
     bool is_crossing_ = false;    ///< the frame was reached without a proof
     bool is_start_ = true;        ///< no step was taken yet
+    /// At a singular pose or nearly so, by the rank of the motion so far.
+    bool is_at_change_ = false;
+    int rank_beside_ = 0;  ///< of poses beside the start, where it may be singular
     std::optional<PositionFailure> failure_;
 };
 

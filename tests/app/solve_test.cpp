@@ -207,4 +207,37 @@ step = { from_deg = 0, to_deg = 1080, start_s = 0, end_s = 6 }
     }
 }
 
+TEST_CASE("A dead centre is a change point in solve as in check", "[app][solve]") {
+    const Folder folder;
+    const auto slider_crank = [&](const std::string& x) {
+        return folder.file(
+            "dead.toml",
+            "format = 1\ntitle = \"Dead centre\"\n[[body]]\nname = \"crank\"\n[[body]]\nname = \"rod\"\n"
+            "position = [0.5, 0, 0]\n[[body]]\nname = \"slider\"\nposition = [1.75, 0, 0]\n"
+            "[[joint]]\nname = \"A\"\ntype = \"revolute\"\nbodies = [\"ground\", \"crank\"]\nat = [0, 0, "
+            "0]\naxis = [0, 0, 1]\n"
+            "[[joint]]\nname = \"B\"\ntype = \"revolute\"\nbodies = [\"crank\", \"rod\"]\nat = [0.5, 0, 0]\n"
+            "axis = [0, 0, 1]\n"
+            "[[joint]]\nname = \"C\"\ntype = \"revolute\"\nbodies = [\"rod\", \"slider\"]\nat = [1.75, 0, "
+            "0]\naxis = [0, 0, 1]\n"
+            "[[joint]]\nname = \"D\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"slider\"]\n"
+            "at = [1.75, 0, 0]\naxis = [1, 0, 0]\n"
+            "[[driver]]\nname = \"s\"\nquantity = \"coordinate\"\nbody = \"slider\"\ncoordinate = \"x\"\n"
+            "polynomial = [" +
+                x +
+                ", 0]\n[motion]\nto_s = 0.001\nsteps = 1\n[[expect]]\nchange_point = true\n"
+                "[[expect]]\nat_s = 0.001\nchange_point = true\n");
+    };
+    for (const std::string x : {"1.75", "1.6"}) {
+        CAPTURE(x);
+        const std::string file = slider_crank(x);
+        const bool is_dead = x == "1.75";
+        const std::vector<std::string> lines = split(run({"solve", file}).out, '\n');
+        for (std::size_t k = 1; k < lines.size(); ++k) {
+            CHECK(split(lines[k], ',').back() == (is_dead ? "1" : "0"));
+        }
+        CHECK(run({"check", file}).status == (is_dead ? 0 : 1));
+    }
+}
+
 }  // namespace jw::test

@@ -22,10 +22,6 @@ namespace jw {
 
 namespace {
 
-// poses "around" a singular one: far enough for its singular value to be plain, near enough to be its
-// neighbours
-constexpr double kNearby = 1e-2;
-
 std::string text_of(const Moment& moment, const Lesson& lesson) {
     return std::visit(
         Overloaded{
@@ -42,20 +38,6 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
             },
         },
         moment);
-}
-
-/// The pose is singular if it can be moved to one where the rank is higher.
-bool rank_grows_nearby(const Pose& pose, const RankReport& report) {
-    const Layout<OmegaLocal> layout(*pose.instant.system);
-    for (const FreeMotion& motion : report.free_motions) {
-        for (const double step : {kNearby, -kNearby}) {
-            State state = pose.instant.state;
-            layout.advance(state, step * motion);
-            if (!solve_position<OmegaLocal>(*pose.instant.system, state, pose.instant.t).ok()) { continue; }
-            if (rank_of(*pose.instant.system, state, pose.instant.t).rank > report.rank) { return true; }
-        }
-    }
-    return false;
 }
 
 const char* name_of(Count count) {
@@ -176,9 +158,9 @@ void judge(const FormulaClaim& claim, const Pose& pose, ClaimResult& result) {
 }
 
 void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
-    const RankReport report =
-        rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);  // with free motions
-    const bool found = pose.change_point || report.near_singular || rank_grows_nearby(pose, report);
+    System system = *pose.instant.system;
+    const auto begun = [&] { return MotionTracker(system, pose.instant.state, pose.instant.t).frame(); };
+    const bool found = pose.change_point ? *pose.change_point : begun().change_point;
     result.subject = tr("change point");
     result.expected = claim.value ? tr("yes") : tr("no");
     result.found = found ? tr("yes") : tr("no");

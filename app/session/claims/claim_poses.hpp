@@ -16,8 +16,8 @@ struct Pose {
     /// The same instant of a run with a looser tolerance, for a motion by masses and forces. The difference
     /// of the two is what cannot be proved.
     std::optional<Instant> rough;
-    bool change_point = false;  ///< as the motion met it
-    std::string failure;        ///< not empty: the pose was not reached
+    std::optional<bool> change_point;  ///< as the motion met it; nothing where none led here
+    std::string failure;               ///< not empty: the pose was not reached
 };
 
 /// Poses of all moments that are asked for, each found once.
