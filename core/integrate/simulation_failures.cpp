@@ -13,6 +13,10 @@ namespace jw {
 
 namespace {
 
+/// What is out of reach misses by about the size of the scene, behind a fast driver by a few; ten times that
+/// is no pose at all.
+constexpr double kBlewUp = 10.0;
+
 /// Name of the joint or driver of a row.
 std::string name_of(const System& system, int row) {
     const RowOrigin origin = system.origin(row);
@@ -92,9 +96,9 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
         }
         const auto [t, y] = stepper.tried();
         const std::vector<double> there = flat_of(y);
-        if (block_->violation(t, there.data()).first > kMet) {
-            return worst_equation(Cause::out_of_reach, Off::value, t, there);
-        }
+        const double off = block_->violation(t, there.data()).first;
+        if (off > kBlewUp) { return {Cause::not_finite, t, {}, 0.0}; }
+        if (off > kMet) { return worst_equation(Cause::out_of_reach, Off::value, t, there); }
     }
     return {Cause::step_too_small, stepper.t(), {}, 0.0};
 }

@@ -318,6 +318,65 @@ TEST_CASE("bench draws one scene as a plot", "[app][dynamics]") {
     CHECK(run({"bench", "no-such-scene"}).status == 2);
 }
 
+TEST_CASE("simulate blames a driver that starts out of reach as step does", "[app][dynamics]") {
+    // a link of 1 m on a hinge, its end driven to 2 m
+    std::string text = bytes_of(kPendulum);
+    text.replace(
+        text.find("[dynamics]"), 0,
+        "[[driver]]\nname = \"pull\"\nquantity = \"coordinate\"\nbody = \"ball\"\ncoordinate = \"y\"\n"
+        "polynomial = [2]\n");
+    const Folder folder;
+    const std::string file = folder.file("far.toml", text);
+    const Ran stepped = run({"step", file});
+    const Ran simulated = run({"simulate", file});
+    CHECK(simulated.status == 3);
+    const std::string told = "Driver pull cannot be closed: ";
+    const std::size_t from = stepped.err.find(told);
+    REQUIRE(from != std::string::npos);
+    const std::string why = stepped.err.substr(from, stepped.err.find('\n', from) - from);
+    CHECK(why.find("the nearest that can be reached is 1 m") != std::string::npos);
+    CHECK(simulated.err.find(why) != std::string::npos);
+}
+
+TEST_CASE("A run that blew up is not told as a link out of reach", "[app][dynamics]") {
+    const Folder folder;
+    const std::string file = folder.file("stiff.toml", R"(format = 1
+title = "Stiff"
+[[body]]
+name = "arm"
+mass = 1
+inertia = [0.1, 0.1, 0.1]
+position = [0.5, 0, 0]
+[[body]]
+name = "end"
+mass = 0.01
+inertia = [0.001, 0.001, 0.001]
+position = [1.5, 0, 0]
+[[joint]]
+name = "ball"
+type = "spherical"
+bodies = ["ground", "arm"]
+at = [0, 0, 0]
+[[joint]]
+name = "slide"
+type = "spherical"
+bodies = ["arm", "end"]
+at = [1, 0, 0]
+[dynamics]
+duration = 1
+gravity = [0, -10, 0]
+[[spring]]
+bodies = ["ground", "end"]
+at = [2, 2, 0]
+to = [2, 0, 0]
+stiffness = 1e7
+free_length = 1
+)");
+    const Ran ran = run({"simulate", file, "--method", "euler", "--step", "0.01"});
+    CHECK(ran.status == 3);
+    CHECK(ran.err.find("the solution diverged") != std::string::npos);
+}
+
 TEST_CASE("simulate keeps a start velocity that one body of a chain was given", "[app][dynamics]") {
     const Folder folder;
     std::string text = bytes_of(kPendulum);

@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/sentences.hpp"
+#include "app/session/wording/explanations.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/motion/reactions.hpp"
@@ -153,6 +155,20 @@ std::string failure_text(
     return tr(
         "the simulation ends at t = {0} s: {1}", number_text(failure.t, 6),
         cause_text(failure, settings, mechanism));
+}
+
+std::string failure_text(
+    const SimulationFailure& failure, const SimulationSettings& settings, const Lesson& lesson) {
+    const bool of_start = failure.cause == SimulationFailure::Cause::contradiction && failure.t == 0.0;
+    if (of_start && !failure.of_accelerations) {
+        const Story story(lesson, last_pose_only());
+        const Step* failed = story.failure();
+        // of joints that do not fit it is told here which numbers of the lesson to look at
+        if (failed != nullptr && subject_of(lesson, *failed)->kind == Addition::Kind::driver) {
+            return tr("{0}: {1}", what_failed(lesson, *failed), failure_text(*failed));
+        }
+    }
+    return failure_text(failure, settings, lesson.mechanism);
 }
 
 }  // namespace jw

@@ -71,7 +71,7 @@ std::string instants_by_forces(
             simulation, now, y, std::make_shared<const Centroidal>(simulation.scene()),
             std::make_shared<const System>(system), true);
     });
-    return outcome.failure ? failure_text(*outcome.failure, settings, lesson.mechanism) : std::string();
+    return outcome.failure ? failure_text(*outcome.failure, settings, lesson) : std::string();
 }
 
 DynamicsRows::DynamicsRows(

@@ -323,7 +323,7 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
     table.summary = summary_of(table);
     table.fit_note = fit_note(table);
     if (table.outcome.failure) {
-        table.failure = failure_text(*table.outcome.failure, used.settings, lesson.mechanism);
+        table.failure = failure_text(*table.outcome.failure, used.settings, lesson);
     }
     return table;
 }
