@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lessons/exact_text.hpp"
 #include "lessons/quantities.hpp"
 #include "lessons/reading.hpp"
 
@@ -20,7 +21,8 @@ std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     if (!t) { return std::nullopt; }
     const bool by_forces = of ? *of == 1 : !lesson.motion && lesson.dynamics.has_value();
     const auto& motion = lesson.motion;
-    const std::string none = "there is no motion at " + short_number(t->value) + " s; expected a time ";
+    const std::string none =
+        "there is no motion at " + writing::number_text(t->value) + " s; expected a time ";
     if (by_forces) {
         if (!lesson.dynamics || t->value < 0.0 || t->value > lesson.dynamics->duration) {
             fields.problems().add(Code::no_motion, t->span, none + "from 0 to 'duration' of [dynamics]");

@@ -96,6 +96,19 @@ bool read_ends(Fields& fields, const BodyPair& pair, Spring& spring) {
     return fields.problems().errors_count() == errors;
 }
 
+/// What gives the spring a direction: along the axis of a slide it acts on the displacement.
+std::string way_out(const PairIndices& bodies, const Reading& reading) {
+    for (const Joint& joint : reading.lesson.mechanism.joints) {
+        const bool is_between = (joint.body_i == bodies.i && joint.body_j == bodies.j) ||
+                                (joint.body_i == bodies.j && joint.body_j == bodies.i);
+        if (!is_between || !joint.type->has_displacement()) { continue; }
+        return "for a spring on the displacement of joint " + in_quotes(joint.name) +
+               ", move 'at' back along its axis by more than it travels, and add that distance to "
+               "'free_length'";
+    }
+    return "let its points be apart, with 'free_length' as the length at which it does not pull";
+}
+
 void read_spring(Fields& fields, Reading& reading) {
     const PairIndices bodies = read_pair(fields, reading);
     const BodyPair pair = pair_of(reading, bodies);
@@ -112,7 +125,7 @@ void read_spring(Fields& fields, Reading& reading) {
         fields.problems().add(
             Code::points_coincide, fields.span(),
             "the two points of the spring coincide at the start pose; expected a distance above 0",
-            "a force along the line between them has no direction there");
+            "a force along the line between them has no direction there; " + way_out(bodies, reading));
     }
     spring.free_length = free_length ? free_length->value : length;
     reading.lesson.dynamics->loads.springs.push_back(spring);

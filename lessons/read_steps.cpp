@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lessons/exact_text.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -56,7 +57,7 @@ void read_step(Fields& fields, Reading& reading) {
         if (!moves_at(reading.lesson, at_s->value)) {
             reading.problems->add(
                 Code::no_motion, at_s->span,
-                "there is no motion at " + short_number(at_s->value) +
+                "there is no motion at " + writing::number_text(at_s->value) +
                     " s; expected a time between 'from_s' and 'to_s' of [motion]" +
                     (reading.lesson.dynamics ? " or within 'duration' of [dynamics]" : ""));
         }

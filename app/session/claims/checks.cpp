@@ -22,12 +22,15 @@ namespace jw {
 
 namespace {
 
+// as a time was typed: with fewer, different times look alike
+constexpr int kTypedDigits = 15;
+
 std::string text_of(const Moment& moment, const Lesson& lesson) {
     return std::visit(
         Overloaded{
             [](const AsGiven&) -> std::string { return tr("as given"); },
             [](const AnyState&) -> std::string { return tr("in any state"); },
-            [](const AtTime& at) { return tr("at {0} s", number_text(at.t, 6)); },
+            [](const AtTime& at) { return tr("at {0} s", number_text(at.t, kTypedDigits)); },
             [&](const AfterAddition& after) -> std::string {
                 if (after.count == 0) { return tr("free bodies"); }
                 const Addition& a = lesson.order[static_cast<std::size_t>(after.count - 1)];
