@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/elementary/elementary.hpp"
+#include "core/kinematics/cubic_path.hpp"
 #include "core/kinematics/motion_tracker.hpp"
 
 /// Change points, which are crossed, and the causes of an end: the poses at which no step can be proved.
@@ -11,10 +12,6 @@ namespace jw {
 
 namespace {
 
-// length of a crossing [rad, or units of length]: far enough that branches part by more than rounding, near
-// enough that the cubic path satisfies the equations to kCrossed
-constexpr double kCrossing = 1e-3;
-constexpr double kCrossed = 1e-10;
 // poses before a change point whose margins are compared
 constexpr std::size_t kMostRemembered = 40;
 constexpr double kApart = 2.0;
@@ -30,31 +27,9 @@ constexpr double kNoSymmetry = 2.4;
 
 /// True if the cubic path between two poses satisfies the equations in its middle.
 bool MotionTracker::satisfies_between(const MotionFrame& from, const MotionFrame& to) {
-    const double h = to.t - from.t;
-    State middle = from.state;
-    for (const int body : system_->moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
-        middle.r[b] = 0.5 * (from.state.r[b] + to.state.r[b]) +
-                      h / 8.0 * (from.velocity.r_dot[b] - to.velocity.r_dot[b]);
-        const double sign = from.state.p[b].dot(to.state.p[b]) < 0.0 ? -1.0 : 1.0;
-        middle.p[b] = 0.5 * (from.state.p[b] + sign * to.state.p[b]) +
-                      h / 8.0 *
-                          (p_dot_of_omega_local(from.state.p[b], from.velocity.omega_local[b]) -
-                           sign * p_dot_of_omega_local(to.state.p[b], to.velocity.omega_local[b]));
-        middle.p[b].normalize();
-    }
-    for (const int theta : system_->active_thetas()) {
-        const auto k = static_cast<std::size_t>(theta);
-        middle.theta[k] = 0.5 * (from.state.theta[k] + to.state.theta[k]) +
-                          h / 8.0 * (from.velocity.theta_dot[k] - to.velocity.theta_dot[k]);
-    }
-    Assembler<OmegaLocal>& assembler = newton_.assembler();
-    assembler.assemble_phi_and_jacobian(middle, from.t + 0.5 * h);
-    const VectorX& phi = assembler.phi();
-    for (int row = 0; row < static_cast<int>(phi.size()); ++row) {
-        if (!(std::abs(phi(row)) <= kCrossed * system_->row_unit(row))) { return false; }
-    }
-    return true;
+    const State middle =
+        middle_of(*system_, {from.t, &from.state, &from.velocity}, {to.t, &to.state, &to.velocity});
+    return satisfies(newton_.assembler(), middle, 0.5 * (from.t + to.t), kCrossed);
 }
 
 /// Largest rank beside the pose: along a free motion that mixes all of them, to either side.

@@ -1,9 +1,11 @@
 #include "core/kinematics/freedoms.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "core/kinematics/cubic_path.hpp"
 #include "core/kinematics/manifold.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/newton.hpp"
@@ -20,27 +22,64 @@ constexpr double kShorter = 0.25;
 constexpr double kKeptAtCorner = 0.1;
 constexpr double kLargestCornerCorrection = 1.5;
 constexpr double kNoDirection = 1e-12;  // relative to the one before: no part of it is free any more
+// An equation holds: rounding of a pose far from the origin, and far less than what a motion of first order
+// has left it by after kProvedLength.
+constexpr double kHoldsAlong = 1e-11;
+// 1/1024 of a step: a start where branches cross needs kCrossing
+constexpr int kMostHalvings = 10;
 
+/// Pose of a free motion and its tangent there, in columns, of size 1.
+struct PathPoint {
+    State state;
+    VectorX direction;
+};
+
+/// A mechanism whose drivers stand still where they are at `t`.
+Mechanism at_rest(Mechanism mechanism, double t) {
+    for (Driver& driver : mechanism.drivers) {
+        driver.function = TimeFunction{{driver.function.at(t).f}, {}, {}};
+    }
+    return mechanism;
+}
+
+/// Its drivers stand still, so that time is the length of the path.
 class Follower {
 public:
-    Follower(const System& system, double t)
+    Follower(const System& system, const State& start)
         : system_(system),
-          t_(t),
           size_(extent(system.mechanism())),
           assembler_(system_),
           scaling_(scaling_of<OmegaLocal>(system_)),
           least_squares_(scaling_),
           newton_(system_),
-          sides_(intended_sides(system_)) {}
+          sides_(intended_sides(system_)),
+          proof_(system_, StepProof::LeftFree::kept) {
+        assembler_.assemble_phi_and_jacobian(start, 0.0);
+        const VectorX misfit = assembler_.phi().cwiseQuotient(scaling_.row);
+        holds_ =
+            std::max(kHoldsAlong, kErrorFactor * (misfit.size() > 0 ? misfit.cwiseAbs().maxCoeff() : 0.0));
+    }
 
-    /// Follows a direction from `state`. @return the states after it, one per step
-    std::vector<State> follow(State state, VectorX direction, int steps, double length) {
-        std::vector<State> states;
-        while (static_cast<int>(states.size()) < steps && make_unit(direction)) {
-            if (!advance(state, direction, length)) { break; }
-            states.push_back(state);
+    /// Follows a direction from `point`. @return the point, and those after it, one per step
+    std::vector<PathPoint> follow(PathPoint point, int steps, double length) {
+        const bool leads_anywhere = make_unit(point.direction);
+        std::vector<PathPoint> path{point};
+        while (leads_anywhere && static_cast<int>(path.size()) <= steps && advance(point, length)) {
+            path.push_back(point);
         }
-        return states;
+        return path;
+    }
+
+    /// True if it is proved that a motion of kProvedLength leads along `path`, whose points are `length`
+    /// apart, from its point `first` on.
+    bool proves(const std::vector<PathPoint>& path, double length, std::size_t first) {
+        const double steps = std::ceil(kProvedLength / length - kNoDirection);
+        if (!(static_cast<double>(first) + steps < static_cast<double>(path.size()))) { return false; }
+        for (std::size_t k = first; k < first + static_cast<std::size_t>(steps); ++k) {
+            const double t = static_cast<double>(k) * length;
+            if (!proves(path[k], t, path[k + 1], t + length, 0)) { return false; }
+        }
+        return true;
     }
 
 private:
@@ -61,10 +100,10 @@ private:
     }
 
     /// Takes a step of `length`, in pieces where necessary.
-    bool advance(State& state, VectorX& direction, double length) {
+    bool advance(PathPoint& point, double length) {
         for (double left = length; left > 0.0;) {
-            const double done = piece(state, direction, left);
-            if (done == 0.0 || !make_unit(direction)) { return false; }
+            const double done = piece(point.state, point.direction, left);
+            if (done == 0.0 || !make_unit(point.direction)) { return false; }
             left = done < 0.99 * left ? left - done : 0.0;
         }
         return true;
@@ -79,7 +118,7 @@ private:
         for (int attempt = 0; attempt < kMostAttempts; ++attempt, length *= kShorter) {
             State prediction = state;
             assembler_.layout().advance(prediction, length * direction);
-            newton_.start(prediction, t_);
+            newton_.start(prediction, 0.0);
             if (!solve(newton_).converged) { continue; }
             const State& reached = newton_.state();
             if (same_curve(system_, state, prediction, reached, sides_)) {
@@ -122,19 +161,40 @@ private:
 
     /// Projects the direction onto the free motions at `state`; ω' is kept in body components.
     void keep_free_part(const State& state, VectorX& direction) {
-        assembler_.assemble_phi_and_jacobian(state, t_);
+        assembler_.assemble_phi_and_jacobian(state, 0.0);
         least_squares_.compute(assembler_.sparse_jacobian());
         least_squares_.keep_free_part(reliable_rank(least_squares_, newton_.outcome()->residual), direction);
     }
 
+    bool proves(const PathPoint& from, double t_from, const PathPoint& to, double t_to, int halvings) {
+        const Motion velocity = assembler_.layout().motion_of(from.state, from.direction);
+        const Motion velocity_there = assembler_.layout().motion_of(to.state, to.direction);
+        const PathEnd begin{t_from, &from.state, &velocity};
+        const PathEnd end{t_to, &to.state, &velocity_there};
+        if (!satisfies(assembler_, to.state, 0.0, holds_)) { return false; }
+        if (proof_.holds(begin, end)) { return true; }
+        const State between = middle_of(system_, begin, end);
+        if (t_from == 0.0 && t_to <= kCrossing) { return satisfies(assembler_, between, 0.0, kCrossed); }
+        if (halvings == kMostHalvings) { return false; }
+
+        system_.choose_rows(between);
+        newton_.start(between, 0.0);
+        if (!solve(newton_).converged || !is_meant(system_, newton_.state(), sides_)) { return false; }
+        PathPoint middle{newton_.state(), 0.5 * (from.direction + to.direction)};
+        keep_free_part(middle.state, middle.direction);
+        const double t = 0.5 * (t_from + t_to);
+        return proves(from, t_from, middle, t, halvings + 1) && proves(middle, t, to, t_to, halvings + 1);
+    }
+
     System system_;  // a copy: rows are chosen again on the way
-    double t_;
     double size_;
     Assembler<OmegaLocal> assembler_;
     Scaling scaling_;
     LeastSquares least_squares_;
     NewtonStepper<OmegaLocal> newton_;
     std::vector<int> sides_;
+    StepProof proof_;
+    double holds_ = kHoldsAlong;
 };
 
 }  // namespace
@@ -147,15 +207,30 @@ FollowedMotion follow_free_motion(
             "follow_free_motion: direction has " + std::to_string(direction.size()) + " entries, expected " +
             std::to_string(system.columns(OmegaLocal::kAngular)));
     }
-    Follower follower(system, t);
+    const Mechanism mechanism = at_rest(system.mechanism(), t);
+    System still(mechanism, system.selection());
+    still.inherit_rows(system);
+    Follower follower(still, state);
+    const std::vector<PathPoint> before = follower.follow({state, -direction}, steps, step_turn);
+    const std::vector<PathPoint> after = follower.follow({state, direction}, steps, step_turn);
     FollowedMotion motion;
-    motion.states = follower.follow(state, -direction, steps, step_turn);
-    std::ranges::reverse(motion.states);
-    motion.start = static_cast<int>(motion.states.size());
-    motion.states.push_back(state);
-    const std::vector<State> after = follower.follow(state, direction, steps, step_turn);
-    motion.states.insert(motion.states.end(), after.begin(), after.end());
-    motion.finite = motion.states.size() > 1;
+    motion.start = static_cast<int>(before.size()) - 1;
+    for (auto point = before.rbegin(); point != before.rend(); ++point) {
+        motion.states.push_back(point->state);
+    }
+    for (std::size_t k = 1; k < after.size(); ++k) { motion.states.push_back(after[k].state); }
+
+    motion.departure = find_departure(still, state, direction);
+    // the first step of a motion beside it does not lead along the velocity
+    const std::size_t first = motion.departure ? 1 : 0;
+    const bool is_proved =
+        follower.proves(after, step_turn, first) || follower.proves(before, step_turn, first);
+    if (motion.departure) {
+        motion.verdict = FreedomVerdict::first_order;
+        motion.has_motion_beside = is_proved;
+    } else if (is_proved) {
+        motion.verdict = FreedomVerdict::finite;
+    }
     return motion;
 }
 

@@ -1,34 +1,56 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/equations/system.hpp"
+#include "core/kinematics/departure.hpp"
 
-/// Finite and instantaneous free motions: whether a null vector of Φq belongs to a motion, or is a velocity
-/// only.
+/// Free motions: whether a null vector of Φq belongs to a motion, or is a velocity only.
 namespace jw {
+
+/// What is known of a null vector of Φq.
+enum class FreedomVerdict {
+    finite,       ///< it is the velocity of a motion, proved over kProvedLength
+    first_order,  ///< it is no velocity of any motion; FollowedMotion::departure says how it leaves Φ = 0
+    cannot_tell,
+};
+
+/// Length over which a motion is proved [rad, or sizes of the machine].
+inline constexpr double kProvedLength = 0.2;
 
 /// States along a free motion.
 struct FollowedMotion {
     std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
     int start = 0;              ///< index of the start in `states`
-    bool finite = false;        ///< false: instantaneous, no motion in either sense
+    FreedomVerdict verdict = FreedomVerdict::cannot_tell;
+    std::optional<Departure> departure;  ///< where it is of first order only
+    /// Where it is: a motion beside it is proved, from the first state on; `states` lead along it.
+    bool has_motion_beside = false;
+
+    bool is_finite() const { return verdict == FreedomVerdict::finite; }
 };
 
 /// Follows a free motion in both senses along the assembled states: a step along the tangent nearest to the
 /// one before, then Newton's method.
 ///
-/// The first step decides whether it is finite. The tangent predicts a movement h; Newton's method projects
-/// it onto Φ = 0 and leaves a movement m. Along a curve m/h tends to 1 as h shrinks, and the correction must
-/// be less than a third. Where branches cross, a vector between their tangents keeps a fixed part: a tenth is
-/// enough. Where the null vector is a velocity only (bars in line), Newton's method returns all the way: m is
-/// what Newton's tolerance of 1e-13 hides of a Φ of order h², a few 1e-7, and m/h is next to nothing. Tested
-/// for h, h/4, h/16, h/64; if none of them is kept in either sense, the freedom is instantaneous.
+/// It is finite if it does not leave the equations at any order (find_departure), and if, in one sense at
+/// least, it is proved that a path leads along the first states, kProvedLength long: by StepProof, with what
+/// is left free kept to the cubic path; all equations hold at the ends of all steps to 1e-11 of their unit,
+/// or to ten times what they miss at the start. A step that cannot be proved is halved. From a start where
+/// branches cross none can be: there a step of kCrossing is taken if the cubic path along `direction`
+/// satisfies the equations.
+///
+/// States are there for a motion of first order, too: where branches cross, a vector between their tangents
+/// leads onto one of them. The tangent predicts a movement h; Newton's method projects it onto Φ = 0 and
+/// leaves a movement m. Along a curve m/h tends to 1 as h shrinks, and the correction must be less than a
+/// third; between branches it keeps a fixed part, and a tenth is enough. Tried for h, h/4, h/16, h/64.
 ///
 /// @param state satisfies the constraints at time `t`, at which drivers stand still
 /// @param direction columns of (r, ω') and θ with Φq direction = 0, as RankReport::free_motions; any size
 /// @param steps at most this many in each sense; fewer where the motion ends
-/// @param step_turn largest turn of a body per step [rad]; displacements count in sizes of the machine
+/// @param step_turn largest turn of a body per step [rad]; displacements count in sizes of the machine.
+///        Nothing is finite unless `steps` of this length are kProvedLength long
 /// @throws std::invalid_argument if `direction` has not the system's number of columns
 FollowedMotion follow_free_motion(
     const System& system, const State& state, double t, const VectorX& direction, int steps,

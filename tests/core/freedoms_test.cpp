@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/kinematics/freedoms.hpp"
+#include "core/kinematics/proof/step_proof.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/newton.hpp"
 #include "tests/support/driven.hpp"
@@ -71,7 +72,7 @@ VectorX parallelogram_motion(double crank, double rocker) {
 TEST_CASE("The free crank of a four-bar is a finite motion both ways", "[core][freedoms]") {
     const Mechanism mechanism = test::four_bar_at(0.7);
     const FollowedMotion motion = followed(mechanism, free_motions(mechanism).at(0), 70);
-    CHECK(motion.finite);
+    CHECK(motion.is_finite());
     CHECK(motion.start == 70);
     REQUIRE(motion.states.size() == 141);
     double last = relative_angle(mechanism.joints[0], motion.states.front());
@@ -95,12 +96,13 @@ TEST_CASE("Bars in line have a velocity and no motion", "[core][freedoms]") {
     for (const Mechanism& mechanism : {test::stretched_bars(), test::stretched_revolutes()}) {
         REQUIRE(free_motions(mechanism).size() == 1);
         const FollowedMotion motion = followed(mechanism, free_motions(mechanism)[0]);
-        CHECK_FALSE(motion.finite);
+        CHECK_FALSE(motion.is_finite());
+        CHECK_FALSE(motion.has_motion_beside);
         CHECK(motion.states.size() == 1);
     }
     // a bit of slack and the same joints move
     Mechanism slack = test::four_bar_at(0.7, {1.0, 1.0, 1.0, 2.5});
-    CHECK(followed(slack, free_motions(slack).at(0)).finite);
+    CHECK(followed(slack, free_motions(slack).at(0)).is_finite());
 }
 
 TEST_CASE("Three rods hold a plate for good only if it cannot move at all", "[core][freedoms]") {
@@ -133,8 +135,8 @@ TEST_CASE("Three rods hold a plate for good only if it cannot move at all", "[co
         const std::vector<FreeMotion> motions = free_motions(line.mechanism);
         REQUIRE(motions.size() == line.null_vectors);
         for (const FreeMotion& free : motions) {
-            CHECK(followed(line.mechanism, free).finite == line.finite);
-            CHECK(followed(line.mechanism, -3.0 * free).finite == line.finite);
+            CHECK(followed(line.mechanism, free).is_finite() == line.finite);
+            CHECK(followed(line.mechanism, -3.0 * free).is_finite() == line.finite);
         }
     }
 }
@@ -146,7 +148,7 @@ TEST_CASE("Both freedoms of an RSSR loop are finite, the idle spin of its rod as
     int idle = 0;
     for (const FreeMotion& free : motions) {
         const FollowedMotion motion = followed(mechanism, free, 20);
-        CHECK(motion.finite);
+        CHECK(motion.is_finite());
         CHECK(motion.states.size() == 41);
         const bool spins = free.segment<3>(3).norm() < 1e-9 && free.segment<3>(15).norm() < 1e-9;
         if (!spins) { continue; }
@@ -163,7 +165,7 @@ TEST_CASE("Bennett's loop moves although counting says it cannot", "[core][freed
     const Mechanism mechanism = test::bennett(1.1);
     CHECK(test::rank_of(mechanism).mobility_by_counting < 0);
     const FollowedMotion motion = followed(mechanism, free_motions(mechanism).at(0), 12);
-    CHECK(motion.finite);
+    CHECK(motion.is_finite());
     REQUIRE(motion.states.size() == 25);
     const test::Bennett lengths;
     for (const State& state : motion.states) {
@@ -183,7 +185,7 @@ TEST_CASE("At its change point a parallelogram has two branches, each finite", "
     for (const Line& line : {Line{1.0, true}, Line{-3.0, false}}) {
         CAPTURE(line.rocker);
         const FollowedMotion motion = followed(mechanism, parallelogram_motion(1.0, line.rocker));
-        CHECK(motion.finite);
+        CHECK(motion.is_finite());
         CHECK(motion.states.size() == 17);
         for (const State& state : motion.states) {
             const double crank = relative_angle(mechanism.joints[0], state);
@@ -192,13 +194,21 @@ TEST_CASE("At its change point a parallelogram has two branches, each finite", "
             CHECK(together == (line.parallel || std::abs(crank) < 1e-12));
         }
     }
-    // vectors between the two tangents lead onto one or the other
+    // vectors between the two tangents are no motions, and lead onto one or the other
     REQUIRE(free_motions(mechanism).size() == 2);
-    for (const FreeMotion& free : free_motions(mechanism)) { CHECK(followed(mechanism, free).finite); }
+    const auto check_between = [&](const VectorX& direction) {
+        const FollowedMotion motion = followed(mechanism, direction);
+        CHECK(motion.states.size() > 1);
+        REQUIRE(motion.verdict == FreedomVerdict::first_order);
+        CHECK(motion.departure->order == 2);
+        CHECK(motion.has_motion_beside);
+    };
+    for (const FreeMotion& free : free_motions(mechanism)) { check_between(free); }
     for (int k = 0; k < 12; ++k) {
         const double a = kPi * k / 12.0;
+        if (k == 3) { continue; }  // the tangent (1, 1)
         CAPTURE(a);
-        CHECK(followed(mechanism, parallelogram_motion(std::cos(a), std::sin(a))).finite);
+        check_between(parallelogram_motion(std::cos(a), std::sin(a)));
     }
 }
 
@@ -207,7 +217,7 @@ TEST_CASE(
     "[core][freedoms]") {
     const Mechanism mechanism = test::four_bar_at(0.7, {1.5, 1.2, 1.5, 3.0});
     const FollowedMotion motion = followed(mechanism, free_motions(mechanism).at(0), 200);
-    CHECK(motion.finite);
+    CHECK(motion.is_finite());
     CHECK(motion.states.size() == 401);
     int turns_back = 0;
     for (std::size_t k = 2; k < motion.states.size(); ++k) {
@@ -222,6 +232,37 @@ TEST_CASE(
     CHECK(turns_back >= 2);
 }
 
+TEST_CASE("A step of a free motion is proved on its branch and not to the other one", "[core][freedoms]") {
+    const Mechanism mechanism = test::four_bar_at(0.7);
+    const System system(mechanism, everything(mechanism));
+    const VectorX free = free_motions(mechanism).at(0);
+    const State from = start_state(mechanism);
+    const State to = follow_free_motion(system, from, 0.0, free, 1, 0.01).states.back();
+    // coupler and rocker mirrored about the line between their other ends
+    const Vec3 A(std::cos(0.7), std::sin(0.7), 0.0);
+    const Vec3 D = 3.0 * Vec3::UnitX();
+    const Vec3 B = test::circles_meet(A, 2.5, D, 2.0, 1.0);
+    const Vec3 mirrored = test::circles_meet(A, 2.5, D, 2.0, -1.0);
+    State other = from;
+    const auto turn = [&](std::size_t body, const Vec3& before, const Vec3& after) {
+        const Vec4& p = from.p[body];
+        const Eigen::Quaterniond q =
+            Eigen::Quaterniond::FromTwoVectors(before, after) * Eigen::Quaterniond(p(0), p(1), p(2), p(3));
+        other.p[body] = Vec4(q.w(), q.x(), q.y(), q.z());
+    };
+    turn(2, B - A, mirrored - A);
+    turn(3, B - D, mirrored - D);
+    REQUIRE(largest_residual(system, other) < 1e-12);
+
+    // both velocities are that of the start: near enough for a short step
+    const Motion velocity = Layout<OmegaLocal>(system).motion_of(from, free / free.cwiseAbs().maxCoeff());
+    StepProof kept(system, StepProof::LeftFree::kept);
+    CHECK(kept.holds({0.0, &from, &velocity}, {0.0, &from, &velocity}));
+    CHECK_FALSE(kept.holds({0.0, &from, &velocity}, {0.01, &other, &velocity}));
+    CHECK_FALSE(kept.holds({0.0, &from, &velocity}, {1.0, &to, &velocity}));
+    CHECK(StepProof(system).leaves_bodies_free({0.0, &from, &velocity}));
+}
+
 TEST_CASE("Free bodies, no freedom at all, and nonsense", "[core][freedoms]") {
     test::SceneBuilder scene;
     scene.add_body("free", Vec3(1.0, 2.0, 3.0));
@@ -232,9 +273,9 @@ TEST_CASE("Free bodies, no freedom at all, and nonsense", "[core][freedoms]") {
     const Mechanism mechanism = test::four_bar_at(0.7);
     const System system(mechanism, everything(mechanism));
     const State state = start_state(mechanism);
-    CHECK_FALSE(follow_free_motion(system, state, 0.0, VectorX::Zero(18), 5, 0.1).finite);
+    CHECK_FALSE(follow_free_motion(system, state, 0.0, VectorX::Zero(18), 5, 0.1).is_finite());
     const VectorX nan = VectorX::Constant(18, std::numeric_limits<double>::quiet_NaN());
-    CHECK_FALSE(follow_free_motion(system, state, 0.0, nan, 5, 0.1).finite);
+    CHECK_FALSE(follow_free_motion(system, state, 0.0, nan, 5, 0.1).is_finite());
     CHECK(follow_free_motion(system, state, 0.0, free_motions(mechanism)[0], 0, 0.1).states.size() == 1);
     CHECK_THROWS_AS(follow_free_motion(system, state, 0.0, VectorX::Ones(17), 5, 0.1), std::invalid_argument);
 }

@@ -140,6 +140,18 @@ void repeated_equations(const LessonUi& ui) {
     }
 }
 
+std::string followed_text(const System& system, const FollowedMotion& followed) {
+    switch (followed.verdict) {
+        case FreedomVerdict::finite: return tr("It goes on: a finite motion.");
+        case FreedomVerdict::cannot_tell: return tr("Whether it goes on cannot be told.");
+        case FreedomVerdict::first_order: break;
+    }
+    const std::string leaves = departure_text(system, *followed.departure);
+    return followed.has_motion_beside
+               ? tr("To first order only: it {0}. A motion beside it is shown.", leaves)
+               : tr("To first order only: it {0}.", leaves);
+}
+
 void freedoms(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
     section(ui, tr("Freedoms"));
@@ -158,10 +170,8 @@ void freedoms(const LessonUi& ui) {
         ImGui::SameLine();
         note(ui, free_motion_text(system, report.free_motions[k]));
         if (plays) {
-            if (const auto finite = ui.session.shown_freedom_is_finite()) {
-                note(
-                    ui, *finite ? tr("It goes on: a finite motion.")
-                                : tr("It cannot be followed: the equations allow it for an instant only."));
+            if (const FollowedMotion* shown = ui.session.shown_freedom()) {
+                note(ui, followed_text(system, *shown));
             }
         }
         ImGui::PopID();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "app/session/output/describe.hpp"
 #include "app/session/try/possible_experiments.hpp"
@@ -12,6 +13,7 @@ namespace jw {
 namespace {
 
 constexpr int kWidth = 100;
+constexpr int kVerdictWidth = 21;
 
 std::string summary_of(const Effect& e) {
     return tr(
@@ -53,14 +55,26 @@ std::string group_text(const ExperimentGroup& group, int widest) {
     return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
 }
 
+std::string verdict_text(FreedomVerdict verdict) {
+    switch (verdict) {
+        case FreedomVerdict::finite: return tr("finite");
+        case FreedomVerdict::first_order: return tr("to first order only");
+        case FreedomVerdict::cannot_tell: break;
+    }
+    return tr("cannot tell");
+}
+
 std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) {
         return std::string(tr("No free motion: every direction is held.")) + '\n';
     }
     std::string text = std::string(tr("Free motions")) + '\n';
     for (const FreeMotionVerdict& v : all.free_motions) {
-        text += "  " + padded(v.text, 12) + padded(v.finite ? tr("finite") : tr("instantaneous"), 15) +
-                wrapped(v.motion, kWidth - 29, 29) + '\n';
+        std::string motion = v.motion;
+        if (!v.leaves.empty()) { motion += "; " + v.leaves; }
+        if (v.has_motion_beside) { motion += std::string("; ") + tr("a motion beside it goes on"); }
+        text += "  " + padded(v.text, 12) + padded(verdict_text(v.verdict), kVerdictWidth) +
+                wrapped(motion, kWidth - 14 - kVerdictWidth, 14 + kVerdictWidth) + '\n';
     }
     return text;
 }
@@ -100,6 +114,26 @@ Json json_of(const ExperimentGroup& group) {
     return {{"title", group.title}, {"experiments", experiments}};
 }
 
+const char* word_of(FreedomVerdict verdict) {
+    switch (verdict) {
+        case FreedomVerdict::finite: return "finite";
+        case FreedomVerdict::first_order: return "first order";
+        case FreedomVerdict::cannot_tell: break;
+    }
+    return "cannot tell";
+}
+
+Json json_of(const Departure& d, const Mechanism& m) {
+    static constexpr std::array kCoordinates{"x", "y", "z", "turn"};
+    return {
+        {"order", d.order},
+        {"coefficient", number(d.coefficient)},
+        {"joint", d.joint >= 0 ? Json(m.joints[static_cast<std::size_t>(d.joint)].name) : Json()},
+        {"driver", d.driver >= 0 ? Json(m.drivers[static_cast<std::size_t>(d.driver)].name) : Json()},
+        {"body", m.bodies[static_cast<std::size_t>(d.body)].name},
+        {"coordinate", kCoordinates[static_cast<std::size_t>(d.direction)]}};
+}
+
 }  // namespace
 
 ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson)
@@ -129,7 +163,13 @@ Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
     for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
     Json motions = Json::array();
     for (const FreeMotionVerdict& v : all.free_motions) {
-        motions.push_back({{"try", v.text}, {"motion", v.motion}, {"finite", v.finite}});
+        motions.push_back(
+            {{"try", v.text},
+             {"motion", v.motion},
+             {"finite", v.verdict == FreedomVerdict::finite},
+             {"verdict", word_of(v.verdict)},
+             {"motion_beside", v.has_motion_beside},
+             {"departure", v.departure ? json_of(*v.departure, lesson.mechanism) : Json()}});
     }
     return {
         {"format", "jointwise try"},

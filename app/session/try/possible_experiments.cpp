@@ -213,7 +213,10 @@ std::vector<FreeMotionVerdict> Laboratory::free_motions() const {
         FreeMotionVerdict verdict;
         verdict.text = text_of(ShowFreedom{k, 1.0}, session_.lesson());
         verdict.motion = free_motion_text(*step_.system, report_.free_motions[static_cast<std::size_t>(k)]);
-        verdict.finite = followed.finite;
+        verdict.verdict = followed.verdict;
+        verdict.departure = followed.departure;
+        verdict.has_motion_beside = followed.has_motion_beside;
+        if (followed.departure) { verdict.leaves = departure_text(*step_.system, *followed.departure); }
         verdicts.push_back(std::move(verdict));
     }
     return verdicts;

@@ -30,9 +30,12 @@ struct PossibleExperiment {
 };
 
 struct FreeMotionVerdict {
-    std::string text;     ///< "follow 1"
-    std::string motion;   ///< in words
-    bool finite = false;  ///< it goes on; else for an instant only
+    std::string text;    ///< "follow 1"
+    std::string motion;  ///< in words
+    FreedomVerdict verdict = FreedomVerdict::cannot_tell;
+    std::optional<Departure> departure;  ///< of a motion to first order only
+    std::string leaves;                  ///< the same in words
+    bool has_motion_beside = false;      ///< what is followed then
 };
 
 /// Experiments with one joint or driver.

@@ -320,9 +320,8 @@ std::string Session::show_freedom(const ShowFreedom& experiment) {
     return {};
 }
 
-std::optional<bool> Session::shown_freedom_is_finite() const {
-    if (!hand_ || !hand_->followed()) { return std::nullopt; }
-    return hand_->followed()->finite;
+const FollowedMotion* Session::shown_freedom() const {
+    return hand_ && hand_->followed() ? &*hand_->followed() : nullptr;
 }
 
 const View& Session::view() const {

@@ -91,9 +91,8 @@ public:
     std::string undo_text() const;
     std::string redo_text() const;
 
-    /// True if the shown free motion is finite, false if it exists for an instant only
-    /// (core/kinematics/freedoms.hpp); nothing if none is shown.
-    std::optional<bool> shown_freedom_is_finite() const;
+    /// The free motion that is shown; nullptr if none is.
+    const FollowedMotion* shown_freedom() const;
 
     /// Index of the step of the story that is nearest to time `t` of the motion; the last step without one.
     int index_of_time(double t) const;

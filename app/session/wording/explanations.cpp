@@ -1,6 +1,7 @@
 #include "app/session/wording/explanations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/session/wording/labels.hpp"
@@ -63,6 +64,22 @@ std::string free_motion_text(const System& system, const FreeMotion& motion) {
     }
     if (owners.size() == 1 && only_turns) { return tr("{0} (it turns on its own)", text); }
     return text;
+}
+
+std::string departure_text(const System& system, const Departure& d) {
+    static constexpr std::array kPowers{"", "", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸"};
+    static_assert(kPowers.size() == kHighestOrder + 1);
+    static constexpr std::array kSymbols{"x", "y", "z", "φ"};
+    const Mechanism& m = system.mechanism();
+    const std::string& missed = d.joint >= 0 ? m.joints[static_cast<std::size_t>(d.joint)].name
+                                             : m.drivers[static_cast<std::size_t>(d.driver)].name;
+    const std::string symbol = kSymbols[static_cast<std::size_t>(d.direction)];
+    const std::string term =
+        number_text(d.coefficient, 3) + " " + symbol + kPowers[static_cast<std::size_t>(d.order)];
+    const std::string& body = m.bodies[static_cast<std::size_t>(d.body)].name;
+    return d.direction == 3
+               ? tr("leaves {0} by {1} (order {2}), φ the turn of {3}", missed, term, d.order, body)
+               : tr("leaves {0} by {1} (order {2}), {3} of {4}", missed, term, d.order, symbol, body);
 }
 
 std::string undecided_text(const RankReport& report) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/kinematics/departure.hpp"
 #include "core/poses/position.hpp"
 #include "core/poses/rank.hpp"
 
@@ -20,6 +21,9 @@ std::string combination_text(const System& system, const RedundantRow& redundant
 
 /// "rod: ω′x 1 (it turns on its own)", or the bodies and columns that take part.
 std::string free_motion_text(const System& system, const FreeMotion& motion);
+
+/// "leaves D by 0.625 y⁵ (order 5), y of rod": in SI, for a free motion of first order.
+std::string departure_text(const System& system, const Departure& departure);
 
 /// Why the rank cannot be told; empty if it can.
 std::string undecided_text(const RankReport& report);

@@ -17,12 +17,13 @@ constexpr double kRest = 1e-9;
 
 class StepProof::Parts {
 public:
-    explicit Parts(const System& system) : step(system) {}
+    Parts(const System& system, LeftFree free) : step(system), left_free(free) {}
 
     void divide();
     bool runs_smoothly() const;
 
     ProvedStep step;
+    LeftFree left_free;
     bool are_divided = false;
     bool is_underdriven = false;
     std::vector<ProvedPart> all;
@@ -40,7 +41,7 @@ void StepProof::Parts::divide() {
     not_proved.clear();
     is_underdriven = false;
     for (Part& part : find_parts(step.table(), step.equations(), jacobians)) {
-        if (part.is_underdriven) {
+        if (part.is_underdriven && left_free == LeftFree::undetermined) {
             is_underdriven = true;
             continue;
         }
@@ -54,8 +55,10 @@ void StepProof::Parts::divide() {
     are_divided = !is_underdriven;
 }
 
-/// True if the velocities at both ends lead along the step, where nothing is proved.
+/// True if the velocities at both ends lead along the step, where nothing is proved. A free motion has no
+/// drivers that it could be taken for instead.
 bool StepProof::Parts::runs_smoothly() const {
+    if (left_free == LeftFree::kept) { return not_proved.empty(); }
     double chord = 0.0;
     double off = 0.0;
     for (const int k : not_proved) {
@@ -68,7 +71,8 @@ bool StepProof::Parts::runs_smoothly() const {
     return off <= kMostOffChord * chord + kRest;
 }
 
-StepProof::StepProof(const System& system) : parts_(std::make_unique<Parts>(system)) {}
+StepProof::StepProof(const System& system, LeftFree left_free)
+    : parts_(std::make_unique<Parts>(system, left_free)) {}
 StepProof::~StepProof() = default;
 
 bool StepProof::holds(const PathEnd& from, const PathEnd& to) {

@@ -33,12 +33,16 @@ struct PathEnd {
 /// Parts of the mechanism that determine their poses one after the other are proved one after the other.
 ///
 /// Redundant equations: the most independent ones are proved; the others hold within rounding at both ends.
-/// What is left free keeps to x̂ by definition.
+/// What is left free keeps to x̂ by definition: of a body alone, or, with LeftFree::kept, of bodies together.
 /// @source Kantorovich's theorem; docs/proofs.md
 class StepProof {
 public:
+    /// What a proof says of bodies that are left free together: nothing, since drivers do not determine their
+    /// poses; or that one solution keeps to x̂ in that freedom.
+    enum class LeftFree { undetermined, kept };
+
     /// @param system must outlive this
-    explicit StepProof(const System& system);
+    explicit StepProof(const System& system, LeftFree left_free = LeftFree::undetermined);
     ~StepProof();
 
     /// True if the step is proved; where it is not, a shorter one may be. Near a singular pose none can be:

@@ -106,7 +106,7 @@ TEST_CASE("free motions are told finite from instantaneous", "[app][session]") {
     finite.apply(GoTo{finite.story().last_assembled()});
     const PossibleExperiments rod = possible_experiments_of(finite);
     REQUIRE(rod.free_motions.size() == 1);
-    CHECK(rod.free_motions[0].finite);
+    CHECK(rod.free_motions[0].verdict == FreedomVerdict::finite);
 }
 
 TEST_CASE("experiments are options of the commands", "[app][commands]") {

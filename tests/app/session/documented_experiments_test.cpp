@@ -62,19 +62,26 @@ TEST_CASE("the experiments of the documentation do what it says", "[app][session
 }
 
 TEST_CASE("the free motions of the documentation are finite or not as it says", "[app][session]") {
-    const auto verdicts = [](const std::string& lesson, const std::vector<std::string>& experiments) {
+    using enum FreedomVerdict;
+    const auto motions_of = [](const std::string& lesson, const std::vector<std::string>& experiments) {
         Session session(without_motion(lesson_named(lesson)));
         carry_out_all(session, experiments);
-        std::vector<bool> finite;
-        for (const FreeMotionVerdict& v : possible_experiments_of(session).free_motions) {
-            finite.push_back(v.finite);
-        }
-        return finite;
+        return possible_experiments_of(session).free_motions;
     };
-    CHECK(verdicts("loops/rssr", {}) == std::vector<bool>{true});
-    CHECK(verdicts("hard/two-ways-on", {}) == std::vector<bool>{false});
-    CHECK(verdicts("hard/two-ways-on", {"take out motor"}) == std::vector<bool>{true, true});
-    CHECK(verdicts("hard/cosine-row", {}) == std::vector<bool>{false, false, true, true});
+    const auto verdicts = [&](const std::string& lesson) {
+        std::vector<FreedomVerdict> list;
+        for (const FreeMotionVerdict& v : motions_of(lesson, {})) { list.push_back(v.verdict); }
+        return list;
+    };
+    CHECK(verdicts("loops/rssr") == std::vector{finite});
+    CHECK(verdicts("hard/two-ways-on") == std::vector{first_order});
+    CHECK(verdicts("hard/cosine-row") == std::vector{first_order, first_order, finite, finite});
+    const std::vector<FreeMotionVerdict> two_ways = motions_of("hard/two-ways-on", {"take out motor"});
+    REQUIRE(two_ways.size() == 2);
+    for (const FreeMotionVerdict& v : two_ways) {
+        CHECK(v.verdict == first_order);
+        CHECK(v.has_motion_beside);
+    }
 }
 
 TEST_CASE("beyond half a turn the cosine row turns the nut backwards", "[app][session]") {
