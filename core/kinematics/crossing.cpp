@@ -124,8 +124,7 @@ bool MotionTracker::cross(double t) {
 
 void MotionTracker::explain_end(double t) {
     if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
-    const bool is_driven = !system_->drivers().empty();
-    const Root root = is_driven ? find_root() : Root{};
+    const Root root = is_driven_ ? find_root() : Root{};
     if (root.kind == Root::Kind::simple_root) {
         failure_->cause = FailureCause::turning_point;
         failure_->t = root.t;
@@ -138,7 +137,7 @@ void MotionTracker::explain_end(double t) {
         failure_ = std::move(there);
         return;
     }
-    if (is_driven && !is_decided()) {
+    if (is_driven_ && !is_decided()) {
         failure_->cause = FailureCause::undecided;
         failure_->t = frame_.t;
     }

@@ -291,18 +291,21 @@ void MotionTracker::follow_angles() {
 }
 
 bool MotionTracker::reach(double t) {
-    bool is_driven = !system_->drivers().empty() && is_determined();
-    if (is_start_ && !is_driven && !system_->drivers().empty() && cross(t)) {
-        // at a singular start fewer equations are independent than after it
-        ++frame_.substeps;
-        follow_angles();
-        is_driven = is_determined();
+    const auto is_there = [&] { return std::abs(t - frame_.t) <= 1e-12 * std::max(1.0, std::abs(t)); };
+    if (is_start_ && !is_there() && !system_->drivers().empty()) {
+        is_driven_ = is_determined();
+        if (!is_driven_ && frame_.change_point && cross(t)) {
+            // at a singular start fewer equations are independent than after it
+            ++frame_.substeps;
+            follow_angles();
+            is_driven_ = is_determined();
+        }
     }
-    is_start_ = false;
-    if (!is_driven) { step_ = HUGE_VAL; }
-    const double shortest = (is_driven ? kShortest : kShortestFree) * std::abs(t - frame_.t);
+    is_start_ = is_start_ && is_there();
+    if (!is_driven_) { step_ = HUGE_VAL; }
+    const double shortest = (is_driven_ ? kShortest : kShortestFree) * std::abs(t - frame_.t);
     int rejected = 0;
-    for (int tried = 0; std::abs(t - frame_.t) > 1e-12 * std::max(1.0, std::abs(t)); ++tried) {
+    for (int tried = 0; !is_there(); ++tried) {
         const double whole = t - frame_.t;
         const double h = std::copysign(std::min(std::abs(whole), step_), whole);
         if (tried < kMostTried) { ++frame_.tries; }
@@ -311,15 +314,15 @@ bool MotionTracker::reach(double t) {
             follow_angles();
             is_crossing_ = false;
             if (step_ < HUGE_VAL) { remember(); }
-            if (std::abs(h) == step_) { step_ *= is_driven ? kGrowth : 2.0; }
+            if (std::abs(h) == step_) { step_ *= is_driven_ ? kGrowth : 2.0; }
             continue;
         }
         step_ = 0.5 * std::abs(h);
         const bool goes_on = tried < kMostTried && step_ > shortest && frame_.t + h != frame_.t;
-        if (goes_on && (++rejected < kMostRejected || !is_driven)) { continue; }
+        if (goes_on && (++rejected < kMostRejected || !is_driven_)) { continue; }
         rejected = 0;
         if (goes_on && is_decided()) { continue; }
-        if (!is_driven || tried >= kMostTried || !cross(t)) {
+        if (!is_driven_ || tried >= kMostTried || !cross(t)) {
             explain_end(t);
             return false;
         }

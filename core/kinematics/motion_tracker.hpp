@@ -114,6 +114,7 @@ private:
     std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
     bool is_crossing_ = false;    ///< the frame was reached without a proof
     bool is_start_ = true;        ///< no step was taken yet
+    bool is_driven_ = false;      ///< drivers leave no bodies free together: steps are proved
     /// At a singular pose or nearly so, by the rank of the motion so far.
     bool is_at_change_ = false;
     int rank_beside_ = 0;  ///< of poses beside the start, where it may be singular
