@@ -142,7 +142,7 @@ void RoundedNumbers::add(const Fields& fields, int joint) {
     add_scalar(fields, "advance_per_rad", &JointGeometry::alpha, 1.0);
 }
 
-std::optional<TypedVerdict> judge(
+std::optional<MeantMechanism> judge(
     const std::vector<Fields>& joints, const Reading& reading, bool with_neighbours) {
     RoundedNumbers numbers(reading, with_neighbours);
     for (std::size_t k = 0; k < joints.size(); ++k) { numbers.add(joints[k], static_cast<int>(k)); }
@@ -153,11 +153,11 @@ void tell(const TypedVerdict& verdict, Fields& last, Problems& problems) {
     const std::string ranks =
         "the numbers of the joints as typed give rank " + std::to_string(verdict.rank_as_typed) + ", others ";
     const std::string meant = "rank " + std::to_string(verdict.rank);
-    const std::string message = verdict.is_told() ? ranks + "within " + short_number(verdict.share, 2) +
-                                                        " of half a unit of their last digits give " + meant +
-                                                        " and a motion of finite length; these are used"
-                                                  : ranks + "that differ in their last digits may give " +
-                                                        meant + "; which of both is meant cannot be told";
+    const std::string message = verdict.is_told ? ranks + "within " + short_number(verdict.share, 2) +
+                                                      " of half a unit of their last digits give " + meant +
+                                                      " and a motion of finite length; these are used"
+                                                : ranks + "that differ in their last digits may give " +
+                                                      meant + "; which of both is meant cannot be told";
     problems.warn(
         Code::typed_digits, last.span(), message,
         "give points and axes more digits; to keep the numbers as they are: [precision] exact = true");
@@ -177,18 +177,23 @@ void read_precision(Fields& root, Lesson& lesson) {
 }
 
 void take_as_meant(std::vector<Fields>& joints, Reading& reading) {
-    Lesson& lesson = reading.lesson;
-    if (joints.empty() || lesson.precision.exact) { return; }
-    std::optional<TypedVerdict>& typed = lesson.mechanism.typed;
-    typed = judge(joints, reading, false);
-    if (typed && !typed->is_told()) {
-        if (auto wider = judge(joints, reading, true)) { typed = std::move(wider); }
+    Mechanism& mechanism = reading.lesson.mechanism;
+    if (joints.empty() || reading.lesson.precision.exact ||
+        mechanism.moving_bodies_count() > kMostTypedBodies) {
+        return;
     }
-    if (!typed) { return; }
-    for (std::size_t k = 0; k < typed->geometry.size(); ++k) {
-        lesson.mechanism.joints[k].geometry = typed->geometry[k];
+    std::optional<MeantMechanism> meant = judge(joints, reading, false);
+    if (meant && !meant->verdict.is_told) {
+        if (auto wider = judge(joints, reading, true)) { meant = std::move(wider); }
     }
-    if (typed->rank < typed->rank_as_typed) { tell(*typed, joints.back(), *reading.problems); }
+    if (!meant) { return; }
+    mechanism.typed = meant->verdict;
+    for (std::size_t k = 0; k < meant->geometry.size(); ++k) {
+        mechanism.joints[k].geometry = meant->geometry[k];
+    }
+    if (meant->verdict.rank < meant->verdict.rank_as_typed) {
+        tell(meant->verdict, joints.back(), *reading.problems);
+    }
 }
 
 }  // namespace jw::reading

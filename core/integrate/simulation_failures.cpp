@@ -13,8 +13,8 @@ namespace jw {
 
 namespace {
 
-/// What is out of reach misses by about the size of the scene, behind a fast driver by a few; ten times that
-/// is no pose at all.
+/// Largest misfit, in sizes of the scene, of a pose that is out of reach: behind a fast driver it is a few;
+/// beyond, the numbers are no pose at all.
 constexpr double kBlewUp = 10.0;
 
 /// Name of the joint or driver of a row.

@@ -14,7 +14,7 @@ namespace {
 constexpr double kNotFree = 1e-6;
 // Equations are assembled to rounding at best.
 constexpr double kAssembled = 1e-15;
-// What rounding adds to a misfit at the pose.
+// Factor for the misfit at the pose, which rounding may hide in part.
 constexpr double kRoomOfPose = 4.0;
 // Other velocities that are expanded: a polynomial that is not zero vanishes at none of a few points but by
 // accident.

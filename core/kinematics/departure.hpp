@@ -10,8 +10,8 @@ namespace jw {
 /// Highest order at which a departure is looked for.
 inline constexpr int kHighestOrder = 8;
 
-/// Where no motion with a velocity satisfies the equations: one of them is missed by `coefficient` times a
-/// coordinate to the power `order`, when those before it hold.
+/// First term by which all paths along a velocity miss an equation, when those before it hold: `coefficient`
+/// times a coordinate to the power `order`.
 struct Departure {
     int order = 0;             ///< 2 to kHighestOrder
     double coefficient = 0.0;  ///< > 0, in the unit of Φ by that of the coordinate to the power

@@ -76,13 +76,9 @@ void Expansion::order_equations() {
 
 MatrixX Expansion::jacobian_of(int equation) {
     MatrixX J = MatrixX::Zero(step_.equations()[at(equation)].rows, columns_);
-    const EquationJacobian& jacobian = step_.jacobian_at(step_.from(), equation);
-    for (std::size_t b = 0; b < kBlocks; ++b) {
-        const MatrixX& block = jacobian.blocks[b];
-        const int k = step_.blocks(equation)[b];
-        if (k < 0 || block.size() == 0) { continue; }
-        J.middleCols(first_column_[at(k)], block.cols()) += block;
-    }
+    for_each_block(
+        step_.blocks(equation), step_.jacobian_at(step_.from(), equation),
+        [&](int k, const MatrixX& block) { J.middleCols(first_column_[at(k)], block.cols()) += block; });
     return J;
 }
 

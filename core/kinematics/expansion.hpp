@@ -34,8 +34,7 @@ public:
     /// Part of a velocity that the independent equations leave free.
     VectorX free_part(const VectorX& x) const { return x - Q_ * (Q_.transpose() * x); }
 
-    /// What is missed along a velocity of size 1, order by order; entry 0 is the misfit of the pose, entry 1
-    /// is not used.
+    /// Misfits along a velocity of size 1, one per order: entry 0 is that of the pose, entry 1 is not used.
     Misfits expand(const VectorX& first);
 
     const ProvedStep& step() const { return step_; }

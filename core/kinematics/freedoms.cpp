@@ -85,16 +85,7 @@ public:
 private:
     /// Scales a direction so that its largest rotation, displacement in sizes of the machine, or θ is 1.
     bool make_unit(VectorX& direction) const {
-        double largest = 0.0;
-        for (const int body : system_.moving_bodies()) {
-            const int column = system_.body_column(body, 3);
-            largest = std::max(
-                {largest, direction.segment<3>(column).norm() / size_,
-                 direction.segment<3>(column + 3).norm()});
-        }
-        for (const int theta : system_.active_thetas()) {
-            largest = std::max(largest, std::abs(direction(system_.theta_column(theta, 3))));
-        }
+        const double largest = largest_part(system_, direction, size_);
         direction /= largest > 0.0 ? largest : 1.0;
         return largest > kNoDirection && direction.allFinite();
     }

@@ -9,7 +9,7 @@
 /// Free motions: whether a null vector of Φq belongs to a motion, or is a velocity only.
 namespace jw {
 
-/// What is known of a null vector of Φq.
+/// Verdict on a null vector of Φq.
 enum class FreedomVerdict {
     finite,       ///< it is the velocity of a motion, proved over kProvedLength
     first_order,  ///< it is no velocity of any motion; FollowedMotion::departure says how it leaves Φ = 0
@@ -25,7 +25,7 @@ struct FollowedMotion {
     int start = 0;              ///< index of the start in `states`
     FreedomVerdict verdict = FreedomVerdict::cannot_tell;
     std::optional<Departure> departure;  ///< where it is of first order only
-    /// Where it is: a motion beside it is proved, from the first state on; `states` lead along it.
+    /// For first order: another motion leads away from the start, along `states`, and is proved.
     bool has_motion_beside = false;
 
     bool is_finite() const { return verdict == FreedomVerdict::finite; }

@@ -18,8 +18,8 @@ int whole_turns(double angle) {
     return std::abs(angle) < kMostCounted ? static_cast<int>(std::round(angle / kTurn)) : 0;
 }
 
-/// By how much an angle may differ from the mean of the rates between two poses, if its rate changes evenly
-/// or all at once [rad].
+/// Bound of the error of an angle by the mean rate between two poses, whether its rate changes evenly or all
+/// at once [rad].
 Eigen::ArrayXd left_open(const HermitePolynomial::Node& from, const HermitePolynomial::Node& to) {
     return 0.5 * std::abs(to.t - from.t) * (to.known.col(1) - from.known.col(1)).abs();
 }

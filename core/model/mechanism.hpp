@@ -56,11 +56,9 @@ struct TypedVerdict {
     int rank = 0;         ///< of the mechanism that was meant
     double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along that one's motion, scaled
     double share = 0.0;   ///< largest change of a number, in half units of its last digit
-    /// Per joint, geometry of a mechanism within the digits that has `rank` along a motion of finite length.
-    /// Empty where none was found: the rank cannot be told to the digits typed.
-    std::vector<JointGeometry> geometry;
-
-    bool is_told() const { return !geometry.empty(); }
+    /// A mechanism within the digits has `rank` along a motion of finite length. False: none was found, and
+    /// the rank cannot be told.
+    bool is_told = false;
 };
 
 struct Mechanism {

@@ -131,6 +131,19 @@ bool is_meant(const System& system, const State& state, const std::vector<int>& 
     return !find_wrong_branch(system, state, sides) && left_out_rows_hold(system, state);
 }
 
+double largest_part(const System& system, const VectorX& columns, double length) {
+    double largest = 0.0;
+    for (const int body : system.moving_bodies()) {
+        const int column = system.body_column(body, OmegaLocal::kAngular);
+        largest = std::max(
+            {largest, columns.segment<3>(column).norm() / length, columns.segment<3>(column + 3).norm()});
+    }
+    for (const int theta : system.active_thetas()) {
+        largest = std::max(largest, std::abs(columns(system.theta_column(theta, OmegaLocal::kAngular))));
+    }
+    return largest;
+}
+
 double movement(const System& system, const State& from, const State& to) {
     double largest = 0.0;
     for (const int body : system.moving_bodies()) {

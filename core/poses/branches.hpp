@@ -40,6 +40,10 @@ bool is_meant(const System& system, const State& state, const std::vector<int>& 
 /// Turns a body (or θ) by half a turn about the joint, so that Newton's method starts near the right branch.
 void leave_branch(const System& system, const WrongBranch& wrong, State& state);
 
+/// Largest part of a change in columns of (r, ω') and θ: displacements divided by `length`, rotations and θ
+/// as they are.
+double largest_part(const System& system, const VectorX& columns, double length);
+
 /// Largest movement of a body between two states, in the scene's unit of length and rad.
 double movement(const System& system, const State& from, const State& to);
 

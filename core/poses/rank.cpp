@@ -246,7 +246,7 @@ RankReport analyse_rank(
     const Mechanism& mechanism = system.mechanism();
     if (mechanism.typed && system.selection().joints.size() == mechanism.joints.size()) {
         report.typed = mechanism.typed;
-        report.decided = report.decided && report.typed->is_told();
+        report.decided = report.decided && report.typed->is_told;
     }
     if (detail == RankDetail::verdict) { return report; }
 

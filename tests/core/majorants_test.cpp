@@ -7,8 +7,7 @@
 #include <Eigen/SVD>
 
 #include "core/jets/majorants.hpp"
-#include "core/kinematics/proof/proved_equations.hpp"
-#include "tests/support/random_mechanisms.hpp"
+#include "tests/support/proved_primitives.hpp"
 
 /// Bounds of the primitives against their exact jets, at random poses of a region and along random paths.
 using namespace jw;
@@ -21,33 +20,6 @@ using Region = BodyKinematics<Majorants>;
 
 constexpr int kRegions = 40;
 constexpr int kPoses = 30;
-
-/// All primitives with random data; s_i and u are unit where a primitive asks for it.
-std::vector<ProvedPrimitive> primitives(Random& random) {
-    const auto unit = [&] { return random.direction(); };
-    const auto any = [&] { return random.vector(1.5); };
-    return {
-        N1{any(), any()},
-        N2{any(), any(), any()},
-        N2J{any(), any(), any()},
-        P1{any(), any()},
-        P2{any(), any(), any()},
-        S{any(), any()},
-        Distance{any(), any(), 0.7},
-        N1Pair{unit(), unit(), any()},
-        N2Pair{unit(), unit(), any(), any()},
-        ScrewAdvance{unit(), any(), any(), 0.3, 0.1, 0.2},
-        ScrewAngle{unit(), unit(), unit(), ScrewAngleForm::rotation},
-        ScrewAngle{unit(), unit(), unit(), ScrewAngleForm::cosine},
-        ScrewAngle{unit(), unit(), unit(), ScrewAngleForm::sine},
-        UnitLength{},
-        AngleMeasure{unit(), unit(), unit()},
-        SquaredDistanceMeasure{any(), any()},
-        DisplacementMeasure{unit(), any(), any()},
-        CoordinateMeasure{1},
-        CoordinateMeasure{5},
-        ThetaMeasure{}};
-}
 
 Region random_region(Random& random) {
     Region region;
@@ -132,7 +104,7 @@ TEST_CASE("Bounds of derivatives hold in all of a region, for every primitive", 
         const Region i = random_region(random);
         const Region j = random_region(random);
         const BoundedTheta theta{random.number(-2.0, 2.0), random.number(0.1, 1.0), {}};
-        for (const ProvedPrimitive& primitive : primitives(random)) {
+        for (const ProvedPrimitive& primitive : all_primitives(random)) {
             DerivativeBounds bounds;
             std::visit(
                 [&](const auto& c) { bounds = equations<Content::jacobian>(c, i, j, theta).bounds; },
@@ -213,7 +185,7 @@ TEST_CASE("Bounds along a path hold for every primitive", "[core][majorants]") {
         j.r_series = r_j.series();
         j.p_series = p_j.series();
         theta.series = angle.series();
-        for (const ProvedPrimitive& primitive : primitives(random)) {
+        for (const ProvedPrimitive& primitive : all_primitives(random)) {
             CAPTURE(n, primitive.index());
             TaylorSeries bounds{};
             std::visit(

@@ -4,8 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/jets/power_series.hpp"
-#include "core/kinematics/proof/proved_equations.hpp"
-#include "tests/support/random_mechanisms.hpp"
+#include "tests/support/proved_primitives.hpp"
 
 /// Power series of the primitives against their values at other points of the path.
 using namespace jw;
@@ -71,26 +70,9 @@ Comparison compared(
 TEST_CASE("Power series of the primitives have their values along a path", "[core][power-series]") {
     Random random(29);
     const auto unit = [&] { return random.direction(); };
-    const auto any = [&] { return random.vector(1.5); };
     for (int n = 0; n < kPaths; ++n) {
         // polynomials of degree 8 in s at most: nothing is cut off
-        const std::vector<ProvedPrimitive> primitives{
-            N1{any(), any()},
-            N2{any(), any(), any()},
-            N2J{any(), any(), any()},
-            P1{any(), any()},
-            P2{any(), any(), any()},
-            S{any(), any()},
-            Distance{any(), any(), 0.7},
-            N1Pair{unit(), unit(), any()},
-            N2Pair{unit(), unit(), any(), any()},
-            ScrewAdvance{unit(), any(), any(), 0.3, 0.1, 0.2},
-            UnitLength{},
-            SquaredDistanceMeasure{any(), any()},
-            DisplacementMeasure{unit(), any(), any()},
-            CoordinateMeasure{1},
-            CoordinateMeasure{5},
-            ThetaMeasure{}};
+        const std::vector<ProvedPrimitive> primitives = polynomial_primitives(random);
         const RandomPath i(random);
         const RandomPath j(random);
         for (const ProvedPrimitive& primitive : primitives) {

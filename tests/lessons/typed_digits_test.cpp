@@ -1,4 +1,5 @@
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -132,6 +133,28 @@ std::string lesson_text(const Bennett& b, Random& random, const Style& style) {
            "polynomial_deg = [0, 360]\n";
 }
 
+/// Largest half unit of the last decimals of each vector that follows `key`.
+std::vector<double> half_units(const std::string& text, const std::string& key) {
+    std::vector<double> all;
+    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+        double largest = 0.0;
+        std::size_t decimals = 0;
+        bool is_behind_point = false;
+        for (std::size_t k = at + key.size(); text[k - 1] != ']'; ++k) {
+            if (text[k] == '.') { is_behind_point = true; }
+            if (std::isdigit(static_cast<unsigned char>(text[k])) != 0) {
+                decimals += is_behind_point ? 1U : 0U;
+            } else if (text[k] == ',' || text[k] == ']') {
+                largest = std::max(largest, 0.5 * std::pow(10.0, -static_cast<double>(decimals)));
+                decimals = 0;
+                is_behind_point = false;
+            }
+        }
+        all.push_back(largest);
+    }
+    return all;
+}
+
 RankReport rank_of_joints(const Mechanism& mechanism, const State& state) {
     Selection joints = everything(mechanism);
     joints.drivers.clear();
@@ -187,6 +210,54 @@ TEST_CASE("A Bennett linkage typed with five digits or more turns like the exact
         CHECK(rank_of_joints(lesson.mechanism, start).rank == 17);
         // numbers of size 1, wrong by half a unit: the angle by some tens of these
         CHECK(error_over_a_turn(bennett, lesson.mechanism, start) < 50.0 * std::pow(10.0, -digits));
+    }
+}
+
+TEST_CASE(
+    "Numbers of the mechanism that was meant are within half a unit of the typed ones", "[lessons][typed]") {
+    constexpr int kDecimals = 6;
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        CAPTURE(seed);
+        const auto text = [&](const std::string& head) {
+            Random random(seed);
+            const Bennett bennett = random_bennett(random);
+            return lesson_text(bennett, random, {kDecimals, true, false, head, 0.0});
+        };
+        const Mechanism meant = lesson_of(text("")).mechanism;
+        const Mechanism as_typed = lesson_of(text("[precision]\nexact = true\n")).mechanism;
+        REQUIRE(meant.typed);
+        CHECK(meant.typed->is_told);
+        CHECK(meant.typed->share <= 1.0);
+        const std::vector<double> points = half_units(text(""), "at = [");
+        const std::vector<double> axes = half_units(text(""), "axis = [");
+        // bodies stand in the frame of the ground: numbers of joints are those of the file
+        double largest_share = 0.0;
+        for (std::size_t k = 0; k < meant.joints.size(); ++k) {
+            const JointGeometry& a = meant.joints[k].geometry;
+            const JointGeometry& b = as_typed.joints[k].geometry;
+            largest_share = std::max(
+                {largest_share, (a.P_i_local - b.P_i_local).cwiseAbs().maxCoeff() / points[k],
+                 (a.s_i_local - b.s_i_local).cwiseAbs().maxCoeff() / axes[k]});
+        }
+        // an axis keeps its length: its numbers have changed by more than the part across it
+        CHECK(largest_share <= 1.001 * meant.typed->share);
+        CHECK(largest_share > 0.3 * meant.typed->share);
+
+        // the misfit, at poses of the motion that was found by another way
+        System system(meant, everything(meant));
+        MotionTracker tracker(system, assembled(meant), 0.0);
+        double largest = 0.0;
+        for (int k = 1; k <= 40; ++k) {
+            REQUIRE(tracker.advance_to(k / 40.0));
+            Selection joints = everything(as_typed);
+            joints.drivers.clear();
+            const System typed_system(as_typed, joints);
+            Assembler<OmegaLocal> assembler(typed_system);
+            assembler.assemble_phi_and_jacobian(tracker.frame().state, 0.0);
+            largest = std::max(largest, assembler.phi().cwiseAbs().maxCoeff());
+        }
+        CHECK(meant.typed->misfit < 2.0 * largest);
+        CHECK(meant.typed->misfit > 0.02 * largest);
     }
 }
 

@@ -72,8 +72,8 @@ std::string bodies_note(double t);
 /// Why a simulation ended early, with what to do about it.
 std::string failure_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism);
-/// The same of a lesson that was not put together before: a driver that starts out of reach is told as its
-/// story tells it.
+/// Failure text of a lesson that was not put together before its run: a driver that starts out of reach is
+/// told as the story tells it.
 std::string failure_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Lesson& lesson);
 

@@ -89,7 +89,7 @@ std::string undecided_text(const RankReport& report) {
             "The rank cannot be told: the singular values do not pass their check and may be off by {0}.",
             small_text(report.singular_value_error));
     }
-    if (report.typed && !report.typed->is_told()) {
+    if (report.typed && !report.typed->is_told) {
         return tr(
             "The rank cannot be told: the numbers of the joints as typed give {0}, others that differ in "
             "their "
@@ -111,7 +111,7 @@ std::string undecided_text(const RankReport& report) {
 std::vector<std::string> doubts_of(const System& system, const RankReport& report) {
     std::vector<std::string> doubts;
     if (!report.decided) { doubts.push_back(undecided_text(report)); }
-    if (report.typed && report.typed->is_told() && report.typed->rank < report.typed->rank_as_typed) {
+    if (report.typed && report.typed->is_told && report.typed->rank < report.typed->rank_as_typed) {
         doubts.push_back(tr(
             "Overconstrained to the digits typed: the numbers of the joints as typed give rank {0} and miss "
             "by {1} on the way; others, within {2} of half a unit of their last digits, give {3} and are "

@@ -139,16 +139,13 @@ bool ProvedPart::invert(const StepEnd& end, Anchor& anchor) {
     for (std::size_t g = 0; g < part_.equations.size(); ++g) {
         const EquationJacobian& jacobian = step_->jacobian_at(end, part_.equations[g]);
         const auto row = static_cast<Eigen::Index>(equation_of_row_.size());
-        for (std::size_t b = 0; b < kBlocks; ++b) {
-            const MatrixX& block = jacobian.blocks[b];
-            const int k = places_[g][b];
-            if (k < 0 || block.size() == 0) { continue; }
+        for_each_block(places_[g], jacobian, [&](int k, const MatrixX& block) {
             if (at(k) < part_.unknowns.size()) {
                 rows_.block(first_column_[at(k)], row, block.cols(), block.rows()) += block.transpose();
             } else {
                 others_.block(row, first_column_[at(k)], block.rows(), block.cols()) += block;
             }
-        }
+        });
         equation_of_row_.insert(
             equation_of_row_.end(), at(step_->equations()[at(part_.equations[g])].rows), static_cast<int>(g));
     }

@@ -58,12 +58,10 @@ MatrixX columns_of(
     MatrixX all = MatrixX::Zero(rows, columns);
     int row = 0;
     for (const int e : which) {
-        for (std::size_t b = 0; b < kBlocks; ++b) {
-            const MatrixX& block = sample.jacobians[at(e)].blocks[b];
-            const int k = step.blocks(e)[b];
-            if (k < 0 || first[at(k)] < 0 || block.size() == 0) { continue; }
+        for_each_block(step.blocks(e), sample.jacobians[at(e)], [&](int k, const MatrixX& block) {
+            if (first[at(k)] < 0) { return; }
             all.block(row, first[at(k)], block.rows(), block.cols()) += block;
-        }
+        });
         row += step.equations()[at(e)].rows;
     }
     return all;

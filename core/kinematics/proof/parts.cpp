@@ -155,12 +155,10 @@ private:
         MatrixX transposed = MatrixX::Zero(part.columns, part.rows);
         int row = 0;
         for (const int e : part.equations) {
-            for (std::size_t b = 0; b < kBlocks; ++b) {
-                const MatrixX& block = jacobians_[at(e)].blocks[b];
-                const int k = blocks_[at(e)][b];
-                if (k < 0 || first[at(k)] < 0) { continue; }
+            for_each_block(blocks_[at(e)], jacobians_[at(e)], [&](int k, const MatrixX& block) {
+                if (first[at(k)] < 0) { return; }
                 transposed.block(first[at(k)], row, block.cols(), block.rows()) += block.transpose();
-            }
+            });
             row += equations_[at(e)].rows;
         }
         Eigen::ColPivHouseholderQR<MatrixX> qr(transposed);

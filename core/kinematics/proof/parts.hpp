@@ -41,6 +41,15 @@ private:
 struct EquationJacobian {
     std::array<MatrixX, kBlocks> blocks;
 };
+
+/// Calls f(k, block) for each block of an equation whose coordinate has a number k ≥ 0.
+template <class F>
+void for_each_block(const std::array<int, kBlocks>& numbers, const EquationJacobian& jacobian, F&& f) {
+    for (std::size_t b = 0; b < kBlocks; ++b) {
+        if (numbers[b] >= 0 && jacobian.blocks[b].size() > 0) { f(numbers[b], jacobian.blocks[b]); }
+    }
+}
+
 void compute_jacobian(
     const ProvedEquation& equation, const BodyKinematics<ModifiedEulerParameters>& i,
     const BodyKinematics<ModifiedEulerParameters>& j, const Theta& theta, double length,

@@ -23,18 +23,6 @@ Selection joints_of(const Mechanism& mechanism) {
     return joints;
 }
 
-/// Largest turn of a body, or displacement in sizes of the machine, by a change in scaled columns.
-double size_of(const System& system, const VectorX& delta) {
-    const double length = system.length_unit() / extent(system.mechanism());
-    double size = 0.0;
-    for (const int body : system.moving_bodies()) {
-        const int column = system.body_column(body, OmegaLocal::kAngular);
-        size =
-            std::max({size, length * delta.segment<3>(column).norm(), delta.segment<3>(column + 3).norm()});
-    }
-    return size;
-}
-
 MatrixX free_of(const JointEquations& equations, int rank) {
     const Svd svd = equations.svd();
     return svd.V.rightCols(svd.V.cols() - rank);
@@ -47,7 +35,9 @@ void walk_along(
         const JointEquations equations(mechanism, state);
         const MatrixX free = free_of(equations, rank);
         direction = (free * (free.transpose() * direction)).eval();
-        const double size = size_of(equations.system, direction);
+        // columns are scaled by the unit of length
+        const double length = extent(mechanism) / equations.system.length_unit();
+        const double size = largest_part(equations.system, direction, length);
         if (!(size > kNoDirection)) { return; }
         direction *= step / size;
         const State predicted = equations.scaled.moved(state, direction);

@@ -12,8 +12,6 @@ namespace jw {
 
 namespace {
 
-// decompositions of larger matrices take longer than a reader should wait: 20 bodies
-constexpr int kMostColumns = 120;
 // a change of the numbers moves poses, too, by its size over the last singular value that counts
 constexpr double kMostEffect = 1e3;
 constexpr double kStep = 0.25;  // of the walk, largest turn [rad] or displacement in sizes of the machine
@@ -51,7 +49,7 @@ public:
         changes_.setZero(static_cast<Eigen::Index>(numbers.size()));
     }
 
-    std::optional<TypedVerdict> run();
+    std::optional<MeantMechanism> run();
 
 private:
     bool find_rank(const State& start);
@@ -250,12 +248,12 @@ bool MeantSearch::find_meant(State start, std::vector<State> poses) {
     return false;
 }
 
-std::optional<TypedVerdict> MeantSearch::run() {
+std::optional<MeantMechanism> MeantSearch::run() {
     State start = start_state(mechanism_);
     {
         const JointEquations equations(mechanism_, start);
-        const int columns = equations.system.columns(OmegaLocal::kAngular);
-        if (numbers_.empty() || equations.system.rows() == 0 || columns == 0 || columns > kMostColumns) {
+        const std::size_t bodies = equations.system.moving_bodies().size();
+        if (numbers_.empty() || equations.system.rows() == 0 || bodies == 0 || bodies > kMostTypedBodies) {
             return std::nullopt;
         }
         if (!solve_position<OmegaLocal>(equations.system, start, 0.0).ok()) {
@@ -269,18 +267,20 @@ std::optional<TypedVerdict> MeantSearch::run() {
     const Conditions as_typed = conditions(poses);
     if (as_typed.excess > kDoubtful) { return std::nullopt; }
     verdict_.misfit = as_typed.misfit;
-    if (!find_meant(start, poses)) { return verdict_; }
+    verdict_.is_told = find_meant(start, poses);
+    if (!verdict_.is_told) { return MeantMechanism{verdict_, {}}; }
     verdict_.share = changes_.cwiseAbs().maxCoeff();
+    MeantMechanism meant{verdict_, {}};
     for (Joint& joint : mechanism_.joints) {
         if (joint.type->has_angle()) { keep_sides_perpendicular(joint.geometry); }
-        verdict_.geometry.push_back(joint.geometry);
+        meant.geometry.push_back(joint.geometry);
     }
-    return verdict_;
+    return meant;
 }
 
 }  // namespace
 
-std::optional<TypedVerdict> judge_typed_numbers(
+std::optional<MeantMechanism> judge_typed_numbers(
     const Mechanism& mechanism, const std::vector<TypedNumber>& numbers) {
     return MeantSearch(mechanism, numbers).run();
 }

@@ -23,12 +23,22 @@ struct TypedNumber {
     double JointGeometry::*scalar = nullptr;  ///< in the place of vectors
 };
 
+/// Largest mechanism that is searched: decompositions of larger ones take longer than a reader should wait.
+inline constexpr int kMostTypedBodies = 20;
+
+/// Verdict, and the geometry of each joint of the mechanism that was meant, if it is told.
+struct MeantMechanism {
+    TypedVerdict verdict;
+    std::vector<JointGeometry> geometry;
+};
+
 /// Searches for the mechanism that was meant: the poses of the motion that the nearly dependent equations
 /// leave are found in least squares, then the smallest change of the numbers for which all equations hold at
 /// all of them; other poses on the way check it.
 /// @param numbers those known to their last digit; all others are exact
-/// @return nothing where the digits make no difference to the rank, or no motion is near
-std::optional<TypedVerdict> judge_typed_numbers(
+/// @return nothing where the digits make no difference to the rank, no motion is near, or more than
+///         kMostTypedBodies move
+std::optional<MeantMechanism> judge_typed_numbers(
     const Mechanism& mechanism, const std::vector<TypedNumber>& numbers);
 
 }  // namespace jw
