@@ -229,3 +229,25 @@ TEST_CASE("A motion that starts in a change point is proved from there on", "[br
         CHECK(followed.worst < 1e-6);
     }
 }
+
+TEST_CASE("A step is proved with its own velocities, whatever was asked at its start before", "[branches]") {
+    // the body turns about its origin, so that only its ω' tells one velocity from the other
+    SceneBuilder scene;
+    const int crank = scene.add_body("crank", Vec3::Zero());
+    Joint& hinge = scene.add_joint("revolute", 0, crank, Vec3::Zero(), Vec3::UnitZ());
+    scene.measure_angle(hinge, Vec3::UnitX(), Vec3::UnitX());
+    drive(scene.mechanism, 0, 0.0, 1.0);
+    const System system(scene.mechanism, everything(scene.mechanism));
+    const State from = start_state(scene.mechanism);
+    const Motion at_rest = zero_motion(scene.mechanism);
+    Motion turning = at_rest;
+    turning.omega_local[at(crank)] = 2.0 * std::numbers::pi * scene.local(crank, Vec3::UnitZ());
+    constexpr double kTime = 0.02;  // 0.13 rad
+    State to = from;
+    to.p[at(crank)] = turned_local(from.p[at(crank)], kTime * turning.omega_local[at(crank)]);
+    StepProof fresh(system);
+    REQUIRE(fresh.holds({0.0, &from, &turning}, {kTime, &to, &turning}));
+    StepProof asked(system);
+    REQUIRE(asked.decides_at({0.0, &from, &at_rest}));
+    CHECK(asked.holds({0.0, &from, &turning}, {kTime, &to, &turning}));
+}

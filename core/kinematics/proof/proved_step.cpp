@@ -26,7 +26,8 @@ Path path_of(const Vec4& x0, const Vec4& v0, const Vec4& x1, const Vec4& v1, dou
 
 bool is_at(const StepEnd& end, const PathEnd& pose) {
     return end.t == pose.t && end.state.r == pose.state->r && end.state.p == pose.state->p &&
-           end.state.theta == pose.state->theta && end.r_dot == pose.velocity->r_dot;
+           end.state.theta == pose.state->theta && end.r_dot == pose.velocity->r_dot &&
+           end.omega_local == pose.velocity->omega_local && end.theta_dot == pose.velocity->theta_dot;
 }
 
 }  // namespace
@@ -57,6 +58,7 @@ void ProvedStep::set_end(StepEnd& end, const PathEnd& pose) const {
     end.t = pose.t;
     end.state = *pose.state;
     end.r_dot = pose.velocity->r_dot;
+    end.omega_local = pose.velocity->omega_local;
     end.theta_dot = pose.velocity->theta_dot;
     const std::size_t bodies = end.state.r.size();
     end.p_dot.resize(bodies);

@@ -21,6 +21,7 @@ struct StepEnd {
     double t = 0.0;
     State state;
     std::vector<Vec3> r_dot;
+    std::vector<Vec3> omega_local;
     std::vector<Vec4> p_dot;
     std::vector<double> theta_dot;
     std::vector<BodyKinematics<ModifiedEulerParameters>> bodies;
