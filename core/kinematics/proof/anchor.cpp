@@ -109,9 +109,9 @@ bool ProvedPart::choose_and_invert() {
         return inverse_.norm();
     };
     const bool is_square = part_.rank == part_.columns;
-    if (is_square && !chosen_.empty()) {
+    if (!chosen_.empty()) {
         const double size = invert_chosen();
-        if (size <= kWeaker * size_of_inverse_) {
+        if (size <= kWeaker * size_of_inverse_ && has_same_rank()) {
             size_of_inverse_ = std::min(size_of_inverse_, size);
             return true;
         }
@@ -128,6 +128,18 @@ bool ProvedPart::choose_and_invert() {
     }
     size_of_inverse_ = invert_chosen();
     return std::isfinite(size_of_inverse_);
+}
+
+/// True if the rows that are not chosen still vanish on what the chosen ones leave free.
+bool ProvedPart::has_same_rank() const {
+    const auto free = inverse_.rightCols(part_.columns - part_.rank);
+    const double least = kIndependent * free.norm();
+    for (int row = 0; row < part_.rows && free.cols() > 0; ++row) {
+        if (std::ranges::find(chosen_, row) != chosen_.end()) { continue; }
+        const auto left_out = rows_.col(row);
+        if ((left_out.transpose() * free).norm() > least * left_out.norm()) { return false; }
+    }
+    return true;
 }
 
 /// Norms of the inverse Jacobian at an end of the step, and what rounding leaves of it.
@@ -151,8 +163,13 @@ bool ProvedPart::invert(const StepEnd& end, Anchor& anchor) {
     }
     if (!choose_and_invert()) { return false; }
     const MatrixX& M = inverse_;
-    defect_.noalias() = -M * square_;
-    defect_.diagonal().array() += 1.0;
+    // most of J is 0
+    defect_.setIdentity(part_.columns, part_.columns);
+    for (Eigen::Index c = 0; c < square_.cols(); ++c) {
+        for (Eigen::Index r = 0; r < square_.rows(); ++r) {
+            if (square_(r, c) != 0.0) { defect_.col(c) -= square_(r, c) * M.col(r); }
+        }
+    }
     input_rows_.setZero(part_.columns, input_columns_);
     for (int k = 0; k < part_.rank; ++k) { input_rows_.row(k) = others_.row(chosen_[at(k)]); }
     passed_on_.noalias() = M * input_rows_;

@@ -57,6 +57,7 @@ private:
     bool set_anchor(const StepEnd& end, Anchor& anchor);
     void bound_derivatives(const StepEnd& end, Anchor& anchor) const;
     bool choose_and_invert();
+    bool has_same_rank() const;
     bool invert(const StepEnd& end, Anchor& anchor);
     void measure(Anchor& anchor) const;
     bool measure_reach(const Anchor& anchor);
