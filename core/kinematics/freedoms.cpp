@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/kinematics/cubic_path.hpp"
+#include "core/kinematics/free_proof.hpp"
 #include "core/kinematics/manifold.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/newton.hpp"
@@ -33,14 +34,6 @@ struct PathPoint {
     State state;
     VectorX direction;
 };
-
-/// A mechanism whose drivers stand still where they are at `t`.
-Mechanism at_rest(Mechanism mechanism, double t) {
-    for (Driver& driver : mechanism.drivers) {
-        driver.function = TimeFunction{{driver.function.at(t).f}, {}, {}};
-    }
-    return mechanism;
-}
 
 /// Its drivers stand still, so that time is the length of the path.
 class Follower {

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/kinematics/free_proof.hpp"
 #include "core/poses/newton.hpp"
 
 /// Dragging on the manifold of assembled states: a point of a body is pulled, everything else follows.
 namespace jw {
 
-/// Rank by pivots at a pose assembled to `residual` (scaled). As in the motion tracker, the weakest equation
-/// does not count where it is close to lost: near a singular pose it is mostly position error.
+/// Rank by pivots at a pose assembled to `residual` (scaled).
+int rank_of_all(const LeastSquares& least_squares, double residual);
+/// As in the motion tracker, the weakest equation does not count here where it is close to lost: near a
+/// singular pose it is mostly position error.
 int reliable_rank(const LeastSquares& least_squares, double residual);
 
 /// Moves `state` to a nearby assembled state by Newton's method; rows are chosen again there.
@@ -29,14 +34,19 @@ struct DragOutcome {
 /// constraints, each step corrected by Newton's method on Φ. A step is taken only if the distance decreases,
 /// so pulls at a target out of reach end at the nearest point on the way there and stay. Time and drivers are
 /// fixed.
+///
+/// Where there are loops, a step is taken only if it is proved that it stays on its branch (FreeProof),
+/// halved until it is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of
+/// many bodies it takes too long: there a step is taken if it stays near its tangent, or leads on from a
+/// corner.
 class Dragger {
 public:
     /// @param system must outlive this; its rows are chosen again between the steps
     /// @param state satisfies the constraints at time `t`
     Dragger(System& system, State state, double t);
 
-    /// Takes at most five steps, each with rotations up to 0.2 rad and displacements up to a fifth of the
-    /// machine. Targets that are not finite are ignored.
+    /// Takes steps that add up to at most five whole ones; a whole one turns a body by up to 0.2 rad or
+    /// displaces it by a fifth of the machine. Targets that are not finite are ignored.
     /// @param point_local in the body [m]
     /// @param target global [m]
     /// @throws std::invalid_argument for a body that is not in the mechanism
@@ -45,14 +55,31 @@ public:
     const State& state() const { return state_; }
 
 private:
+    /// A direction of a pull: ½ distance² and what the direction promises of it, per fraction.
+    struct Promise {
+        double value = 0.0;
+        double gain = 0.0;
+        double share = 1.0;  ///< of a whole step, that the direction is long
+
+        bool is_rounding(double fraction) const;
+    };
+
     Vec3 point(const State& state) const;
-    void factor();
-    bool step(DragOutcome& outcome);
+    void factor(const State& state, LeastSquares& least_squares);
+    double residual() const;
+    Promise find_way(int rank);
+    double step(DragOutcome& outcome);
+    std::optional<double> proved_step(DragOutcome& outcome);
+    bool step_along_tangent(const Promise& promise, DragOutcome& outcome);
+    int polish();
+    bool is_proved(double fraction);
+    bool is_decided(const State& state);
     void find_direction();
     void curvature_along(const VectorX& direction, VectorX& curvature);
     void slope_at(const State& state, VectorX& slope);
     void keep_free_part(VectorX& scaled);
-    void shorten_direction();
+    double shorten_direction();
+    bool gains(double fraction, const Promise& promise) const;
     bool correct(double fraction, DragOutcome& outcome);
     bool leads_on(const State& reached) const;
     void accept(const State& reached);
@@ -68,6 +95,12 @@ private:
     std::vector<int> sides_;
     int rank_ = 0;
     double residual_ = 0.0;
+    LeastSquares least_squares_there_;  ///< at the end of a step
+    bool is_factored_ = false;          ///< `least_squares_` belongs to the state and its rows
+    bool is_singular_ = false;          ///< more equations are independent at the end of the step
+    std::unique_ptr<FreeProof> proof_;  ///< where there are loops
+    int proofs_left_ = 0;               ///< that this pull may try
+    double reach_ = 1.0;                ///< share of a whole step that was proved last: tried first
 
     // pulled point
     int body_ = 0;
@@ -77,6 +110,7 @@ private:
 
     // work space: scaled unknowns
     State trial_;
+    State reached_;
     State way_out_;
     VectorX multipliers_;
     VectorX slope_;
