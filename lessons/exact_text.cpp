@@ -86,6 +86,12 @@ std::string number_text(double value) {
     return text;
 }
 
+int digits_apart(double a, double b, int least) {
+    int digits = least;
+    while (a != b && digits < kAllDigits && rounded(a, digits) == rounded(b, digits)) { ++digits; }
+    return digits;
+}
+
 std::string list_text(std::span<const double> values) {
     std::string text = "[";
     for (const double value : values) { text += (text.size() > 1 ? ", " : "") + number_text(value); }

@@ -13,6 +13,8 @@ namespace jw::writing {
 
 /// The shortest decimal that reads back to the same double: 0.3, 1e-12, -5. Minus zero becomes 0.
 std::string number_text(double value);
+/// Fewest digits, at least `least` and at most 17, with which two numbers that differ read differently.
+int digits_apart(double a, double b, int least);
 /// "[0, 0.5, 1]"
 std::string list_text(std::span<const double> values);
 std::string vector_text(const Vec3& v);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/asked_keys.hpp"
+#include "lessons/exact_text.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/text_place.hpp"
 #include "lessons/typed.hpp"
@@ -75,7 +76,8 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
     if (std::abs(value) > kLargestNumber) {
         problems_->add(
             Code::out_of_range, span_of(node.source()),
-            what + " is " + short_number(value) + "; expected at most 1e9 in magnitude",
+            what + " is " + short_number(value, writing::digits_apart(std::abs(value), kLargestNumber, 6)) +
+                "; expected at most 1e9 in magnitude",
             "lengths are in m, masses in kg, times in s");
         return std::nullopt;
     }

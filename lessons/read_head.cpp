@@ -1,3 +1,4 @@
+#include "lessons/exact_text.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -33,10 +34,11 @@ void read_motion(Fields& root, Lesson& lesson) {
     if (const auto to = fields->number("to_s")) {
         plan.to = to->value;
         if (plan.to <= plan.from) {
+            const int digits = writing::digits_apart(plan.to, plan.from, 6);
             root.problems().add(
                 Code::ends_before_start, to->span,
-                "the motion ends at " + short_number(plan.to) + " s and starts at " +
-                    short_number(plan.from) + " s; expected 'to_s' above 'from_s'");
+                "the motion ends at " + short_number(plan.to, digits) + " s and starts at " +
+                    short_number(plan.from, digits) + " s; expected 'to_s' above 'from_s'");
         }
     }
     plan.duration = plan.to - plan.from;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/exact_text.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -71,10 +72,11 @@ void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     if (!end) { return; }
     step.end = end->value;
     if (step.end - step.start < kShortestStep) {
+        const int digits = writing::digits_apart(step.end, step.start, 6);
         fields.problems().add(
             Code::ends_before_start, end->span,
-            "the step ends at " + short_number(step.end) + " s and starts at " + short_number(step.start) +
-                " s; expected 'end_s' at least 1e-6 s after 'start_s'");
+            "the step ends at " + short_number(step.end, digits) + " s and starts at " +
+                short_number(step.start, digits) + " s; expected 'end_s' at least 1e-6 s after 'start_s'");
         return;
     }
     function.steps.push_back(step);
@@ -110,7 +112,8 @@ void check_values(Fields& fields, const TimeFunction& function, double from, dou
         const TimeFunction::Value value = function.at(t);
         const bool finite =
             std::isfinite(value.f) && std::isfinite(value.f_dot) && std::isfinite(value.f_ddot);
-        const std::string place = fields.what() + " reaches " + short_number(value.f) +
+        const int digits = writing::digits_apart(std::abs(value.f), kLargestNumber, 6);
+        const std::string place = fields.what() + " reaches " + short_number(value.f, digits) +
                                   " at t = " + short_number(t) + " s; expected ";
         if (!finite || std::abs(value.f) > kLargestNumber) {
             fields.problems().add(Code::beyond_all_values, fields.span(), place + "at most 1e9 in magnitude");

@@ -1,5 +1,6 @@
 #include "lessons/snapshot_rules.hpp"
 
+#include "lessons/exact_text.hpp"
 #include "lessons/fields.hpp"
 #include "lessons/file_text.hpp"
 #include "lessons/toml_text.hpp"
@@ -18,7 +19,8 @@ void read_part(Fields& fields, const char* key, double& part) {
     if (read->value > 1.0) {
         fields.problems().add(
             Code::out_of_range, read->span,
-            "'" + std::string(key) + "' is " + short_number(read->value) + "; expected 0 to 1");
+            "'" + std::string(key) + "' is " +
+                short_number(read->value, writing::digits_apart(read->value, 1.0, 6)) + "; expected 0 to 1");
         return;
     }
     part = read->value;

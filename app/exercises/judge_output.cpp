@@ -7,6 +7,7 @@
 #include "app/exercises/read_output.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "lessons/exact_text.hpp"
 #include "lessons/formula/symbol.hpp"
 #include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/read_math.hpp"
@@ -136,7 +137,9 @@ std::string with_next(const std::string& list, const std::string& item) {
     return list.empty() ? item : tr("{0}; {1}", list, item);
 }
 
-std::string entry_text(double entry) { return std::isfinite(entry) ? number_text(entry, 6) : "NaN"; }
+std::string entry_text(double entry, int digits) {
+    return std::isfinite(entry) ? number_text(entry, digits) : "NaN";
+}
 
 /// Sentence about a wrong answer in a state: its shape, or the entries that differ.
 std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
@@ -159,9 +162,10 @@ std::string told_answer(const std::string& state, const MatrixX& right, const Ma
             const double entry = given(r, c);
             if (std::abs(entry - right(r, c)) <= kTolerance * size) { continue; }
             if (++wrong > kMostEntriesTold) { continue; }
+            const int digits = writing::digits_apart(entry, right(r, c), 6);
             const std::string told =
-                tr("entry ({0}, {1}) is {2}, expected {3}", r + 1, c + 1, entry_text(entry),
-                   number_text(right(r, c), 6));
+                tr("entry ({0}, {1}) is {2}, expected {3}", r + 1, c + 1, entry_text(entry, digits),
+                   number_text(right(r, c), digits));
             entries = with_next(entries, told);
         }
     }

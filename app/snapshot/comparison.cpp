@@ -5,6 +5,7 @@
 
 #include "app/host/frames/environment.hpp"
 #include "lessons/diagnostics.hpp"
+#include "lessons/exact_text.hpp"
 
 namespace jw::snapshot {
 
@@ -129,8 +130,9 @@ LayerDifference compare_colours(
                             std::to_string(rules.largest) + " are allowed";
     }
     if (difference.broken.empty() && found.similarity < rules.similarity) {
-        difference.broken = "the structural similarity is " + short_number(found.similarity, 6) +
-                            "; at least " + short_number(rules.similarity, 6) + " is expected";
+        const int digits = writing::digits_apart(found.similarity, rules.similarity, 6);
+        difference.broken = "the structural similarity is " + short_number(found.similarity, digits) +
+                            "; at least " + short_number(rules.similarity, digits) + " is expected";
     }
     return difference;
 }

@@ -2,6 +2,7 @@
 #include <sstream>
 #include <utility>
 
+#include "lessons/exact_text.hpp"
 #include "lessons/formula/evaluate_formula.hpp"
 
 namespace jw::formula {
@@ -14,13 +15,25 @@ using math::SignKind;
 
 bool is_equality(const Node& node) { return is_sign(node, "=") || is_sign(node, "≡"); }
 
-std::string text_of(const Value& value) {
+/// Digits with which two sides are told; of sides that differ, the entries that are farthest apart read
+/// differently.
+int digits_of(const Value& a, const Value& b, bool differ) {
+    const int few = a.is_number() || b.is_number() ? 6 : 4;
+    const bool have_entries = a.kind == Value::Kind::matrix && b.kind == Value::Kind::matrix;
+    if (!differ || !have_entries) { return few; }
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+    (a.d[0] - b.d[0]).cwiseAbs().maxCoeff(&row, &column);
+    return writing::digits_apart(a.d[0](row, column), b.d[0](row, column), few);
+}
+
+std::string text_of(const Value& value, int digits) {
     if (value.kind != Value::Kind::matrix) { return shape_text(value); }
     if (value.d[0].size() > 12) { return shape_text(value) + " matrix"; }
     std::ostringstream text;
-    const Eigen::IOFormat format(4, Eigen::DontAlignCols, ", ", "; ", "", "", "[", "]");
+    const Eigen::IOFormat format(digits, Eigen::DontAlignCols, ", ", "; ", "", "", "[", "]");
     if (value.is_number()) {
-        text.precision(6);
+        text.precision(digits);
         text << value.d[0](0, 0);
     } else {
         text << (value.cols() == 1 ? MatrixX(value.d[0].transpose()) : value.d[0]).format(format);
@@ -107,8 +120,9 @@ Outcome evaluate_equation(const Row& equation, const std::vector<Row>& where, co
             if (part <= worst || std::isnan(worst)) { continue; }
             worst = part;
             outcome.apart = apart;
-            outcome.left = text_of(values[k - 1]);
-            outcome.right = text_of(values[k]);
+            const int digits = digits_of(values[k - 1], values[k], part > kKnown);
+            outcome.left = text_of(values[k - 1], digits);
+            outcome.right = text_of(values[k], digits);
         }
     } catch (const NotEvaluated& failed) {
         outcome.problem = failed.problem();

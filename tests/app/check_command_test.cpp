@@ -130,6 +130,23 @@ TEST_CASE("The JSON of check has every claim, every error and the exit status", 
     CHECK_FALSE(bad.contains("diagnostics"));
 }
 
+TEST_CASE("What is found reads differently from what is claimed, where they differ", "[app][check]") {
+    const std::array<std::array<std::string, 3>, 2> claims{
+        {{"formula = \"10^9 + 1 = 10^9\"", "holds", "1000000001 and 1000000000, 1.0e+00 apart"},
+         {"at_s = 0.3\nquantity = \"pivot.angle\"\nvalue_deg = 27.00000000000004\ntolerance_deg = 1e-14",
+          "27.00000000000004 deg ± 1e-14", "27 deg, off by"}}};
+    const Folder folder;
+    for (const auto& [claim, expected, found] : claims) {
+        CAPTURE(claim);
+        const std::string file = folder.file("near.toml", kCrank + ("[[expect]]\n" + claim + "\n"));
+        const Ran ran = run({"check", file, "--format", "json"});
+        REQUIRE(ran.status == 1);
+        const nlohmann::json told = nlohmann::json::parse(ran.out)["lessons"][0]["claims"][0];
+        CHECK(told["expected"] == expected);
+        CHECK_THAT(told["found"].get<std::string>(), Catch::StartsWith(found));
+    }
+}
+
 TEST_CASE("The JSON of check says what was tried and how many claims it left out", "[app][check]") {
     const std::string file = lesson_path("loops/four-bar.toml");
     const Ran ran = run({"check", file, "--try", "take out motor", "--format", "json"});

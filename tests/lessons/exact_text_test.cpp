@@ -37,6 +37,17 @@ TEST_CASE("Numbers have as few digits as read back to the same", "[lessons][writ
     }
 }
 
+TEST_CASE("Two numbers that differ get the fewest digits with which they read differently", "[lessons]") {
+    using writing::digits_apart;
+    CHECK(digits_apart(1.0, 2.0, 6) == 6);
+    CHECK(digits_apart(1e9 + 1.0, 1e9, 6) == 10);
+    CHECK(digits_apart(-1e9 - 1.0, -1e9, 6) == 10);
+    CHECK(digits_apart(0.1, std::nextafter(0.1, 1.0), 6) == 17);
+    // no digits tell them apart
+    CHECK(digits_apart(0.1, 0.1, 6) == 6);
+    CHECK(digits_apart(0.1, std::numeric_limits<double>::quiet_NaN(), 6) == 6);
+}
+
 TEST_CASE("Degrees are written where they read back exactly, radians elsewhere", "[lessons][writing]") {
     const double typed[] = {radians(120.0), radians(-0.7), radians(1e-9)};
     const writing::AngleTexts angles = writing::typed_angles(typed);

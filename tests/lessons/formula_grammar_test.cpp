@@ -245,6 +245,21 @@ TEST_CASE("Identities of textbooks hold, and what only looks like them does not"
     }
 }
 
+TEST_CASE("Sides that differ are told with the digits in which they differ, others with few", "[formula]") {
+    const auto told = [](const std::string& equation) {
+        const Outcome outcome = evaluate_equation(math::own_math(equation), {}, meanings());
+        return outcome.left + " and " + outcome.right;
+    };
+    CHECK(told(R"(10^9 + 1 = 10^9)") == "1000000001 and 1000000000");
+    CHECK(told(R"(1 = 2)") == "1 and 2");
+    CHECK(told(R"(10^9 = 10^9)") == "1e+09 and 1e+09");
+    // the entries that differ most
+    CHECK(
+        told(R"(\begin{bmatrix} 10^9 + 100 \\ 5 \end{bmatrix} = \begin{bmatrix} 10^9 \\ 6 \end{bmatrix})") ==
+        "[1.0000001e+09, 5] and [1e+09, 6]");
+    CHECK(told(R"(1 + 10^{-13} = 1)") == "1.0000000000001 and 1");
+}
+
 TEST_CASE("What can be read in two ways, or has no value, is refused with its reason", "[formula]") {
     CHECK_THAT(why_not(R"(\sin\theta / 2 = 1)"), Catch::Contains("two ways"));
     CHECK_THAT(why_not(R"(\sin^{-1} x = 1)"), Catch::Contains("two ways"));

@@ -16,6 +16,8 @@
 #include "app/session/wording/shown_lesson.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/diagnostics.hpp"
+#include "lessons/exact_text.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {
@@ -81,18 +83,23 @@ void judge(const QuantityClaim& claim, const Pose& pose, ClaimResult& result) {
     result.subject = derivative == 0   ? claim.text
                      : derivative == 1 ? tr("{0} rate", claim.text)
                                        : tr("{0} acceleration", claim.text);
-    result.expected =
-        number_text(factor * claim.value, 12) + unit + " ± " + number_text(factor * claim.tolerance, 3);
     Absence why = Absence::none;
     const double found = number_of(claim, pose.instant, why);
+    const double difference = difference_of(claim, pose.instant, found, claim.value);
+    result.holds = std::abs(difference) <= claim.tolerance;
+    constexpr int claimed = 12;
+    constexpr int computed = 15;
+    const int digits =
+        result.holds ? claimed : writing::digits_apart(factor * claim.value, factor * found, claimed);
+    result.expected =
+        number_text(factor * claim.value, digits) + unit + " ± " + number_text(factor * claim.tolerance, 3);
     if (std::isnan(found)) {
         result.found = tr("nothing: {0}", absence_text(why));
         return;
     }
-    const double difference = difference_of(claim, pose.instant, found, claim.value);
     result.found =
-        tr("{0}, off by {1}", number_text(factor * found, 15) + unit, small_text(factor * difference));
-    result.holds = std::abs(difference) <= claim.tolerance;
+        tr("{0}, off by {1}", number_text(factor * found, std::max(digits, computed)) + unit,
+           small_text(factor * difference));
     if (!pose.rough) { return; }
     const double rough = number_of(claim, *pose.rough, why);
     const double apart = std::abs(difference_of(claim, pose.instant, found, rough));
@@ -150,10 +157,16 @@ void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
     const double found = residual ? residual_of(pose) : condition_of(pose);
     result.subject = residual ? tr("residual") : tr("condition");
     const bool above = claim.bound == Bound::condition_above;
-    result.expected =
-        above ? tr("above {0}", number_text(claim.limit, 6)) : tr("below {0}", number_text(claim.limit, 6));
-    result.found = number_text(found, 6);
     result.holds = above ? found > claim.limit : found < claim.limit;
+    const auto text = [&](double value) {
+        // not by number_text, which takes a small one for rounding
+        const bool exactly = !result.holds && std::isfinite(value);
+        return exactly ? short_number(value, writing::digits_apart(claim.limit, found, 6))
+                       : number_text(value, 6);
+    };
+    const std::string limit = text(claim.limit);
+    result.expected = above ? tr("above {0}", limit) : tr("below {0}", limit);
+    result.found = text(found);
 }
 
 void judge(const FormulaClaim& claim, const Pose& pose, ClaimResult& result) {
@@ -204,7 +217,11 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     result.span = plan.point_at_end_span;
     result.moment = tr("at {0} s", number_text(plan.duration, 6));
     result.subject = "point_at_end";
-    result.expected = vector_text(*plan.point_at_end, 10) + " m ± " + number_text(allowed, 3);
+    const auto expected = [&](int digits) {
+        return vector_text(*plan.point_at_end, digits) + " m ± " + number_text(allowed, 3);
+    };
+    constexpr int enough = 10;
+    result.expected = expected(enough);
     result.failure = pose.failure;
     if (!pose.failure.empty()) {
         result.found = pose.failure;
@@ -221,7 +238,12 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     const Vec3 end = place_at(pose.instant);
     const double uncertain = (end - place_at(*pose.rough)).norm();
     const double off = (end - *plan.point_at_end).norm();
-    result.found = tr("{0}, off by {1}", vector_text(end, 10) + " m", small_text(off));
+    Eigen::Index worst = 0;
+    (end - *plan.point_at_end).cwiseAbs().maxCoeff(&worst);
+    const int digits =
+        off <= allowed ? enough : writing::digits_apart(end(worst), (*plan.point_at_end)(worst), enough);
+    result.expected = expected(digits);
+    result.found = tr("{0}, off by {1}", vector_text(end, digits) + " m", small_text(off));
     if (uncertain > allowed) {
         result.found = not_proved(result.found, small_text(uncertain) + " m");
         return result;
