@@ -81,11 +81,26 @@ void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& str
     if (analysis == Analysis::acceleration) { say("accelerations", &KinematicResiduals::acceleration); }
 }
 
+void warn_of_crossings(const Sweep& sweep, const Streams& streams) {
+    // of a motion of very many turns: what they are is clear by then
+    constexpr std::size_t most = 20;
+    const std::size_t count = sweep.crossings.size();
+    for (std::size_t k = 0; k < std::min(most, count); ++k) {
+        streams.err << "jointwise: warning: at t = " << number_text(sweep.crossings[k], 6)
+                    << " s the motion passes a change point, or comes very near one, and goes on along its "
+                       "tangent; that this is its branch is not proved\n";
+    }
+    if (count > most) {
+        streams.err << "jointwise: warning: the motion passes " << count - most << " more of them\n";
+    }
+}
+
 void warn(const Sweep& sweep, Analysis analysis, const Lesson& lesson, const Streams& streams) {
     if (lesson.dynamics && !lesson.motion) {
         streams.err << "jointwise: note: masses and forces play no part here; 'jointwise simulate "
                     << lesson.file_name << "' moves it by them\n";
     }
+    warn_of_crossings(sweep, streams);
     warn_of_residuals(sweep, analysis, streams);
     if (analysis == Analysis::position) { return; }
     const bool unique = std::ranges::all_of(sweep.rows, &SweepRow::unique);

@@ -116,7 +116,9 @@ bool MotionTracker::cross(double t) {
     }
     const double whole = t - frame_.t;
     const double h = std::copysign(std::min(std::abs(whole), kCrossing / speed), whole);
+    const double from = frame_.t;
     if (!try_thorough_step(h, Way::crossing)) { return false; }
+    if (!is_crossing_) { crossings_.push_back(from); }
     is_crossing_ = true;
     restart_quick_way();
     return true;

@@ -57,6 +57,8 @@ public:
     ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
+    /// Times at which the motion went on across a change point along its tangent, not proved [s].
+    const std::vector<double>& crossings() const { return crossings_; }
 
 private:
     enum class Quick { accepted, rejected, declined };
@@ -113,8 +115,9 @@ private:
     };
     std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
     bool is_crossing_ = false;    ///< the frame was reached without a proof
-    bool is_start_ = true;        ///< no step was taken yet
-    bool is_driven_ = false;      ///< drivers leave no bodies free together: steps are proved
+    std::vector<double> crossings_;
+    bool is_start_ = true;    ///< no step was taken yet
+    bool is_driven_ = false;  ///< drivers leave no bodies free together: steps are proved
     /// At a singular pose or nearly so, by the rank of the motion so far.
     bool is_at_change_ = false;
     int rank_beside_ = 0;  ///< of poses beside the start, where it may be singular

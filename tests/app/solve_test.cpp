@@ -207,6 +207,28 @@ step = { from_deg = 0, to_deg = 1080, start_s = 0, end_s = 6 }
     }
 }
 
+TEST_CASE("solve says once for each change point that it is passed along the tangent", "[app][solve]") {
+    const std::string file = lesson_path("loops/parallelogram.toml");
+    // change points at 1.5 s and 3.5 s, at a time of the table, between two of them, and not reached
+    const auto said = [&](const std::string& from, const std::string& to, const std::string& step) {
+        const Ran ran = run({"solve", file, "--from", from, "--to", to, "--step", step});
+        REQUIRE(ran.status == 0);
+        std::vector<std::string> warnings;
+        for (const std::string& line : split(ran.err, '\n')) {
+            if (line.find("passes a change point") != std::string::npos) { warnings.push_back(line); }
+        }
+        return warnings;
+    };
+    CHECK(said("0", "1.4", "0.1").empty());
+    for (const std::string step : {"0.05", "0.7"}) {
+        CAPTURE(step);
+        const std::vector<std::string> both = said("0", "4", step);
+        REQUIRE(both.size() == 2);
+        CHECK_THAT(both[0], Catch::StartsWith("jointwise: warning: at t = 1.5 s the motion passes"));
+        CHECK_THAT(both[1], Catch::StartsWith("jointwise: warning: at t = 3.5 s the motion passes"));
+    }
+}
+
 TEST_CASE("A dead centre is a change point in solve as in check", "[app][solve]") {
     const Folder folder;
     const auto slider_crank = [&](const std::string& x) {

@@ -49,6 +49,12 @@ TEST_CASE(
         reported += frame.change_point ? 1 : 0;
     }
     if (step == kPi / 40.0) { CHECK(reported == 4); }
+    // φ = 0 and π, wherever the frames are
+    REQUIRE(tracker.crossings().size() == 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+        // steps are proved up to there
+        CHECK(std::abs(tracker.crossings()[k] - (0.5 + static_cast<double>(k)) * kPi) < 1e-3);
+    }
 }
 
 TEST_CASE(

@@ -208,6 +208,7 @@ Sweep solve_sweep(
         }
         if (progress) { progress(static_cast<double>(k + 1) / static_cast<double>(times.size())); }
     }
+    sweep.crossings = tracker.crossings();
     if (recorder) { sweep.proof = recorder->take(); }
     return sweep;
 }

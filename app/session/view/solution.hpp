@@ -36,7 +36,8 @@ struct SweepRow {
 struct Sweep {
     std::vector<std::string> columns;  ///< "time_s", "crank.x", "crank.e0", "crank.omega_local.x", ...
     std::vector<SweepRow> rows;
-    std::string failure;  ///< empty, or why the sweep ended early
+    std::vector<double> crossings;  ///< as MotionTracker::crossings
+    std::string failure;            ///< empty, or why the sweep ended early
     /// Empty, or which equations contradict each other in velocities or accelerations, where that is so
     /// first.
     std::string contradiction;
