@@ -29,6 +29,8 @@ constexpr double kHoldsAlong = 1e-11;
 // 1/1024 of a step: a start where branches cross needs kCrossing
 constexpr int kMostHalvings = 10;
 
+double steps_to_prove(double length) { return std::ceil(kProvedLength / length - kNoDirection); }
+
 /// Pose of a free motion and its tangent there, in columns, of size 1.
 struct PathPoint {
     State state;
@@ -66,7 +68,7 @@ public:
     /// True if it is proved that a motion of kProvedLength leads along `path`, whose points are `length`
     /// apart, from its point `first` on.
     bool proves(const std::vector<PathPoint>& path, double length, std::size_t first) {
-        const double steps = std::ceil(kProvedLength / length - kNoDirection);
+        const double steps = steps_to_prove(length);
         if (!(static_cast<double>(first) + steps < static_cast<double>(path.size()))) { return false; }
         for (std::size_t k = first; k < first + static_cast<std::size_t>(steps); ++k) {
             const double t = static_cast<double>(k) * length;
@@ -216,6 +218,13 @@ FollowedMotion follow_free_motion(
         motion.verdict = FreedomVerdict::finite;
     }
     return motion;
+}
+
+FreedomJudgement judge_free_motion(
+    const System& system, const State& state, double t, const VectorX& direction) {
+    // beside a motion of first order the proof begins a step later
+    const int steps = static_cast<int>(steps_to_prove(kFreedomStep)) + 1;
+    return follow_free_motion(system, state, t, direction, steps, kFreedomStep);
 }
 
 }  // namespace jw

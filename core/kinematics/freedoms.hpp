@@ -19,16 +19,25 @@ enum class FreedomVerdict {
 /// Length over which a motion is proved [rad, or sizes of the machine].
 inline constexpr double kProvedLength = 0.2;
 
-/// States along a free motion.
-struct FollowedMotion {
-    std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
-    int start = 0;              ///< index of the start in `states`
+/// Length of the steps by which a motion is followed where nobody asks for others [rad, or sizes of the
+/// machine].
+inline constexpr double kFreedomStep = 0.03;
+
+/// What is known of a free motion.
+struct FreedomJudgement {
     FreedomVerdict verdict = FreedomVerdict::cannot_tell;
     std::optional<Departure> departure;  ///< where it is of first order only
-    /// For first order: another motion leads away from the start, along `states`, and is proved.
+    /// For first order: another motion leads away from the start, along the states that are followed, and is
+    /// proved.
     bool has_motion_beside = false;
 
     bool is_finite() const { return verdict == FreedomVerdict::finite; }
+};
+
+/// States along a free motion.
+struct FollowedMotion : FreedomJudgement {
+    std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
+    int start = 0;              ///< index of the start in `states`
 };
 
 /// Follows a free motion in both senses along the assembled states: a step along the tangent nearest to the
@@ -55,5 +64,9 @@ struct FollowedMotion {
 FollowedMotion follow_free_motion(
     const System& system, const State& state, double t, const VectorX& direction, int steps,
     double step_turn);
+
+/// The same by steps of kFreedomStep, no farther than the judgement needs.
+FreedomJudgement judge_free_motion(
+    const System& system, const State& state, double t, const VectorX& direction);
 
 }  // namespace jw

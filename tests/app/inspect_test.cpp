@@ -236,6 +236,72 @@ TEST_CASE("inspect says how far its numbers can be off", "[app][inspect]") {
     for (const json& motion : rank["free_motions"]) { CHECK(motion["residual"] <= motion["bound"]); }
 }
 
+TEST_CASE("step, inspect and try have one verdict on each free motion", "[app][inspect]") {
+    const auto told_by = [](std::vector<std::string> command) {
+        const Ran ran = run(command);
+        REQUIRE(ran.status == 0);
+        return json::parse(ran.out);
+    };
+    for (const char* name : {"hard/two-ways-on", "hard/cosine-row", "loops/bennett"}) {
+        CAPTURE(name);
+        const std::string file = lesson_path(name + std::string(".toml"));
+        const std::vector<std::string> undriven =
+            std::string(name) == "hard/two-ways-on"
+                ? std::vector<std::string>{"--try", "take out motor", "--format", "json"}
+                : std::vector<std::string>{"--format", "json"};
+        const auto with = [&](std::vector<std::string> command) {
+            command.insert(command.begin() + 1, file);
+            command.insert(command.end(), undriven.begin(), undriven.end());
+            return told_by(command);
+        };
+        json last;
+        const json steps = with({"step"})["steps"];
+        for (const json& step : steps) {
+            const json& judgements = step["rank"]["free_motion_judgements"];
+            const bool lists_them = step["kind"] == "assembled" || step["kind"] == "answer";
+            if (!lists_them) { CHECK(judgements.is_null()); }
+            if (step["kind"] == "assembled") { last = judgements; }
+        }
+        const json tried = with({"try"})["free_motions"];
+        const json inspected = with({"inspect"})["rank"]["free_motions"];
+        CHECK(inspected.size() == tried.size());
+        CHECK((last.is_null() ? 0 : last.size()) == tried.size());
+        for (std::size_t k = 0; k < tried.size(); ++k) {
+            CHECK(inspected[k]["judgement"] == last[k]);
+            for (const char* key : {"verdict", "motion_beside", "departure"}) {
+                CHECK(last[k][key] == tried[k][key]);
+            }
+        }
+    }
+    const Ran told = run({"inspect", lesson_path("hard/two-ways-on.toml")});
+    CHECK_THAT(
+        told.out, Catch::Contains("to first order only · coupler: ω′y 0.5; rocker: ω′y 1; leaves D by"));
+    // a matrix of a pose that is not assembled says nothing of motions
+    const json given = told_by({"inspect", lesson_path("loops/rssr.toml"), "--as-given", "--format", "json"});
+    REQUIRE(given["rank"]["free_motions"].size() == 1);
+    for (const json& motion : given["rank"]["free_motions"]) { CHECK(motion["judgement"].is_null()); }
+}
+
+TEST_CASE("So many free motions that a reader would wait are listed without verdicts", "[app][inspect]") {
+    const Folder folder;
+    for (const int bodies : {12, 13}) {
+        std::string chain = "format = 1\ntitle = \"A chain\"\n";
+        for (int k = 1; k <= bodies; ++k) { chain += "[[body]]\nname = \"" + std::to_string(k) + "\"\n"; }
+        for (int k = 1; k <= bodies; ++k) {
+            chain += "[[joint]]\nname = \"J" + std::to_string(k) + "\"\ntype = \"revolute\"\nbodies = [\"" +
+                     (k == 1 ? "ground" : std::to_string(k - 1)) + "\", \"" + std::to_string(k) +
+                     "\"]\nat = [" + std::to_string(k) + ", 0, 0]\naxis = [0, 0, 1]\n";
+        }
+        const Ran ran = run({"inspect", folder.file("chain.toml", chain), "--format", "json"});
+        const json rank = json::parse(ran.out)["rank"];
+        REQUIRE(rank["free_motions"].size() == static_cast<std::size_t>(bodies));
+        // 12 of 72 columns, 13 of 78: less than 1000 entries, and more
+        for (const json& motion : rank["free_motions"]) {
+            CHECK(motion["judgement"].is_null() == (bodies == 13));
+        }
+    }
+}
+
 TEST_CASE("text of inspect labels every row and every column", "[app][inspect]") {
     const Folder folder;
     const std::string file = folder.file("crank.toml", kCrank);

@@ -140,7 +140,7 @@ void repeated_equations(const LessonUi& ui) {
     }
 }
 
-std::string followed_text(const System& system, const FollowedMotion& followed) {
+std::string followed_text(const System& system, const FreedomJudgement& followed) {
     switch (followed.verdict) {
         case FreedomVerdict::finite: return tr("It goes on: a finite motion.");
         case FreedomVerdict::cannot_tell: return tr("Whether it goes on cannot be told.");
@@ -150,6 +150,17 @@ std::string followed_text(const System& system, const FollowedMotion& followed) 
     return followed.has_motion_beside
                ? tr("To first order only: it {0}. A motion beside it is shown.", leaves)
                : tr("To first order only: it {0}.", leaves);
+}
+
+/// With the verdict on it, at the steps that list free motions.
+std::string told_freedom(const LessonUi& ui, int motion) {
+    const MotionsWhenAsked& judged = ui.session.view().rank.judged_motions;
+    if (judged) {
+        const auto listed = std::ranges::find(*judged, motion, &ListedMotion::index);
+        if (listed != judged->end()) { return listed->told; }
+    }
+    const FreeMotion& direction = ui.session.rank().free_motions[static_cast<std::size_t>(motion)];
+    return free_motion_text(*ui.session.step().system, direction);
 }
 
 void freedoms(const LessonUi& ui) {
@@ -168,7 +179,7 @@ void freedoms(const LessonUi& ui) {
             }
         }
         ImGui::SameLine();
-        note(ui, free_motion_text(system, report.free_motions[k]));
+        note(ui, told_freedom(ui, static_cast<int>(k)));
         if (plays) {
             if (const FollowedMotion* shown = ui.session.shown_freedom()) {
                 note(ui, followed_text(system, *shown));

@@ -159,7 +159,7 @@ float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Den
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += titled_list(canvas, below(), tr("What repeats what"), rank.combinations, most, lines);
     const char* const title = rank.dof == 1 ? tr("The freedom that is left") : tr("Freedoms that are left");
-    height += titled_list(canvas, below(), title, rank.free_motions, most, lines);
+    height += titled_list(canvas, below(), title, rank.told_motions(), most, lines);
     return height;
 }
 

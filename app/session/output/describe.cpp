@@ -85,7 +85,7 @@ std::string rank_text(const View& view, int width) {
     for (const std::string& combination : rank.combinations) {
         text += labelled(tr("redundant:"), combination, width);
     }
-    for (const std::string& motion : rank.free_motions) { text += labelled(tr("free:"), motion, width); }
+    for (const std::string& motion : rank.told_motions()) { text += labelled(tr("free:"), motion, width); }
     return text;
 }
 

@@ -189,8 +189,8 @@ std::string rank_lines(const Inspection& inspection, int width) {
         text += "  " + wrapped(doubt, width - 2, 2) + '\n';
     }
     text += redundant_lines(inspection, width);
-    for (const std::string& motion : free_motion_texts(system, rank.free_motions)) {
-        text += labelled(tr("free:"), motion, width);
+    for (const ListedMotion& motion : listed_motions(system, rank.free_motions, judgements_of(inspection))) {
+        text += labelled(tr("free:"), motion.told, width);
     }
     return text;
 }

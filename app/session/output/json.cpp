@@ -1,5 +1,6 @@
 #include "app/session/output/json.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "app/session/wording/explanations.hpp"
@@ -125,6 +126,36 @@ Json json_of(const QuestionView& question) {
         {"why", text_or_null(question.why)}};
 }
 
+/// One per text of the free motions.
+Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
+    if (!rank.judged_motions) { return {}; }
+    Json list = Json::array();
+    for (const ListedMotion& motion : *rank.judged_motions) {
+        list.push_back(motion.judgement ? json_of(*motion.judgement, mechanism) : Json());
+    }
+    return list;
+}
+
+const char* word_of(FreedomVerdict verdict) {
+    switch (verdict) {
+        case FreedomVerdict::finite: return "finite";
+        case FreedomVerdict::first_order: return "first order";
+        case FreedomVerdict::cannot_tell: break;
+    }
+    return "cannot tell";
+}
+
+Json json_of(const Departure& d, const Mechanism& m) {
+    static constexpr std::array kCoordinates{"x", "y", "z", "turn"};
+    return {
+        {"order", d.order},
+        {"coefficient", number(d.coefficient)},
+        {"joint", d.joint >= 0 ? Json(m.joints[static_cast<std::size_t>(d.joint)].name) : Json()},
+        {"driver", d.driver >= 0 ? Json(m.drivers[static_cast<std::size_t>(d.driver)].name) : Json()},
+        {"body", m.bodies[static_cast<std::size_t>(d.body)].name},
+        {"coordinate", kCoordinates[static_cast<std::size_t>(d.direction)]}};
+}
+
 Json json_of(const View& view, const Step& step) {
     Json json = {
         {"index", view.step},
@@ -154,7 +185,8 @@ Json json_of(const View& view, const Step& step) {
           {"doubts", view.rank.doubts},
           {"redundant_rows", view.rank.redundant_rows},
           {"combinations", view.rank.combinations},
-          {"free_motions", view.rank.has_spectrum ? Json(view.rank.free_motions) : Json()}}},
+          {"free_motions", view.rank.has_spectrum ? Json(view.rank.free_motions) : Json()},
+          {"free_motion_judgements", judgements_of(view.rank, step.system->mechanism())}}},
         {"newton", list_of(view.newton)},
         {"quantities", list_of(view.quantities)},
         {"note", text_or_null(view.velocity_note)},
@@ -165,6 +197,13 @@ Json json_of(const View& view, const Step& step) {
 }
 
 }  // namespace
+
+Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism) {
+    return {
+        {"verdict", word_of(judgement.verdict)},
+        {"motion_beside", judgement.has_motion_beside},
+        {"departure", judgement.departure ? json_of(*judgement.departure, mechanism) : Json()}};
+}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -218,7 +257,7 @@ Json json_of(const EquationResidual& residual) {
     return {{"value", number(residual.residual)}, {"bound", number(residual.bound)}};
 }
 
-Json json_of(const RankReport& report, const System& system) {
+Json json_of(const RankReport& report, const System& system, const FreedomJudgements& judgements) {
     Json redundant = Json::array();
     for (const RedundantRow& row : report.redundant_rows) {
         Json terms = Json::array();
@@ -243,6 +282,8 @@ Json json_of(const RankReport& report, const System& system) {
              {"columns", json_of(VectorX(motion))},
              {"residual", number(report.free_motion_proofs[k].residual)},
              {"bound", number(report.free_motion_proofs[k].bound)}});
+        const bool is_judged = !judgements.empty() && judgements[k];
+        motions.back()["judgement"] = is_judged ? json_of(*judgements[k], system.mechanism()) : Json();
     }
     return {
         {"rows", report.rows},

@@ -23,7 +23,10 @@ std::string json_document(const Json& json, int indent = 1);
 
 Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
-Json json_of(const RankReport& report, const System& system);
+/// @param judgements on its free motions
+Json json_of(const RankReport& report, const System& system, const FreedomJudgements& judgements);
+/// `verdict`, `motion_beside` and `departure`.
+Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism);
 /// null where there are none.
 Json json_of(const std::optional<DynamicsView>& dynamics);
 /// `value` and the `bound` that rounding puts on it.

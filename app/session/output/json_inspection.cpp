@@ -222,7 +222,7 @@ Json json_of(const Inspection& inspection, const Lesson& lesson) {
         {"singular_values_sound", inspection.sound},
         {"position_residual", json_of(inspection.residuals.position)},
         {"velocity_residual", json_of(inspection.residuals.velocity)},
-        {"rank", json_of(inspection.rank, system)},
+        {"rank", json_of(inspection.rank, system, judgements_of(inspection))},
         {"choices", choices_of(system, inspection.state)},
         {"dynamics", json_of(inspection.dynamics)},
     };

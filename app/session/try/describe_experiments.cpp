@@ -3,6 +3,7 @@
 
 #include "app/session/output/describe.hpp"
 #include "app/session/try/possible_experiments.hpp"
+#include "app/session/wording/explanations.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"
@@ -55,24 +56,13 @@ std::string group_text(const ExperimentGroup& group, int widest) {
     return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
 }
 
-std::string verdict_text(FreedomVerdict verdict) {
-    switch (verdict) {
-        case FreedomVerdict::finite: return tr("finite");
-        case FreedomVerdict::first_order: return tr("to first order only");
-        case FreedomVerdict::cannot_tell: break;
-    }
-    return tr("cannot tell");
-}
-
 std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) {
         return std::string(tr("No free motion: every direction is held.")) + '\n';
     }
     std::string text = std::string(tr("Free motions")) + '\n';
     for (const FreeMotionVerdict& v : all.free_motions) {
-        std::string motion = v.motion;
-        if (!v.leaves.empty()) { motion += "; " + v.leaves; }
-        if (v.has_motion_beside) { motion += std::string("; ") + tr("a motion beside it goes on"); }
+        const std::string motion = v.leaves.empty() ? v.motion : v.motion + "; " + v.leaves;
         text += "  " + padded(v.text, 12) + padded(verdict_text(v.verdict), kVerdictWidth) +
                 wrapped(motion, kWidth - 14 - kVerdictWidth, 14 + kVerdictWidth) + '\n';
     }
@@ -114,26 +104,6 @@ Json json_of(const ExperimentGroup& group) {
     return {{"title", group.title}, {"experiments", experiments}};
 }
 
-const char* word_of(FreedomVerdict verdict) {
-    switch (verdict) {
-        case FreedomVerdict::finite: return "finite";
-        case FreedomVerdict::first_order: return "first order";
-        case FreedomVerdict::cannot_tell: break;
-    }
-    return "cannot tell";
-}
-
-Json json_of(const Departure& d, const Mechanism& m) {
-    static constexpr std::array kCoordinates{"x", "y", "z", "turn"};
-    return {
-        {"order", d.order},
-        {"coefficient", number(d.coefficient)},
-        {"joint", d.joint >= 0 ? Json(m.joints[static_cast<std::size_t>(d.joint)].name) : Json()},
-        {"driver", d.driver >= 0 ? Json(m.drivers[static_cast<std::size_t>(d.driver)].name) : Json()},
-        {"body", m.bodies[static_cast<std::size_t>(d.body)].name},
-        {"coordinate", kCoordinates[static_cast<std::size_t>(d.direction)]}};
-}
-
 }  // namespace
 
 ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson)
@@ -163,13 +133,8 @@ Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
     for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
     Json motions = Json::array();
     for (const FreeMotionVerdict& v : all.free_motions) {
-        motions.push_back(
-            {{"try", v.text},
-             {"motion", v.motion},
-             {"finite", v.verdict == FreedomVerdict::finite},
-             {"verdict", word_of(v.verdict)},
-             {"motion_beside", v.has_motion_beside},
-             {"departure", v.departure ? json_of(*v.departure, lesson.mechanism) : Json()}});
+        motions.push_back({{"try", v.text}, {"motion", v.motion}, {"finite", v.is_finite()}});
+        motions.back().update(json_of(static_cast<const FreedomJudgement&>(v), lesson.mechanism));
     }
     return {
         {"format", "jointwise try"},

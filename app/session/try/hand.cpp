@@ -9,7 +9,6 @@ namespace {
 
 // steps along a free motion, each way: enough to see where it leads, and small enough to stay on it
 constexpr int kFollowSteps = 24;
-constexpr double kFollowTurn = 0.03;  // [rad] per step
 
 }  // namespace
 
@@ -45,7 +44,7 @@ bool Hand::follow(int motion, double part) {
         if (motion < 0 || motion >= static_cast<int>(report.free_motions.size())) { return false; }
         followed_ = follow_free_motion(
             *system_, start_, step_.t, report.free_motions[static_cast<std::size_t>(motion)], kFollowSteps,
-            kFollowTurn);
+            kFreedomStep);
         followed_motion_ = motion;
     }
     const auto last = static_cast<int>(followed_->states.size()) - 1;

@@ -209,15 +209,11 @@ std::vector<FreeMotionVerdict> Laboratory::free_motions() const {
     Hand hand(session_.story(), session_.index());
     for (int k = 0; k < static_cast<int>(report_.free_motions.size()); ++k) {
         if (!hand.follow(k, 1.0)) { continue; }
-        const FollowedMotion& followed = *hand.followed();
-        FreeMotionVerdict verdict;
-        verdict.text = text_of(ShowFreedom{k, 1.0}, session_.lesson());
-        verdict.motion = free_motion_text(*step_.system, report_.free_motions[static_cast<std::size_t>(k)]);
-        verdict.verdict = followed.verdict;
-        verdict.departure = followed.departure;
-        verdict.has_motion_beside = followed.has_motion_beside;
-        if (followed.departure) { verdict.leaves = departure_text(*step_.system, *followed.departure); }
-        verdicts.push_back(std::move(verdict));
+        const FreedomJudgement& judgement = *hand.followed();
+        verdicts.push_back(
+            {judgement, text_of(ShowFreedom{k, 1.0}, session_.lesson()),
+             free_motion_text(*step_.system, report_.free_motions[static_cast<std::size_t>(k)]),
+             leaving_text(*step_.system, judgement)});
     }
     return verdicts;
 }

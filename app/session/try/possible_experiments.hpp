@@ -29,13 +29,10 @@ struct PossibleExperiment {
     std::optional<Effect> effect;
 };
 
-struct FreeMotionVerdict {
+struct FreeMotionVerdict : FreedomJudgement {
     std::string text;    ///< "follow 1"
     std::string motion;  ///< in words
-    FreedomVerdict verdict = FreedomVerdict::cannot_tell;
-    std::optional<Departure> departure;  ///< of a motion to first order only
-    std::string leaves;                  ///< the same in words
-    bool has_motion_beside = false;      ///< what is followed then
+    std::string leaves;  ///< in words, as leaving_text
 };
 
 /// Experiments with one joint or driver.

@@ -77,6 +77,11 @@ bool is_shown_dense(const Inspection& inspection) {
     return inspection.system->columns(3) <= kMostColumnsWithSpectrum;
 }
 
+FreedomJudgements judgements_of(const Inspection& inspection) {
+    if (!inspection.rank.assembled) { return {}; }
+    return judgements_on(*inspection.system, inspection.state, inspection.t, inspection.rank.free_motions);
+}
+
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, Spectrum spectrum) {
     const Step& step = story.steps().at(static_cast<std::size_t>(index));
     Inspection inspection;

@@ -5,6 +5,7 @@
 
 #include "app/session/story/story.hpp"
 #include "app/session/view/dynamics_view.hpp"
+#include "app/session/view/free_motions.hpp"
 #include "core/kinematics/kinematic_residuals.hpp"
 
 /// Every number of a system at one moment, in the coordinates that were asked for.
@@ -38,6 +39,9 @@ enum class Spectrum {
 
 /// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
 bool is_shown_dense(const Inspection& inspection);
+
+/// Verdicts on the free motions of an assembled pose; empty for others.
+FreedomJudgements judgements_of(const Inspection& inspection);
 
 /// Inspection of a step of the story; γ belongs to the file's velocities before the motion and to the
 /// motion's in it.

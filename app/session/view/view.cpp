@@ -84,7 +84,15 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
         view.redundant_rows.push_back(row_label(system, r.row));
         view.combinations.push_back(combination_text(system, r));
     }
-    view.free_motions = free_motion_texts(system, report.free_motions);
+    for (const ListedMotion& motion : listed_motions(system, report.free_motions, {})) {
+        view.free_motions.push_back(motion.text);
+    }
+    // others list none, or they are led by hand, and change faster than motions are judged
+    const bool is_listed = step.rank && report.assembled &&
+                           (step.kind == Step::Kind::assembled || step.kind == Step::Kind::answer);
+    if (is_listed && !report.free_motions.empty()) {
+        view.judged_motions = MotionsWhenAsked(step.system, step.state, step.t, report.free_motions);
+    }
     return view;
 }
 
@@ -238,6 +246,13 @@ SymbolSubject symbol_subject_of(const Lesson& lesson, const std::vector<int>& jo
 }
 
 }  // namespace
+
+std::vector<std::string> RankView::told_motions() const {
+    if (!judged_motions) { return free_motions; }
+    std::vector<std::string> told;
+    for (const ListedMotion& motion : *judged_motions) { told.push_back(motion.told); }
+    return told;
+}
 
 View view_of(const Story& story, int index, ViewParts parts) {
     return view_of(story, story.steps()[static_cast<std::size_t>(index)], index, parts);

@@ -7,6 +7,7 @@
 
 #include "app/session/answers/question_view.hpp"
 #include "app/session/view/dynamics_view.hpp"
+#include "app/session/view/free_motions.hpp"
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/symbols.hpp"
 #include "app/session/view/view_equations.hpp"
@@ -55,8 +56,11 @@ struct RankView {
     std::vector<std::string> redundant_rows;  ///< labels
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
     std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
+    MotionsWhenAsked judged_motions;        ///< the same with verdicts; none where they are not listed
 
     int redundant() const { return rows - rank; }
+    /// Free motions as lists show them, with their verdicts where there are such.
+    std::vector<std::string> told_motions() const;
     /// True if the rank of the pose is not the one that the equations have once they hold.
     bool differs_once_assembled() const { return once_assembled && *once_assembled != rank; }
 };

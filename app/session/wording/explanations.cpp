@@ -82,6 +82,21 @@ std::string departure_text(const System& system, const Departure& d) {
                : tr("leaves {0} by {1} (order {2}), {3} of {4}", missed, term, d.order, symbol, body);
 }
 
+const char* verdict_text(FreedomVerdict verdict) {
+    switch (verdict) {
+        case FreedomVerdict::finite: return tr("finite");
+        case FreedomVerdict::first_order: return tr("to first order only");
+        case FreedomVerdict::cannot_tell: break;
+    }
+    return tr("cannot tell");
+}
+
+std::string leaving_text(const System& system, const FreedomJudgement& judgement) {
+    if (!judgement.departure) { return {}; }
+    const std::string leaves = departure_text(system, *judgement.departure);
+    return judgement.has_motion_beside ? leaves + "; " + tr("a motion beside it goes on") : leaves;
+}
+
 std::string undecided_text(const RankReport& report) {
     if (report.decided) { return {}; }
     if (!report.sound) {
@@ -133,34 +148,6 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
                small_text(proof.residual), small_text(proof.bound)));
     }
     return doubts;
-}
-
-std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions) {
-    std::vector<std::string> texts;
-    std::vector<bool> held(system.mechanism().bodies.size(), false);
-    const auto hold = [&](int body) { held[static_cast<std::size_t>(body)] = true; };
-    for (const Constraint& c : system.constraints()) {
-        hold(c.body_i);
-        hold(c.body_j);
-    }
-    for (const DriverConstraint& d : system.drivers()) {
-        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_i);
-        hold(system.mechanism().drivers[static_cast<std::size_t>(d.driver)].body_j);
-    }
-    std::string free;
-    for (const int body : system.moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
-        if (!held[b]) { free += (free.empty() ? "" : ", ") + system.mechanism().bodies[b].name; }
-    }
-    for (const FreeMotion& motion : motions) {
-        const bool of_free_body = std::ranges::any_of(system.moving_bodies(), [&](int body) {
-            return !held[static_cast<std::size_t>(body)] &&
-                   !motion.segment<6>(system.body_column(body, 3)).isZero();
-        });
-        if (!of_free_body) { texts.push_back(free_motion_text(system, motion)); }
-    }
-    if (!free.empty()) { texts.push_back(tr("{0}: all six, nothing holds it yet", free)); }
-    return texts;
 }
 
 }  // namespace jw

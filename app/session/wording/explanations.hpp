@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/kinematics/departure.hpp"
+#include "core/kinematics/freedoms.hpp"
 #include "core/poses/position.hpp"
 #include "core/poses/rank.hpp"
 
@@ -25,14 +25,17 @@ std::string free_motion_text(const System& system, const FreeMotion& motion);
 /// "leaves D by 0.625 y⁵ (order 5), y of rod": in SI, for a free motion of first order.
 std::string departure_text(const System& system, const Departure& departure);
 
+/// "finite", "to first order only" or "cannot tell".
+const char* verdict_text(FreedomVerdict verdict);
+
+/// How a free motion leaves the equations, and whether another one leads on; empty where it does not leave.
+std::string leaving_text(const System& system, const FreedomJudgement& judgement);
+
 /// Why the rank cannot be told; empty if it can.
 std::string undecided_text(const RankReport& report);
 
 /// Sentences that say what about a rank report is not proved: the rank, combinations with a residual, motions
 /// that are not free. Empty if all is proved.
 std::vector<std::string> doubts_of(const System& system, const RankReport& report);
-
-/// One per free motion, but a single one for bodies that no equation holds.
-std::vector<std::string> free_motion_texts(const System& system, const std::vector<FreeMotion>& motions);
 
 }  // namespace jw

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/kinematics/freedoms.hpp"
+#include "core/poses/rank.hpp"
+
+/// Free motions of a pose as lists show them: in words, with the verdict on each.
+namespace jw {
+
+/// One per free motion, nothing for one of bodies that no equation holds. Empty: not judged.
+using FreedomJudgements = std::vector<std::optional<FreedomJudgement>>;
+
+/// @return empty where they are so many that a reader would wait
+FreedomJudgements judgements_on(
+    const System& system, const State& state, double t, const std::vector<FreeMotion>& motions);
+
+struct ListedMotion {
+    std::string text;  ///< "crank: ω′z 1; rocker: ω′z 0.258"
+    std::string told;  ///< "finite · crank: ω′z 1; rocker: ω′z 0.258"; as `text` where it is not judged
+    std::optional<FreedomJudgement> judgement;
+    int index = -1;  ///< in the list of free motions; -1 for bodies that no equation holds
+};
+
+/// One per free motion, but a single one for bodies that no equation holds.
+std::vector<ListedMotion> listed_motions(
+    const System& system, const std::vector<FreeMotion>& motions, const FreedomJudgements& judgements);
+
+/// The same, judged when somebody looks at it; copies share what was found.
+class MotionsWhenAsked {
+public:
+    MotionsWhenAsked() = default;
+    MotionsWhenAsked(
+        std::shared_ptr<const System> system, State state, double t, std::vector<FreeMotion> motions);
+
+    explicit operator bool() const { return pose_ != nullptr; }
+    const std::vector<ListedMotion>& operator*() const;
+    const std::vector<ListedMotion>* operator->() const { return &**this; }
+
+private:
+    struct Pose {
+        std::shared_ptr<const System> system;
+        State state;
+        double t = 0.0;
+        std::vector<FreeMotion> motions;
+        std::optional<std::vector<ListedMotion>> listed;
+    };
+    std::shared_ptr<Pose> pose_;
+};
+
+}  // namespace jw
