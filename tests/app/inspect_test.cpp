@@ -302,6 +302,40 @@ TEST_CASE("So many free motions that a reader would wait are listed without verd
     }
 }
 
+TEST_CASE("JSON tells what typed digits leave open about the rank", "[app][inspect]") {
+    const std::string hinge =
+        "type = \"revolute\"\nbodies = [\"ground\", \"door\"]\naxis = [0.21822, 0.43644, 0.87287]\n";
+    const std::string door =
+        "format = 1\ntitle = \"A door\"\n[[body]]\nname = \"door\"\n[[joint]]\nname = \"lower\"\nat = [0, 0, "
+        "0]\n" +
+        hinge + "[[joint]]\nname = \"upper\"\nat = [0.5, 1.0, 2.0]\n" + hinge;
+    const Folder folder;
+    const auto ranks = [&](const std::string& text) {
+        const std::string file = folder.file("door.toml", text);
+        const json told = json::parse(run({"step", file, "--format", "json"}).out);
+        json list = json::array();
+        list.push_back(json::parse(run({"inspect", file, "--format", "json"}).out)["rank"]);
+        for (const json& step : told["steps"]) { list.push_back(step["rank"]); }
+        return list;
+    };
+    const json typed = ranks(door);
+    for (const json& rank : {typed.front(), typed.back()}) {
+        const json& digits = rank["typed_digits"];
+        CHECK(digits["verdict"] == "meant");
+        CHECK(digits["rank_as_typed"] == 6);
+        CHECK(digits["rank"] == 5);
+        CHECK(rank["rank"] == 5);
+        CHECK(digits["share"] > 0.0);
+        CHECK(digits["share"] <= 1.0);
+        CHECK(digits["misfit"] > 0.0);
+    }
+    // the first joint alone repeats nothing
+    CHECK(typed[1]["typed_digits"].is_null());
+    for (const json& rank : ranks(door + "[precision]\nexact = true\n")) {
+        CHECK(rank["typed_digits"].is_null());
+    }
+}
+
 TEST_CASE("text of inspect labels every row and every column", "[app][inspect]") {
     const Folder folder;
     const std::string file = folder.file("crank.toml", kCrank);

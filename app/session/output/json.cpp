@@ -136,6 +136,17 @@ Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
     return list;
 }
 
+/// null where no digits decide.
+Json json_of(const std::optional<TypedVerdict>& typed) {
+    if (!typed) { return {}; }
+    return {
+        {"verdict", typed->is_told ? "meant" : "cannot tell"},
+        {"rank_as_typed", typed->rank_as_typed},
+        {"rank", typed->rank},
+        {"misfit", number(typed->misfit)},
+        {"share", typed->is_told ? number(typed->share) : Json()}};
+}
+
 const char* word_of(FreedomVerdict verdict) {
     switch (verdict) {
         case FreedomVerdict::finite: return "finite";
@@ -186,7 +197,8 @@ Json json_of(const View& view, const Step& step) {
           {"redundant_rows", view.rank.redundant_rows},
           {"combinations", view.rank.combinations},
           {"free_motions", view.rank.has_spectrum ? Json(view.rank.free_motions) : Json()},
-          {"free_motion_judgements", judgements_of(view.rank, step.system->mechanism())}}},
+          {"free_motion_judgements", judgements_of(view.rank, step.system->mechanism())},
+          {"typed_digits", json_of(view.rank.typed)}}},
         {"newton", list_of(view.newton)},
         {"quantities", list_of(view.quantities)},
         {"note", text_or_null(view.velocity_note)},
@@ -303,7 +315,8 @@ Json json_of(const RankReport& report, const System& system, const FreedomJudgem
         {"decided", report.decided},
         {"doubts", doubts_of(system, report)},
         {"redundant_rows", redundant},
-        {"free_motions", report.has_spectrum ? motions : Json()}};
+        {"free_motions", report.has_spectrum ? motions : Json()},
+        {"typed_digits", json_of(report.typed)}};
 }
 
 Json json_of(const Story& story, int until) {

@@ -93,6 +93,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     if (is_listed && !report.free_motions.empty()) {
         view.judged_motions = MotionsWhenAsked(step.system, step.state, step.t, report.free_motions);
     }
+    view.typed = report.typed;
     return view;
 }
 

@@ -57,6 +57,7 @@ struct RankView {
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
     std::vector<std::string> free_motions;  ///< "rod turns about its own axis", "crank: ω′z 1; ..."
     MotionsWhenAsked judged_motions;        ///< the same with verdicts; none where they are not listed
+    std::optional<TypedVerdict> typed;      ///< where digits of the lesson decide the rank
 
     int redundant() const { return rows - rank; }
     /// Free motions as lists show them, with their verdicts where there are such.
