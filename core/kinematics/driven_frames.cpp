@@ -63,6 +63,7 @@ bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
 
 bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {
     t_ = t;
+    has_before_ = false;
     pack(state, velocity, system_->moving_bodies(), y_.data());
     // others would be declined in the end; rows of many loops take their time to be chosen
     if (!equations_->rows_are_sound(t, y_.data())) { return false; }
@@ -84,21 +85,31 @@ bool DrivenFrames::led_on() const {
     return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
 }
 
-bool DrivenFrames::advance(double t) {
+/// Predicts the pose at `t`. Where ω' changes its direction, the turn is more than the integral of its
+/// components: by h³/12 ω' × ω̇' to third order.
+void DrivenFrames::predict(double t) {
     const double h = t - t_;
+    const double since = has_before_ && t_ != t_before_ ? 1.0 / (t_ - t_before_) : 0.0;
     predicted_ = y_;
     for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
         double* y = &predicted_[k];
-        const double* y_dot = &y_dot_[k];
         double six[6];
-        for (int c = 0; c < 3; ++c) {
-            six[c] = h * y[7 + c] + 0.5 * h * h * y_dot[7 + c];
-            six[3 + c] = h * y[10 + c] + 0.5 * h * h * y_dot[10 + c];
-            y[7 + c] += h * y_dot[7 + c];
-            y[10 + c] += h * y_dot[10 + c];
+        const Vec3 omega = vec3(y + 10);
+        const Vec3 around = omega.cross(vec3(&y_dot_[k + 10]));
+        for (std::size_t c = 0; c < 6; ++c) {
+            const double rate = y_dot_[k + 7 + c];
+            const double change = since * (rate - y_dot_new_[k + 7 + c]);
+            six[c] = h * (y[7 + c] + h * (rate / 2.0 + h * change / 6.0));
+            y[7 + c] += h * (rate + h * change / 2.0);
         }
+        vec3(six + 3) += h * h * h / 12.0 * around;
         displace(y, six, 1);
     }
+}
+
+bool DrivenFrames::advance(double t) {
+    predict(t);
+    has_before_ = false;
     y_new_ = predicted_;
     equations_->project(t, y_new_.data());
     const RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
@@ -107,6 +118,7 @@ bool DrivenFrames::advance(double t) {
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);
     t_before_ = std::exchange(t_, t);
+    has_before_ = true;
     return true;
 }
 
@@ -114,6 +126,7 @@ void DrivenFrames::retreat() {
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);
     t_ = t_before_;
+    has_before_ = false;
 }
 
 void DrivenFrames::write(State& state, Motion& velocity, Motion& acceleration) const {

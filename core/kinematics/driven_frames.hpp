@@ -22,8 +22,9 @@ public:
     /// Starts at a pose and determines which rows repeat others.
     /// @return false where the rows leave something open, or too little is left of one of them
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
-    /// Advances to time `t` by Newton's method from the pose that velocity and acceleration predict.
-    /// @return false where a rank has to be decided or Newton led elsewhere; nothing has changed then
+    /// Advances to time `t` by Newton's method from the pose that velocity, acceleration and, after the first
+    /// advance, the change of acceleration predict.
+    /// @return false where a rank has to be decided or Newton led elsewhere; the pose is unchanged then
     bool advance(double t);
     /// Takes the last advance back.
     void retreat();
@@ -32,6 +33,7 @@ public:
 
 private:
     bool is_sound(const RowsVerdict& verdict) const;
+    void predict(double t);
     bool led_on() const;
 
     const System* system_;
@@ -40,6 +42,7 @@ private:
     double length_ = 1.0;  ///< extent of the mechanism [m]
     double t_ = 0.0;
     double t_before_ = 0.0;
+    bool has_before_ = false;  ///< `y_dot_new_` has the rates at `t_before_`
     std::vector<double> y_;
     std::vector<double> y_dot_;
     std::vector<double> predicted_;
