@@ -21,6 +21,7 @@ double norm_of(const M& m) {
 /// Sets an anchor at a pose. @return false if the part's equations have another rank there
 bool ProvedPart::set_anchor(const StepEnd& end, Anchor& anchor) {
     anchor.is_set = false;
+    anchor.t = end.t;
     anchor.centre.clear();
     for (int k = 0; k < coordinates(); ++k) {
         const Coordinates& c = step_->table().all()[at(coordinate(at(k)))];

@@ -62,24 +62,7 @@ std::optional<MotionFrame> ProofRecorder::Impl::frame_at(double t) const {
 }
 
 PathSample ProofRecorder::Impl::sample_at(double share) {
-    const std::array<double, 4> weights{
-        (1.0 - share) * (1.0 - share) * (1.0 - share), 3.0 * share * (1.0 - share) * (1.0 - share),
-        3.0 * share * share * (1.0 - share), share * share * share};
-    State state = step_.from().state;
-    for (std::size_t k = 0; k < step_.table().all().size(); ++k) {
-        const Coordinates& c = step_.table().all()[k];
-        Vec4 x = Vec4::Zero();
-        for (std::size_t b = 0; b < weights.size(); ++b) {
-            x += weights[b] * step_.path(static_cast<int>(k)).control[b];
-        }
-        if (c.theta >= 0) {
-            state.theta[at(c.theta)] = x(0);
-        } else if (c.size == 3) {
-            state.r[at(c.body)] = x.head<3>();
-        } else {
-            state.p[at(c.body)] = x;
-        }
-    }
+    const State state = step_.state_at(share);
     const Motion still = zero_motion(system_->mechanism());
     const PathEnd end{step_.from().t + share * step_.h(), &state, &still};
     sample_.set(end, end);

@@ -10,13 +10,19 @@ namespace {
 
 // All bounds are sums and products of numbers that are not negative: 10^4 operations round by 10^-12.
 constexpr double kWidening = 1.0 + 1e-9;
+// An anchor proves as many steps before it as after it, and the motion changes on the way.
+constexpr double kShareAhead = 0.8;
 // Least ρ, in units of the coordinates.
 constexpr double kLeastRadius = 1e-14;
 // A step of no length must be proved with so many times its rounding: a step needs some room, too, and where
 // there is little steps become far too short.
 constexpr double kRoomForStep = 4.0;
 constexpr int kMostTrials = 6;
+// ρ that is tried first: so many times the solution's distance for K = 0, or what the last step needed and a
+// quarter more. Where K is nearly 1 any large ρ proves a step, and says little of what the next one needs.
 constexpr double kFirstRadius = 2.5;
+constexpr double kMoreThanBefore = 1.25;
+constexpr double kLargestFirstRadius = 10.0;
 constexpr double kEnlargement = 1.15;
 
 }  // namespace
@@ -41,6 +47,15 @@ ProvedPart::ProvedPart(Part part, ProvedStep& step) : part_(std::move(part)), st
     reach_.resize(at(coordinates()) + part_.equations.size());
     distance_.resize(reach_.size());
     residual_.resize(part_.equations.size());
+    needed_.setConstant(static_cast<Eigen::Index>(part_.unknowns.size()), kFirstRadius);
+}
+
+double ProvedPart::ahead() const { return std::max(kShareAhead * lasted_ - std::abs(step_->h()), 0.0); }
+
+bool ProvedPart::prove() {
+    if (!prove(anchor_)) { return false; }
+    lasted_ = std::max(std::copysign(1.0, step_->h()) * (step_->to().t - anchor_.t), 0.0);
+    return true;
 }
 
 /// Distances of the step's path from the anchor. @return false if it leaves the region
@@ -59,9 +74,13 @@ bool ProvedPart::measure_reach(const Anchor& anchor) {
     for (std::size_t g = 0; g < part_.equations.size(); ++g) {
         const std::size_t e = at(part_.equations[g]);
         const bool is_target = step_->equations()[e].target != nullptr && step_->equations()[e].theta < 0;
+        const auto from_anchor = [&](const StepEnd& end) {
+            return std::abs(end.thetas[e].value - anchor.targets[g]);
+        };
+        // the way from one end to a moment and on to the other is no longer than rate times h
         distance_[at(coordinates()) + g] =
-            is_target ? std::abs(step_->from().thetas[e].value - anchor.targets[g]) +
-                            step_->target(static_cast<int>(e))[1] * std::abs(step_->h())
+            is_target ? 0.5 * (from_anchor(step_->from()) + from_anchor(step_->to()) +
+                               step_->target(static_cast<int>(e))[1] * std::abs(step_->h()))
                       : 0.0;
     }
     return is_within_reach();
@@ -145,21 +164,40 @@ bool ProvedPart::prove(Anchor& anchor) {
         for (double& residual : residual_) { residual *= kRoomForStep; }
     }
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
-    radius_.setZero(unknowns);
-    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
-        radius_ += kFirstRadius * residual_[g] * anchor.inverse.col(static_cast<Eigen::Index>(g));
+    first_.setConstant(unknowns, kLeastRadius);
+    for (std::size_t k = part_.unknowns.size(); k < at(coordinates()); ++k) {
+        first_ += step_->error(coordinate(k)) * anchor.passed_on.col(static_cast<Eigen::Index>(k) - unknowns);
     }
-    radius_ = radius_.cwiseMax(kLeastRadius);
+    for (std::size_t g = 0; g < part_.equations.size(); ++g) {
+        first_ += residual_[g] * anchor.inverse.col(static_cast<Eigen::Index>(g));
+    }
+    const bool was_larger = (needed_.array() > kFirstRadius).any();
+    radius_ = needed_.cwiseMax(kFirstRadius).cwiseProduct(first_);
+    if (contracts(anchor)) { return true; }
+    needed_.setConstant(kFirstRadius);
+    if (!was_larger) { return false; }
+    // K grows with ρ
+    radius_ = kFirstRadius * first_;
+    return contracts(anchor);
+}
+
+/// True if a radius is found, from `radius_` on, that is mapped into itself; sets the error of the step.
+bool ProvedPart::contracts(const Anchor& anchor) {
+    const Eigen::Index unknowns = radius_.size();
     for (int n = 0; n < kMostTrials; ++n) {
         for (Eigen::Index u = 0; u < unknowns; ++u) { distance_[at(u)] = reach_[at(u)] + radius_(u); }
         if (!is_within_reach()) { return false; }
         find_bounds(anchor);
         image_.noalias() = K_ * radius_;
+        // no vector is mapped below itself by a matrix that maps a positive one above itself
+        if ((image_.array() >= radius_.array()).all()) { return false; }
         image_ = kWidening * (image_ + alpha_);
         if ((image_.array() < radius_.array()).all()) {
             // the solution is in the tube, so in its image, and in the image of that
             for (Eigen::Index u = 0; u < unknowns; ++u) {
-                step_->set_error(part_.unknowns[at(u)], kWidening * (alpha_(u) + K_.row(u).dot(image_)));
+                const double error = kWidening * (alpha_(u) + K_.row(u).dot(image_));
+                step_->set_error(part_.unknowns[at(u)], error);
+                needed_(u) = std::min(kMoreThanBefore * error / first_(u), kLargestFirstRadius);
             }
             return true;
         }

@@ -22,6 +22,7 @@ struct Curvature {
 /// the part's unknowns.
 struct Anchor {
     bool is_set = false;
+    double t = 0.0;
     std::vector<Vec4> centre;                   ///< unknowns, then inputs
     std::vector<double> targets;                ///< per equation: θ of its driver
     std::vector<DerivativeBounds> derivatives;  ///< per equation, scaled
@@ -43,8 +44,11 @@ public:
     /// there
     bool try_anchor_at(const StepEnd& end) { return set_anchor(end, trial_); }
     void keep_trial() { std::swap(anchor_, trial_); }
+    /// Time after the step at which an anchor probably proves the step, and as many after it as the last one
+    /// did; 0 where it is too short to be of use [s].
+    double ahead() const;
     /// True if the step is proved by the anchor; its error is set in the step then.
-    bool prove() { return prove(anchor_); }
+    bool prove();
     bool prove_by_trial() { return prove(trial_); }
     /// 1 / |M| of the anchor that is tried.
     double margin() const { return 1.0 / trial_.inverse.norm(); }
@@ -65,6 +69,7 @@ private:
     void bound_residuals(Anchor& anchor);
     void find_bounds(const Anchor& anchor);
     bool prove(Anchor& anchor);
+    bool contracts(const Anchor& anchor);
 
     Part part_;
     ProvedStep* step_;
@@ -73,6 +78,7 @@ private:
     std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, inputs behind them, or -1
     Anchor anchor_;
     Anchor trial_;
+    double lasted_ = 0.0;  ///< time for which steps after an anchor were proved by it [s]
 
     // what is inverted
     std::vector<int> equation_of_row_;
@@ -93,6 +99,8 @@ private:
     std::vector<double> distance_;  ///< the same with ρ or the error of the input
     std::vector<double> residual_;  ///< per equation
     std::vector<double> passed_residual_;  ///< the same with what the errors of inputs add
+    VectorX first_;                        ///< distance of the solution from x̂ by the anchor alone
+    VectorX needed_;                       ///< radius to try, as multiples of that
     VectorX radius_;
     VectorX alpha_;
     VectorX image_;

@@ -32,11 +32,18 @@ bool is_at(const StepEnd& end, const PathEnd& pose) {
 
 }  // namespace
 
+Vec4 Path::at(double share) const {
+    const double left = 1.0 - share;
+    return left * left * left * control[0] + 3.0 * share * left * left * control[1] +
+           3.0 * share * share * left * control[2] + share * share * share * control[3];
+}
+
 ProvedStep::ProvedStep(const System& system)
     : length_(extent(system.mechanism())),
       table_(system),
       equations_(proved_equations(system)),
       jacobians_(equations_.size()),
+      still_(zero_motion(system.mechanism())),
       paths_(table_.all().size()),
       targets_(equations_.size()),
       error_(paths_.size(), 0.0) {
@@ -54,7 +61,8 @@ Theta ProvedStep::theta_of(const ProvedEquation& equation, const StepEnd& end) c
     return {target.f, target.f_dot};
 }
 
-void ProvedStep::set_end(StepEnd& end, const PathEnd& pose) const {
+/// Coordinates and what follows from them, without the equations.
+void ProvedStep::set_pose(StepEnd& end, const PathEnd& pose) const {
     end.t = pose.t;
     end.state = *pose.state;
     end.r_dot = pose.velocity->r_dot;
@@ -69,11 +77,15 @@ void ProvedStep::set_end(StepEnd& end, const PathEnd& pose) const {
         end.p_dot[b] = end.bodies[b].p_dot;
     }
     end.thetas.resize(equations_.size());
+    for (std::size_t e = 0; e < equations_.size(); ++e) { end.thetas[e] = theta_of(equations_[e], end); }
+}
+
+void ProvedStep::set_end(StepEnd& end, const PathEnd& pose) const {
+    set_pose(end, pose);
     end.phi.resize(equations_.size());
     end.rate.resize(equations_.size());
     for (std::size_t e = 0; e < equations_.size(); ++e) {
         const ProvedEquation& equation = equations_[e];
-        end.thetas[e] = theta_of(equation, end);
         visit_equation<Content::motion>(
             equation, end.bodies[at(equation.body_i)], end.bodies[at(equation.body_j)], end.thetas[e],
             [&](const auto& jet) {
@@ -124,6 +136,29 @@ void ProvedStep::set(const PathEnd& from, const PathEnd& to) {
             targets_[e] = equations_[e].target->taylor_bounds(first, last);
         }
     }
+}
+
+State ProvedStep::state_at(double share) const {
+    State state = from().state;
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+        const Coordinates& c = table_.all()[k];
+        const Vec4 x = paths_[k].at(share);
+        if (c.theta >= 0) {
+            state.theta[at(c.theta)] = x(0);
+        } else if (c.size == 3) {
+            state.r[at(c.body)] = x.head<3>();
+        } else {
+            state.p[at(c.body)] = x;
+        }
+    }
+    return state;
+}
+
+const StepEnd& ProvedStep::ahead(double time) {
+    State state = state_at(1.0 + time / std::abs(h()));
+    for (Vec4& p : state.p) { p.normalize(); }
+    set_pose(ahead_, {to().t + std::copysign(time, h()), &state, &still_});
+    return ahead_;
 }
 
 const EquationJacobian& ProvedStep::jacobian_at(const StepEnd& end, int equation) {

@@ -14,6 +14,9 @@ struct Path {
     std::array<Vec4, 4> control;
     TaylorSeries series{};
     double size = 0.0;  ///< largest control point: bound of |x|
+
+    /// Point at a share of the step: 0 at its start, 1 at its end, beyond that on the same polynomial.
+    Vec4 at(double share) const;
 };
 
 /// Values and rates of the equations at one end of a step.
@@ -45,6 +48,11 @@ public:
     const StepEnd& to() const { return ends_[1]; }
     double h() const { return ends_[1].t - ends_[0].t; }
     const Path& path(int coordinate) const { return paths_[at(coordinate)]; }
+    /// Coordinates on the path at a share of the step, as they are: p need not have length 1.
+    State state_at(double share) const;
+    /// Pose to which the path leads if it goes on for a time after the end of the step [s]: an estimate, in
+    /// memory that the next call overwrites. It has neither velocities nor values of equations.
+    const StepEnd& ahead(double time);
     /// Bounds of the target of a driver over the step.
     const TaylorSeries& target(int equation) const { return targets_[at(equation)]; }
 
@@ -56,6 +64,7 @@ public:
     const EquationJacobian& jacobian_at(const StepEnd& end, int equation);
 
 private:
+    void set_pose(StepEnd& end, const PathEnd& pose) const;
     void set_end(StepEnd& end, const PathEnd& pose) const;
     Theta theta_of(const ProvedEquation& equation, const StepEnd& end) const;
     Path path_of_coordinates(const Coordinates& c) const;
@@ -66,6 +75,8 @@ private:
     std::vector<std::array<int, kBlocks>> blocks_;
     std::vector<EquationJacobian> jacobians_;
     std::array<StepEnd, 2> ends_;
+    StepEnd ahead_;
+    Motion still_;
     std::vector<Path> paths_;
     std::vector<TaylorSeries> targets_;
     std::vector<double> error_;

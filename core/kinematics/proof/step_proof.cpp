@@ -81,6 +81,11 @@ bool StepProof::holds(const PathEnd& from, const PathEnd& to) {
     if (!parts_->runs_smoothly()) { return false; }
     for (ProvedPart& part : parts_->all) {
         if (part.prove()) { continue; }
+        const double ahead = part.ahead();
+        if (ahead > 0.0 && part.try_anchor_at(parts_->step.ahead(ahead)) && part.prove_by_trial()) {
+            part.keep_trial();
+            continue;
+        }
         if (!part.try_anchor_at(parts_->step.to())) {
             // independent equations became more: at the start some of them had not been
             parts_->are_divided = false;
