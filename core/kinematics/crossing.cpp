@@ -12,9 +12,14 @@ namespace jw {
 
 namespace {
 
-// poses before a change point whose margins are compared
+// poses before a change point whose margins are compared, and how much less each is than the one before
 constexpr std::size_t kMostRemembered = 40;
+constexpr double kNearer = 0.8;
 constexpr double kApart = 2.0;
+// A pose is off by rounding over its margin: 1e-9 at 5e-7, so the margin by 1 in 500. Nearer poses count only
+// where too few others are known.
+constexpr double kExactMargin = 5e-7;
+constexpr double kLeastMargin = 1e-300;
 // least value of the parabola, as a share of the one at the pose, that counts as none
 constexpr double kDoubleRoot = 0.1;
 
@@ -70,38 +75,51 @@ MotionTracker::Root MotionTracker::find_root() {
         proof_.decides_at({pose.t, &pose.state, &pose.velocity});
         return proof_.margin();
     };
-    const double nearest = margin_at({frame_.t, frame_.state, path_velocity_});
-    std::array<double, 3> t{frame_.t};
-    std::array<double, 3> q{nearest * nearest};
-    std::size_t found = 1;
-    for (auto pose = latest_.rbegin(); pose != latest_.rend() && found < t.size(); ++pose) {
-        const double margin = margin_at(*pose);
-        if (margin < kApart * std::sqrt(q[found - 1])) { continue; }
-        t[found] = pose->t;
-        q[found++] = margin * margin;
-    }
-    if (found < t.size()) { return {}; }
+    std::array<double, 3> t{};
+    std::array<double, 3> q{};
+    std::size_t found = 0;
+    const auto find = [&](double least) {
+        found = 0;
+        const auto add = [&](const Proved& pose) {
+            const double margin = found == t.size() ? 0.0 : margin_at(pose);
+            if (margin < least) { return; }
+            t[found] = pose.t;
+            q[found++] = margin * margin;
+            least = kApart * margin;
+        };
+        add({frame_.t, frame_.state, path_velocity_, 0.0});
+        std::for_each(latest_.rbegin(), latest_.rend(), add);
+        return found == t.size();
+    };
+    if (!find(kExactMargin) && !find(kLeastMargin)) { return {}; }
     const double slope = (q[1] - q[0]) / (t[1] - t[0]);
     const double bend = ((q[2] - q[1]) / (t[2] - t[1]) - slope) / (t[2] - t[0]);
     // q0 + slope0 (t - t0) + bend (t - t0)²
     const double slope_0 = slope - bend * (t[1] - t[0]);
     const double least = q[0] - slope_0 * slope_0 / (4.0 * bend);
-    if (bend > 0.0 && std::abs(least) < kDoubleRoot * q[0]) { return {Root::Kind::double_root, frame_.t}; }
+    const double nearest = std::max(margin_at({frame_.t, frame_.state, path_velocity_, 0.0}), kExactMargin);
+    if (bend > 0.0 && std::abs(least) < kDoubleRoot * std::min(q[0], nearest * nearest)) {
+        return {Root::Kind::double_root, frame_.t};
+    }
     const double until =
         -2.0 * q[0] /
         (slope_0 + std::copysign(std::sqrt(std::max(slope_0 * slope_0 - 4.0 * bend * q[0], 0.0)), slope_0));
     const bool is_ahead = until * (t[0] - t[1]) > 0.0;
-    if (is_ahead && (bend <= 0.0 || least < 0.0)) { return {Root::Kind::simple_root, frame_.t + until}; }
+    if (is_ahead && (bend <= 0.0 || least < 0.0)) {
+        const double root = t[0] + until;
+        return {Root::Kind::simple_root, until > 0.0 ? std::max(root, frame_.t) : std::min(root, frame_.t)};
+    }
     return {};
 }
 
-/// Keeps poses of the whole approach: near its end steps become very short.
+/// Keeps the last poses of the approach, each nearer to the singular pose than the one before: at its end
+/// rounding makes steps so short that they come no nearer.
 void MotionTracker::remember() {
-    if (latest_.size() >= kMostRemembered) {
-        for (std::size_t k = 1; 2 * k < latest_.size(); ++k) { std::swap(latest_[k], latest_[2 * k]); }
-        latest_.resize(latest_.size() / 2);
-    }
-    latest_.push_back({frame_.t, frame_.state, path_velocity_});
+    const double margin = proof_.margin_nearby();
+    while (!latest_.empty() && margin > latest_.back().margin) { latest_.pop_back(); }
+    if (!latest_.empty() && margin > kNearer * latest_.back().margin) { return; }
+    if (latest_.size() >= kMostRemembered) { latest_.erase(latest_.begin()); }
+    latest_.push_back({frame_.t, frame_.state, path_velocity_, margin});
 }
 
 /// Goes on along the tangent where rounding hides the branch, towards time `t` and no further than kCrossing.

@@ -112,8 +112,9 @@ private:
         double t = 0.0;
         State state;
         Motion velocity;
+        double margin = 0.0;  ///< StepProof::margin_nearby
     };
-    std::vector<Proved> latest_;  ///< last steps within one interval, while they become shorter
+    std::vector<Proved> latest_;  ///< of the approach to a singular pose
     bool is_crossing_ = false;    ///< the frame was reached without a proof
     std::vector<double> crossings_;
     bool is_start_ = true;    ///< no step was taken yet

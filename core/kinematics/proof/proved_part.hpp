@@ -52,6 +52,7 @@ public:
     bool prove_by_trial() { return prove(trial_); }
     /// 1 / |M| of the anchor that is tried.
     double margin() const { return 1.0 / trial_.inverse.norm(); }
+    double margin_of_anchor() const { return 1.0 / anchor_.inverse.norm(); }
 
 private:
     int coordinates() const { return static_cast<int>(part_.unknowns.size() + part_.inputs.size()); }

@@ -113,6 +113,12 @@ bool StepProof::decides_at(const PathEnd& pose) {
 
 double StepProof::margin() const { return parts_->margin; }
 
+double StepProof::margin_nearby() const {
+    double margin = HUGE_VAL;
+    for (const ProvedPart& part : parts_->all) { margin = std::min(margin, part.margin_of_anchor()); }
+    return margin;
+}
+
 bool StepProof::leaves_bodies_free(const PathEnd& pose) {
     if (!parts_->are_divided) {
         parts_->step.set(pose, pose);
