@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "tests/support/overconstrained_linkages.hpp"
+
+/// Lessons of overconstrained linkages, with numbers as somebody types them.
+namespace jw::test {
+
+/// How an author types numbers.
+struct Style {
+    int digits = 6;
+    bool decimals = false;  ///< so many decimals, else significant digits
+    bool local = false;     ///< points and axes in the frames of the bodies, else in that of the ground
+    std::string head = {};  ///< what else stands in the lesson
+    double off = 0.0;       ///< by which a point is beside its axis [m]
+    bool zeros = false;     ///< decimals with the zeros at their end
+    std::string body = {};  ///< what else stands with each body
+
+    std::string number(double x) const {
+        std::array<char, 40> text{};
+        std::snprintf(text.data(), text.size(), decimals ? "%.*f" : "%.*g", digits, x);
+        std::string out = text.data();
+        if (decimals && !zeros) {
+            while (out.ends_with('0')) { out.pop_back(); }
+            if (out.ends_with('.')) { out += '0'; }
+        }
+        return out;
+    }
+    std::string vector(const Vec3& v) const {
+        return '[' + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ']';
+    }
+};
+
+/// A lesson with a loop whose first hinge is driven: bodies b1, b2..., joints h0, h1...
+inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
+    const std::size_t count = loop.hinges.size();
+    const auto name_of = [&](std::size_t body) {
+        return body % count == 0 ? std::string("ground") : "b" + std::to_string(body);
+    };
+    std::string text = "format = 1\ntitle = \"t\"\n" + style.head;
+    // frame of each body: that of the hinge before its link, or that of the ground
+    std::vector<Eigen::Isometry3d> frames(count + 1, Eigen::Isometry3d::Identity());
+    for (std::size_t k = 1; k < count; ++k) {
+        text += "[[body]]\nname = \"" + name_of(k) + "\"\n" + style.body;
+        if (!style.local) { continue; }
+        frames[k] = loop.hinges[k - 1].frame;
+        const Eigen::Quaterniond q(frames[k].linear());
+        text += "position = " + style.vector(frames[k].translation()) + "\np = [" + style.number(q.w()) +
+                ", " + style.number(q.x()) + ", " + style.number(q.y()) + ", " + style.number(q.z()) + "]\n";
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 axis = loop.hinges[k].frame.linear().col(2);
+        Vec3 at = loop.hinges[k].at;
+        if (k == 2) { at += style.off * perpendicular_to(axis); }
+        text += "[[joint]]\nname = \"h" + std::to_string(k) + "\"\ntype = \"revolute\"\nbodies = [\"" +
+                name_of(k) + "\", \"" + name_of(k + 1) + "\"]\n";
+        if (style.local) {
+            const Eigen::Isometry3d to_i = frames[k].inverse();
+            const Eigen::Isometry3d to_j = frames[k + 1].inverse();
+            text += "point_i = " + style.vector(to_i * at) + "\npoint_j = " + style.vector(to_j * at) +
+                    "\naxis_i = " + style.vector(to_i.linear() * axis) +
+                    "\naxis_j = " + style.vector(to_j.linear() * axis) + "\n";
+        } else {
+            text += "at = " + style.vector(at) + "\naxis = " + style.vector(axis) + "\n";
+        }
+    }
+    return text +
+           "[[driver]]\nname = \"motor\"\njoint = \"h0\"\nquantity = \"angle\"\n"
+           "polynomial_deg = [0, " +
+           std::to_string(loop.turn_deg) + "]\n";
+}
+
+}  // namespace jw::test
