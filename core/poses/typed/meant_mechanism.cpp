@@ -23,8 +23,10 @@ constexpr int kMostFits = 12;
 constexpr int kMostRounds = 4;
 // what all digits together may change, with those that short numbers have lost; more has another reason
 constexpr double kDoubtful = 5.0;
-// a linear fit leaves errors of second order, which the next one removes
+// a linear fit leaves errors of second order, which the next one removes: as few as can be removed by changes
+// within the half units, since those of weak conditions are as large as what they ask for
 constexpr double kLinearRest = 1e-5;
+constexpr double kMostLinearRest = 2e-2;
 constexpr double kRounding = 1e-16;
 // of the conditions, which are known to about nine digits of a change by half a unit
 constexpr double kLeastSingular = 1e-9;
@@ -218,10 +220,13 @@ bool MeantSearch::fit(std::vector<State>& poses) {
     for (int k = 0; k < kMostFits; ++k) {
         const Conditions c = conditions(poses);
         if (c.is_met) { return true; }
-        const double least_rest =
-            std::max(kLinearRest * c.b.norm(), kRounding * std::sqrt(static_cast<double>(c.b.size())));
         // of the whole changes, with those made before
-        const auto changes = smallest_changes(c.A, c.b + c.A * changes_, least_rest);
+        const VectorX whole = c.b + c.A * changes_;
+        const double rounding = kRounding * std::sqrt(static_cast<double>(c.b.size()));
+        std::optional<VectorX> changes;
+        for (double rest = kLinearRest; !changes && rest <= kMostLinearRest; rest *= 10.0) {
+            changes = smallest_changes(c.A, whole, std::max(rest * c.b.norm(), rounding));
+        }
         if (!changes) { return false; }
         changes_ = *changes;
         apply();
