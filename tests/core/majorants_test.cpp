@@ -98,7 +98,7 @@ struct Cubic {
 
 }  // namespace
 
-TEST_CASE("Bounds of derivatives hold in all of a region, for every primitive", "[core][majorants]") {
+TEST_CASE("Bounds of derivatives of every primitive hold in all of a region", "[core][majorants]") {
     Random random(71);
     for (int n = 0; n < kRegions; ++n) {
         const Region i = random_region(random);
@@ -106,15 +106,30 @@ TEST_CASE("Bounds of derivatives hold in all of a region, for every primitive", 
         const BoundedTheta theta{random.number(-2.0, 2.0), random.number(0.1, 1.0), {}};
         for (const ProvedPrimitive& primitive : all_primitives(random)) {
             DerivativeBounds bounds;
+            VectorX middle;
+            double away = 0.0;
+            double size = 0.0;
             std::visit(
-                [&](const auto& c) { bounds = equations<Content::jacobian>(c, i, j, theta).bounds; },
+                [&](const auto& c) {
+                    const auto jet = equations<Content::jacobian>(c, i, j, theta);
+                    bounds = jet.bounds;
+                    middle = jet.value;
+                    away = jet.away;
+                    size = jet.size;
+                },
                 primitive);
+            CHECK(
+                (value_at(primitive, {i.r, i.p}, {j.r, j.p}, theta.value) - middle).norm() <=
+                1e-13 * (1.0 + size));
             CAPTURE(n, primitive.index());
             for (int k = 0; k < kPoses; ++k) {
                 const Pose a_i = pose_in(random, i);
                 const Pose a_j = pose_in(random, j);
                 const double a_theta = theta.value + theta.reach * random.number();
                 const Blocks a = blocks_at(primitive, a_i, a_j, a_theta);
+                const VectorX value = value_at(primitive, a_i, a_j, a_theta);
+                CHECK((value - middle).norm() <= away * (1.0 + 1e-12));
+                CHECK(value.norm() <= size * (1.0 + 1e-12));
                 // one block of coordinates changes at a time, by a little: what it changes each other block
                 // by
                 const double step = 1e-6;
@@ -142,7 +157,15 @@ TEST_CASE("Bounds of derivatives hold in all of a region, for every primitive", 
     }
 }
 
-TEST_CASE("Bounds of an arm and of products are reached", "[core][majorants]") {
+TEST_CASE("Bounds of a point and an arm and of products are reached", "[core][majorants]") {
+    Region away;
+    away.r = Vec3(3.0, 0.0, 0.0);
+    away.reach_r = 0.5;
+    const auto point = equations<Content::jacobian>(S{Vec3::Zero(), Vec3::Zero()}, away, Region{}, {});
+    CHECK(point.away == Approx(0.5));
+    CHECK(point.size == Approx(3.5));
+    const ScrewAdvance screw{Vec3::UnitX(), Vec3::Zero(), Vec3::Zero(), -0.3, 0.0, 0.0};
+    CHECK(equations<Content::jacobian>(screw, Region{}, Region{}, {0.5, 1.0, {}}).away == Approx(0.3));
     Region i;
     i.reach_p = 0.1;
     i.size_of_p = 1.1;

@@ -14,8 +14,8 @@
 
 #include "core/jets/drivers.hpp"
 
-/// `mutated_tests` is the tests of derivatives, forces and linked trees as they are, compiled with sources
-/// that can be wrong in one place at a time (marks.hpp); JW_MUTANT says in which.
+/// `mutated_tests` is the tests of derivatives, forces, linked trees and proofs as they are, compiled with
+/// sources that can be wrong in one place at a time (marks.hpp); JW_MUTANT says in which.
 namespace {
 
 struct Mutant {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdlib>
 
 /// Functions that the marked copies of the sources call where they can be made wrong; see marks.hpp.
@@ -28,7 +29,9 @@ inline bool otherwise(int mutant, bool condition) { return (active() == mutant) 
 /// Four mutants: the derivatives that a jet hands on, each without regard to its value.
 template <class J>
 J jet(int first, J out) {
-    if constexpr (J::kMotion) {
+    if constexpr (requires { out.away; }) {
+        // bounds: wrong in majorants.hpp itself
+    } else if constexpr (J::kMotion) {
         out.rate *= sign(first + 2);
         out.bias *= sign(first + 3);
     } else {
@@ -64,6 +67,28 @@ J operator*(double factor, J out) {
         if constexpr ((J::kSides & 4U) != 0) { out.block_theta *= factor; }
     }
     return out;
+}
+
+/// Bounds hold for both signs.
+template <class J>
+requires requires(J jet) { jet.away; }
+J operator*(double factor, J out) {
+    out.value *= factor;
+    return out;
+}
+
+/// And one before bounds of derivatives.
+template <std::size_t N>
+std::array<double, N> operator*(double factor, std::array<double, N> bounds) {
+    for (double& bound : bounds) { bound *= factor; }
+    return bounds;
+}
+template <class B>
+requires requires(B b) { b.second[0][0] + b.first[0]; }
+B operator*(double factor, B bounds) {
+    bounds.first = factor * bounds.first;
+    for (auto& row : bounds.second) { row = factor * row; }
+    return bounds;
 }
 
 /// And one before an inertia.

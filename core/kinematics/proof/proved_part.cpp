@@ -136,8 +136,8 @@ void ProvedPart::find_bounds(const Anchor& anchor) {
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
     K_ = anchor.defect;
     alpha_.setZero(unknowns);
-    for (std::size_t k = part_.unknowns.size(); k < at(coordinates()); ++k) {
-        alpha_ += step_->error(coordinate(k)) * anchor.passed_on.col(static_cast<Eigen::Index>(k) - unknowns);
+    for (Eigen::Index k = 0; k < anchor.passed_on.cols(); ++k) {
+        alpha_ += step_->error(part_.inputs[at(k)]) * anchor.passed_on.col(k);
     }
     passed_residual_ = residual_;
     const auto n = static_cast<std::ptrdiff_t>(unknowns);
