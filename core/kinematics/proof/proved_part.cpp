@@ -10,16 +10,18 @@ namespace {
 
 // All bounds are sums and products of numbers that are not negative: 10^4 operations round by 10^-12.
 constexpr double kWidening = 1.0 + 1e-9;
-// An anchor proves as many steps before it as after it, and the motion changes on the way.
+// Share of the time that the last anchor lasted: the next one is set so far ahead, as it also proves steps
+// before it. In steps: no further than a path can be continued.
 constexpr double kShareAhead = 0.8;
+constexpr double kMostAhead = 10.0;
 // Least ρ, in units of the coordinates.
 constexpr double kLeastRadius = 1e-14;
 // A step of no length must be proved with so many times its rounding: a step needs some room, too, and where
 // there is little steps become far too short.
 constexpr double kRoomForStep = 4.0;
 constexpr int kMostTrials = 6;
-// ρ that is tried first: so many times the solution's distance for K = 0, or what the last step needed and a
-// quarter more. Where K is nearly 1 any large ρ proves a step, and says little of what the next one needs.
+// First ρ, as multiples of the distance for K = 0: at least 2.5, else 1.25 times what the last step needed.
+// At most 10: where K is nearly 1, what was needed grows without bound.
 constexpr double kFirstRadius = 2.5;
 constexpr double kMoreThanBefore = 1.25;
 constexpr double kLargestFirstRadius = 10.0;
@@ -50,7 +52,19 @@ ProvedPart::ProvedPart(Part part, ProvedStep& step) : part_(std::move(part)), st
     needed_.setConstant(static_cast<Eigen::Index>(part_.unknowns.size()), kFirstRadius);
 }
 
-double ProvedPart::ahead() const { return std::max(kShareAhead * lasted_ - std::abs(step_->h()), 0.0); }
+double ProvedPart::ahead() const {
+    const double h = std::abs(step_->h());
+    return std::clamp(kShareAhead * lasted_ - h, 0.0, kMostAhead * h);
+}
+
+bool ProvedPart::prove_ahead(const StepEnd& ahead) {
+    const std::vector<int> chosen = chosen_;
+    const double size = size_of_inverse_;
+    if (try_anchor_at(ahead) && prove_by_trial()) { return true; }
+    size_of_inverse_ = size;
+    if (chosen_ != chosen) { chosen_.clear(); }
+    return false;
+}
 
 bool ProvedPart::prove() {
     if (!prove(anchor_)) { return false; }
@@ -131,14 +145,19 @@ void ProvedPart::bound_residuals(Anchor& anchor) {
     }
 }
 
+/// What the errors of the inputs add to those of the unknowns for K = 0.
+void ProvedPart::add_errors_of_inputs(const Anchor& anchor, VectorX& errors) const {
+    for (Eigen::Index k = 0; k < anchor.passed_on.cols(); ++k) {
+        errors += step_->error(part_.inputs[at(k)]) * anchor.passed_on.col(k);
+    }
+}
+
 /// K and α for the distances of the part.
 void ProvedPart::find_bounds(const Anchor& anchor) {
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
     K_ = anchor.defect;
     alpha_.setZero(unknowns);
-    for (Eigen::Index k = 0; k < anchor.passed_on.cols(); ++k) {
-        alpha_ += step_->error(part_.inputs[at(k)]) * anchor.passed_on.col(k);
-    }
+    add_errors_of_inputs(anchor, alpha_);
     passed_residual_ = residual_;
     const auto n = static_cast<std::ptrdiff_t>(unknowns);
     for (const Curvature& c : anchor.curvatures) {
@@ -165,9 +184,7 @@ bool ProvedPart::prove(Anchor& anchor) {
     }
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
     first_.setConstant(unknowns, kLeastRadius);
-    for (std::size_t k = part_.unknowns.size(); k < at(coordinates()); ++k) {
-        first_ += step_->error(coordinate(k)) * anchor.passed_on.col(static_cast<Eigen::Index>(k) - unknowns);
-    }
+    add_errors_of_inputs(anchor, first_);
     for (std::size_t g = 0; g < part_.equations.size(); ++g) {
         first_ += residual_[g] * anchor.inverse.col(static_cast<Eigen::Index>(g));
     }
@@ -176,7 +193,7 @@ bool ProvedPart::prove(Anchor& anchor) {
     if (contracts(anchor)) { return true; }
     needed_.setConstant(kFirstRadius);
     if (!was_larger) { return false; }
-    // K grows with ρ
+    // a smaller ρ may contract where a larger one does not: K grows with ρ
     radius_ = kFirstRadius * first_;
     return contracts(anchor);
 }

@@ -44,14 +44,17 @@ public:
     /// there
     bool try_anchor_at(const StepEnd& end) { return set_anchor(end, trial_); }
     void keep_trial() { std::swap(anchor_, trial_); }
-    /// Time after the step at which an anchor probably proves the step, and as many after it as the last one
-    /// did; 0 where it is too short to be of use [s].
+    /// Time from the end of the step to where the next anchor is best set: it probably still proves this step
+    /// [s]. 0 if the last one lasted too short for that.
     double ahead() const;
+    /// True if the step is proved by an anchor ahead of it; else the choice of rows is what it was, or open.
+    bool prove_ahead(const StepEnd& ahead);
     /// True if the step is proved by the anchor; its error is set in the step then.
     bool prove();
     bool prove_by_trial() { return prove(trial_); }
     /// 1 / |M| of the anchor that is tried.
     double margin() const { return 1.0 / trial_.inverse.norm(); }
+    /// 1 / |M| of the anchor that proved the last step.
     double margin_of_anchor() const { return 1.0 / anchor_.inverse.norm(); }
 
 private:
@@ -68,6 +71,7 @@ private:
     bool measure_reach(const Anchor& anchor);
     bool is_within_reach() const;
     void bound_residuals(Anchor& anchor);
+    void add_errors_of_inputs(const Anchor& anchor, VectorX& errors) const;
     void find_bounds(const Anchor& anchor);
     bool prove(Anchor& anchor);
     bool contracts(const Anchor& anchor);
@@ -100,7 +104,7 @@ private:
     std::vector<double> distance_;  ///< the same with ρ or the error of the input
     std::vector<double> residual_;  ///< per equation
     std::vector<double> passed_residual_;  ///< the same with what the errors of inputs add
-    VectorX first_;                        ///< distance of the solution from x̂ by the anchor alone
+    VectorX first_;                        ///< distance of the solution from x̂ if K were 0
     VectorX needed_;                       ///< radius to try, as multiples of that
     VectorX radius_;
     VectorX alpha_;

@@ -61,7 +61,7 @@ Theta ProvedStep::theta_of(const ProvedEquation& equation, const StepEnd& end) c
     return {target.f, target.f_dot};
 }
 
-/// Coordinates and what follows from them, without the equations.
+/// Sets the coordinates of an end and what follows from them, without values of equations.
 void ProvedStep::set_pose(StepEnd& end, const PathEnd& pose) const {
     end.t = pose.t;
     end.state = *pose.state;

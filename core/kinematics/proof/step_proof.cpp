@@ -82,7 +82,7 @@ bool StepProof::holds(const PathEnd& from, const PathEnd& to) {
     for (ProvedPart& part : parts_->all) {
         if (part.prove()) { continue; }
         const double ahead = part.ahead();
-        if (ahead > 0.0 && part.try_anchor_at(parts_->step.ahead(ahead)) && part.prove_by_trial()) {
+        if (ahead > 0.0 && part.prove_ahead(parts_->step.ahead(ahead))) {
             part.keep_trial();
             continue;
         }

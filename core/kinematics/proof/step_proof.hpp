@@ -53,7 +53,7 @@ public:
     /// 1 / |M| at the pose that was asked for last, of the part nearest to a singular pose: proportional to
     /// the distance from there, squared proportional to the time until a turning point.
     double margin() const;
-    /// The same near the last step that was proved, from what proved it.
+    /// 1 / |M| at the anchors of the last proved step, of the part nearest to a singular pose.
     double margin_nearby() const;
     /// True if drivers leave several bodies free together: nothing is proved of these, and their poses are
     /// not determined.
