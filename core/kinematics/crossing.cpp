@@ -71,24 +71,26 @@ bool MotionTracker::is_decided() { return proof_.decides_at({frame_.t, &frame_.s
 /// a double root at a change point, with none where branches pass each other. At a turning point the root is
 /// a simple one.
 MotionTracker::Root MotionTracker::find_root() {
-    const auto margin_at = [&](const Proved& pose) {
-        proof_.decides_at({pose.t, &pose.state, &pose.velocity});
+    const auto margin_at = [&](double time, const State& state, const Motion& velocity) {
+        proof_.decides_at({time, &state, &velocity});
         return proof_.margin();
     };
+    const double nearest = margin_at(frame_.t, frame_.state, path_velocity_);
     std::array<double, 3> t{};
     std::array<double, 3> q{};
     std::size_t found = 0;
     const auto find = [&](double least) {
         found = 0;
-        const auto add = [&](const Proved& pose) {
-            const double margin = found == t.size() ? 0.0 : margin_at(pose);
+        const auto add = [&](double time, double margin) {
             if (margin < least) { return; }
-            t[found] = pose.t;
+            t[found] = time;
             q[found++] = margin * margin;
             least = kApart * margin;
         };
-        add({frame_.t, frame_.state, path_velocity_, 0.0});
-        std::for_each(latest_.rbegin(), latest_.rend(), add);
+        add(frame_.t, nearest);
+        for (auto pose = latest_.rbegin(); pose != latest_.rend() && found < t.size(); ++pose) {
+            add(pose->t, margin_at(pose->t, pose->state, pose->velocity));
+        }
         return found == t.size();
     };
     if (!find(kExactMargin) && !find(kLeastMargin)) { return {}; }
@@ -97,8 +99,8 @@ MotionTracker::Root MotionTracker::find_root() {
     // q0 + slope0 (t - t0) + bend (t - t0)²
     const double slope_0 = slope - bend * (t[1] - t[0]);
     const double least = q[0] - slope_0 * slope_0 / (4.0 * bend);
-    const double nearest = std::max(margin_at({frame_.t, frame_.state, path_velocity_, 0.0}), kExactMargin);
-    if (bend > 0.0 && std::abs(least) < kDoubleRoot * std::min(q[0], nearest * nearest)) {
+    const double known = std::max(nearest, kExactMargin);
+    if (bend > 0.0 && std::abs(least) < kDoubleRoot * std::min(q[0], known * known)) {
         return {Root::Kind::double_root, frame_.t};
     }
     const double until =

@@ -16,10 +16,15 @@ constexpr double kMostWork = 1e8;
 constexpr double kFewestSteps = 5.0;
 constexpr double kMostSteps = 60.0;
 
-/// Joints and drivers of a body, for each body; those that are fixed are one, the first.
+/// Index of a body in a list in which all fixed ones are one, the first.
+std::size_t index_of(const Mechanism& mechanism, int body) {
+    return mechanism.bodies[at(body)].fixed ? 0 : at(body) + 1;
+}
+
+/// Joints and drivers of a body, for each body by index_of.
 std::vector<int> count_of_links(const Mechanism& mechanism, const Selection& selection) {
     std::vector<int> links(mechanism.bodies.size() + 1, 0);
-    const auto count = [&](int body) { ++links[mechanism.bodies[at(body)].fixed ? 0 : at(body) + 1]; };
+    const auto count = [&](int body) { ++links[index_of(mechanism, body)]; };
     for (const int k : selection.joints) {
         count(mechanism.joints[at(k)].body_i);
         count(mechanism.joints[at(k)].body_j);
@@ -31,14 +36,12 @@ std::vector<int> count_of_links(const Mechanism& mechanism, const Selection& sel
     return links;
 }
 
-/// What is left of a selection when all that holds one body alone is taken away, again and again: loops, and
-/// what lies between them.
+/// Loops of a selection, and what lies between them: the rest when links that are the only one of a body are
+/// taken away, again and again.
 Selection in_loops(const Mechanism& mechanism, Selection selection) {
     for (std::size_t taken = 1; taken > 0;) {
         const std::vector<int> links = count_of_links(mechanism, selection);
-        const auto hangs = [&](int body) {
-            return links[mechanism.bodies[at(body)].fixed ? 0 : at(body) + 1] == 1;
-        };
+        const auto hangs = [&](int body) { return links[index_of(mechanism, body)] == 1; };
         const auto is_alone = [&](const auto& link) { return hangs(link.body_i) || hangs(link.body_j); };
         taken = std::erase_if(selection.joints, [&](int k) { return is_alone(mechanism.joints[at(k)]); }) +
                 std::erase_if(selection.drivers, [&](int k) { return is_alone(mechanism.drivers[at(k)]); });
