@@ -23,7 +23,7 @@ inline constexpr double kProvedLength = 0.2;
 /// machine].
 inline constexpr double kFreedomStep = 0.03;
 
-/// What is known of a free motion.
+/// Verdict on a free motion, with how it leaves the equations.
 struct FreedomJudgement {
     FreedomVerdict verdict = FreedomVerdict::cannot_tell;
     std::optional<Departure> departure;  ///< where it is of first order only
@@ -65,7 +65,7 @@ FollowedMotion follow_free_motion(
     const System& system, const State& state, double t, const VectorX& direction, int steps,
     double step_turn);
 
-/// The same by steps of kFreedomStep, no farther than the judgement needs.
+/// Judgement on a free motion, which is followed by steps of kFreedomStep and no farther than it needs.
 FreedomJudgement judge_free_motion(
     const System& system, const State& state, double t, const VectorX& direction);
 

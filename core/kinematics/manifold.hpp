@@ -35,10 +35,9 @@ struct DragOutcome {
 /// so pulls at a target out of reach end at the nearest point on the way there and stay. Time and drivers are
 /// fixed.
 ///
-/// Where there are loops, a step is taken only if it is proved that it stays on its branch (FreeProof),
-/// halved until it is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of
-/// many bodies it takes too long: there a step is taken if it stays near its tangent, or leads on from a
-/// corner.
+/// Steps in loops are taken only if it is proved that they stay on their branch (FreeProof), halved until it
+/// is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of many bodies it
+/// takes too long: there a step is taken if it stays near its tangent, or leads on from a corner.
 class Dragger {
 public:
     /// @param system must outlive this; its rows are chosen again between the steps

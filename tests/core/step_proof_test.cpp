@@ -10,8 +10,8 @@
 #include "tests/support/driven_linkages.hpp"
 #include "tests/support/moved_along.hpp"
 
-/// What a proof accepts: no step to another branch, none that a driver leaves in between, and of the others
-/// those that its bounds allow.
+/// Steps that a proof accepts: none to another branch, none that a driver leaves in between, and of the
+/// others those that its bounds allow.
 using namespace jw;
 using namespace jw::test;
 

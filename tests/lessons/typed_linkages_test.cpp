@@ -45,7 +45,7 @@ Share share_of_loops() {
     return {static_cast<unsigned>(std::strtoul(text, nullptr, 10)), {4, 5, 6, 7, 8, 10, 12, 14}};
 }
 
-/// What kinematics and dynamics say of a loop.
+/// Verdicts of kinematics and dynamics on a loop.
 struct Said {
     bool is_decided = false;
     int freedoms = 0;       ///< of the joints alone

@@ -23,7 +23,7 @@ std::string json_document(const Json& json, int indent = 1);
 
 Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
-/// @param judgements on its free motions
+/// @param judgements one per free motion, or empty
 Json json_of(const RankReport& report, const System& system, const FreedomJudgements& judgements);
 /// `verdict`, `motion_beside` and `departure`.
 Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism);

@@ -14,10 +14,11 @@ namespace jw {
 /// One per free motion, nothing for one of bodies that no equation holds. Empty: not judged.
 using FreedomJudgements = std::vector<std::optional<FreedomJudgement>>;
 
-/// @return empty where they are so many that a reader would wait
+/// Judgements on the free motions of a pose. @return empty where they are so many that a reader would wait
 FreedomJudgements judgements_on(
     const System& system, const State& state, double t, const std::vector<FreeMotion>& motions);
 
+/// A free motion in a list.
 struct ListedMotion {
     std::string text;  ///< "crank: ω′z 1; rocker: ω′z 0.258"
     std::string told;  ///< "finite · crank: ω′z 1; rocker: ω′z 0.258"; as `text` where it is not judged
@@ -25,11 +26,11 @@ struct ListedMotion {
     int index = -1;  ///< in the list of free motions; -1 for bodies that no equation holds
 };
 
-/// One per free motion, but a single one for bodies that no equation holds.
+/// Entries of the list: one per free motion, but a single one for bodies that no equation holds.
 std::vector<ListedMotion> listed_motions(
     const System& system, const std::vector<FreeMotion>& motions, const FreedomJudgements& judgements);
 
-/// The same, judged when somebody looks at it; copies share what was found.
+/// List of free motions, judged when somebody first looks at it; copies share what was found.
 class MotionsWhenAsked {
 public:
     MotionsWhenAsked() = default;

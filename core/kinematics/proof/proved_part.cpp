@@ -145,7 +145,7 @@ void ProvedPart::bound_residuals(Anchor& anchor) {
     }
 }
 
-/// What the errors of the inputs add to those of the unknowns for K = 0.
+/// Adds what the errors of the inputs are for the unknowns if K is 0.
 void ProvedPart::add_errors_of_inputs(const Anchor& anchor, VectorX& errors) const {
     for (Eigen::Index k = 0; k < anchor.passed_on.cols(); ++k) {
         errors += step_->error(part_.inputs[at(k)]) * anchor.passed_on.col(k);

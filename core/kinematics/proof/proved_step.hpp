@@ -51,8 +51,8 @@ public:
     /// Coordinates on the path at a share of the step, as they are: p need not have length 1.
     State state_at(double share) const;
     /// Pose to which the path leads if it goes on for a time after the end of the step [s]: an estimate, in
-    /// memory that the next call overwrites. It has neither velocities nor values of equations.
-    /// Of a step that has a length.
+    /// memory that the next call overwrites. It has neither velocities nor values of equations. The step has
+    /// a length.
     const StepEnd& ahead(double time);
     /// Bounds of the target of a driver over the step.
     const TaylorSeries& target(int equation) const { return targets_[at(equation)]; }
