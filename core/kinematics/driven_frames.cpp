@@ -16,6 +16,12 @@ namespace {
 constexpr double kLeastPivot = kSurelyIndependent;
 /// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
 constexpr double kHolds = 1e-13;
+/// Largest |Φ| of a prediction, by the size of its equations, whose factorisation serves the pose, too: each
+/// refinement then leaves less than 1e-5, as pivots are not below kLeastPivot.
+constexpr double kNear = 1e-8;
+/// Longest step that a polynomial is continued for, by the time since the pose before: errors of poses and of
+/// the polynomial grow with the ninth power of this.
+constexpr double kMostContinued = 1.5;
 
 Loads unit_masses(const Mechanism& mechanism) {
     const double length = extent(mechanism);
@@ -63,7 +69,7 @@ bool DrivenFrames::is_sound(const RowsVerdict& verdict) const {
 
 bool DrivenFrames::start(const State& state, const Motion& velocity, const Motion& acceleration, double t) {
     t_ = t;
-    has_before_ = false;
+    known_ = 0;
     pack(state, velocity, system_->moving_bodies(), y_.data());
     // others would be declined in the end; rows of many loops take their time to be chosen
     if (!equations_->rows_are_sound(t, y_.data())) { return false; }
@@ -85,40 +91,42 @@ bool DrivenFrames::led_on() const {
     return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
 }
 
-/// Predicts the pose at `t`. Where ω' changes its direction, the turn is more than the integral of its
-/// components: by h³/12 ω' × ω̇' to third order.
+/// Keeps what is known of the pose that the next advance departs from.
+void DrivenFrames::remember() {
+    if (known_ > 0 && latest_.back().t == t_) { return; }
+    std::ranges::rotate(latest_, latest_.begin() + 1);
+    known_ = std::min(known_ + 1, latest_.size());
+    const auto bodies = static_cast<Eigen::Index>(y_.size() / kNumbersPerBody);
+    latest_.back().t = t_;
+    latest_.back().known.resize(kPositionsPerBody * bodies, 3);
+    flat_derivatives(y_.data(), y_dot_.data(), static_cast<int>(bodies), latest_.back().known.data());
+}
+
+/// Predicts the pose at `t` by the polynomial through the latest poses: of the order 9 after equal steps, of
+/// the order 3 where the step is much longer than those before.
 void DrivenFrames::predict(double t) {
-    const double h = t - t_;
-    const double since = has_before_ && t_ != t_before_ ? 1.0 / (t_ - t_before_) : 0.0;
-    predicted_ = y_;
-    for (std::size_t k = 0; k < y_.size(); k += kNumbersPerBody) {
-        double* y = &predicted_[k];
-        double six[6];
-        const Vec3 omega = vec3(y + 10);
-        const Vec3 around = omega.cross(vec3(&y_dot_[k + 10]));
-        for (std::size_t c = 0; c < 6; ++c) {
-            const double rate = y_dot_[k + 7 + c];
-            const double change = since * (rate - y_dot_new_[k + 7 + c]);
-            six[c] = h * (y[7 + c] + h * (rate / 2.0 + h * change / 6.0));
-            y[7 + c] += h * (rate + h * change / 2.0);
-        }
-        vec3(six + 3) += h * h * h / 12.0 * around;
-        displace(y, six, 1);
+    std::size_t used = 1;
+    while (used < known_ && std::abs(t - t_) <= kMostContinued * std::abs(t_ - latest_.end()[-1 - used].t)) {
+        ++used;
     }
+    path_.fit(std::span(latest_).last(used), HermitePolynomial::Meets::second_derivatives_too);
+    path_.evaluate(t);
+    const int bodies = static_cast<int>(y_.size() / kNumbersPerBody);
+    flat_state_of(path_.value().data(), path_.rate().data(), bodies, predicted_.data());
 }
 
 bool DrivenFrames::advance(double t) {
+    remember();
     predict(t);
-    has_before_ = false;
     y_new_ = predicted_;
-    equations_->project(t, y_new_.data());
-    const RowsVerdict verdict = equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
+    const bool is_near = equations_->project(t, y_new_.data()) <= kNear && !equations_->masses_are_apart();
+    const RowsVerdict verdict = is_near ? equations_->evaluate_driven(t, y_new_.data(), y_dot_new_.data())
+                                        : equations_->evaluate(t, y_new_.data(), y_dot_new_.data());
     if (!is_sound(verdict) || !led_on()) { return false; }
-    equations_->refine(y_dot_new_.data());
+    if (!is_near) { equations_->refine(y_dot_new_.data()); }
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);
     t_before_ = std::exchange(t_, t);
-    has_before_ = true;
     return true;
 }
 
@@ -126,7 +134,6 @@ void DrivenFrames::retreat() {
     std::swap(y_, y_new_);
     std::swap(y_dot_, y_dot_new_);
     t_ = t_before_;
-    has_before_ = false;
 }
 
 void DrivenFrames::write(State& state, Motion& velocity, Motion& acceleration) const {

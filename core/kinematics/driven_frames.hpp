@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "core/equations/system.hpp"
 #include "core/motion/loads.hpp"
 #include "core/motion/motion_equations.hpp"
+#include "core/numerics/hermite.hpp"
 
 /// Position, velocity and acceleration of a mechanism whose drivers leave nothing open: the quick way from
 /// moment to moment, over the graph of joints, where no rank has to be decided. The normal equations
@@ -22,8 +24,8 @@ public:
     /// Starts at a pose and determines which rows repeat others.
     /// @return false where the rows leave something open, or too little is left of one of them
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
-    /// Advances to time `t` by Newton's method from the pose that velocity, acceleration and, after the first
-    /// advance, the change of acceleration predict.
+    /// Advances to time `t` by Newton's method from the pose that position, velocity and acceleration at the
+    /// last three times predict.
     /// @return false where a rank has to be decided or Newton led elsewhere; the pose is unchanged then
     bool advance(double t);
     /// Takes the last advance back.
@@ -33,6 +35,7 @@ public:
 
 private:
     bool is_sound(const RowsVerdict& verdict) const;
+    void remember();
     void predict(double t);
     bool led_on() const;
 
@@ -42,7 +45,9 @@ private:
     double length_ = 1.0;  ///< extent of the mechanism [m]
     double t_ = 0.0;
     double t_before_ = 0.0;
-    bool has_before_ = false;  ///< `y_dot_new_` has the rates at `t_before_`
+    std::array<HermitePolynomial::Node, 3> latest_;  ///< of r and p, the last `known_` are set
+    std::size_t known_ = 0;
+    HermitePolynomial path_;
     std::vector<double> y_;
     std::vector<double> y_dot_;
     std::vector<double> predicted_;

@@ -164,6 +164,9 @@ public:
     /// Refines the accelerations of the last `evaluate` by their residual in Φq q̈ = γ: twice the digits near
     /// singular positions.
     virtual void refine(double* y_dot) = 0;
+    /// Computes ẏ of a mechanism whose rows leave nothing open, as `evaluate` and `refine` would, by the
+    /// factorisation of the last `project`: for a pose that it hardly moved.
+    virtual RowsVerdict evaluate_driven(double t, const double* y, double* y_dot) = 0;
     /// True if light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
     /// `choose_rows`.
     virtual bool masses_are_apart() const = 0;

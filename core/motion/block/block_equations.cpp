@@ -164,13 +164,29 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
     evaluate_forces(t, y);
     const double pivot = smallest_pivot();
     constrain_accelerations(pivot < kFewDigitsAreLost ? 2 : 1);
+    write_rates(y_dot);
+    return {pivot, largest(phi_, true), largest(phi_, false)};
+}
+
+template <int B>
+RowsVerdict BlockEquations<B>::evaluate_driven(double t, const double* y, double* y_dot) {
+    set_bodies<true>(y);
+    evaluate_links<true>(t);
+    std::ranges::fill(six_, 0.0);
+    constrain_accelerations(1);
+    meet(gamma_, size_of_six());
+    write_rates(y_dot);
+    return {smallest_pivot(), largest(phi_, true), largest(phi_, false)};
+}
+
+template <int B>
+void BlockEquations<B>::write_rates(double* y_dot) const {
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const Kinematics6& body = bodies_[at(moving_[m].body)];
         vec3(body_numbers(y_dot, m)) = body.r_dot;
         vec4(body_numbers(y_dot, m) + 3) = body.p_dot;
     }
     write_accelerations(y_dot);
-    return {pivot, largest(phi_, true), largest(phi_, false)};
 }
 
 template <int B>

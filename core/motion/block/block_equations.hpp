@@ -36,6 +36,7 @@ public:
     bool free_motion(
         double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
     void refine(double* y_dot) override;
+    RowsVerdict evaluate_driven(double t, const double* y, double* y_dot) override;
     bool masses_are_apart() const override { return masses_apart_; }
     void forget_masses() override { forgets_masses_ = true; }
     bool rows_are_sound(double t, const double* y) override;
@@ -95,8 +96,13 @@ private:
     /// Sets λ to the numbers of the kept rows and to 0 for the others.
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);
+    /// Largest of six_, rotations as they are and translations by the extent.
+    double size_of_six() const;
+    /// Adds M⁻¹ Φqᵀ λ to six_ until Φq six_ is `right` to rounding of numbers of this size.
+    void meet(const std::vector<double>& right, double size);
     /// Adds M⁻¹ Φqᵀ λ to the accelerations so that Φq q̈ = γ.
     void constrain_accelerations(int passes);
+    void write_rates(double* y_dot) const;
     void write_accelerations(double* y_dot) const;
     /// Computes M⁻¹ Q of every body.
     void evaluate_forces(double t, const double* y);

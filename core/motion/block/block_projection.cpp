@@ -105,19 +105,22 @@ double BlockEquations<B>::largest(const std::vector<double>& numbers, bool kept)
     return worst;
 }
 
-/// Projects velocities with the current Φq and a factorisation from a nearby pose; every iteration leaves the
-/// share by which the factorisation is off.
 template <int B>
-void BlockEquations<B>::project_velocities(double* y) {
+double BlockEquations<B>::size_of_six() const {
     double size = 0.0;
     for (std::size_t m = 0; m < moving_.size(); ++m) {
-        const double* v = body_numbers(y, m) + 7;
-        std::copy_n(v, 6, &six_[6 * m]);
+        const double* v = &six_[6 * m];
         size = std::max({size, vec3(v).norm() / extent_, vec3(v + 3).norm()});
     }
+    return size;
+}
+
+/// Every iteration leaves the share by which the factorisation, from a nearby pose, is off.
+template <int B>
+void BlockEquations<B>::meet(const std::vector<double>& right, double size) {
     double last = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds; ++round) {
-        set_lambda(nu_);
+        set_lambda(right);
         subtract_products(six_.data(), lambda_.data());
         const double worst = largest(lambda_, true);
         // converged to rounding, as for positions
@@ -126,6 +129,12 @@ void BlockEquations<B>::project_velocities(double* y) {
         matrix_.solve(lambda_.data());
         add_reactions(lambda_.data(), six_.data());
     }
+}
+
+template <int B>
+void BlockEquations<B>::project_velocities(double* y) {
+    for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(body_numbers(y, m) + 7, 6, &six_[6 * m]); }
+    meet(nu_, size_of_six());
     for (std::size_t m = 0; m < moving_.size(); ++m) { std::copy_n(&six_[6 * m], 6, body_numbers(y, m) + 7); }
 }
 
@@ -355,6 +364,12 @@ template double BlockEquations<6>::largest(const std::vector<double>&, bool) con
 template double BlockEquations<3>::project(double, double*);
 template double BlockEquations<5>::project(double, double*);
 template double BlockEquations<6>::project(double, double*);
+template void BlockEquations<3>::meet(const std::vector<double>&, double);
+template void BlockEquations<5>::meet(const std::vector<double>&, double);
+template void BlockEquations<6>::meet(const std::vector<double>&, double);
+template double BlockEquations<3>::size_of_six() const;
+template double BlockEquations<5>::size_of_six() const;
+template double BlockEquations<6>::size_of_six() const;
 template void BlockEquations<3>::take_out_rows();
 template void BlockEquations<5>::take_out_rows();
 template void BlockEquations<6>::take_out_rows();
