@@ -97,7 +97,7 @@ private:
     MatrixX input_rows_;
     MatrixX passed_on_;
     Eigen::ColPivHouseholderQR<MatrixX> qr_;
-    Eigen::PartialPivLU<MatrixX> lu_;
+    std::vector<Eigen::Index> pivots_;
 
     // bounds of the step
     std::vector<double> reach_;     ///< per unknown, input and target: largest distance from the anchor

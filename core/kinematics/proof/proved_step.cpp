@@ -8,18 +8,25 @@ namespace jw {
 
 namespace {
 
+template <std::size_t N>
+double largest_norm(const std::array<Vec4, N>& vectors) {
+    double square = 0.0;
+    for (const Vec4& v : vectors) { square = std::max(square, v.squaredNorm()); }
+    return std::sqrt(square);
+}
+
 Path path_of(const Vec4& x0, const Vec4& v0, const Vec4& x1, const Vec4& v1, double h) {
     Path path;
     path.control = {x0, x0 + h / 3.0 * v0, x1 - h / 3.0 * v1, x1};
-    for (const Vec4& b : path.control) { path.size = std::max(path.size, b.norm()); }
+    path.size = largest_norm(path.control);
     if (h == 0.0) { return path; }
     const auto& b = path.control;
     std::array<Vec4, 3> first;
     for (std::size_t k = 0; k < 3; ++k) { first[k] = 3.0 / h * (b[k + 1] - b[k]); }
     std::array<Vec4, 2> second;
     for (std::size_t k = 0; k < 2; ++k) { second[k] = 2.0 / h * (first[k + 1] - first[k]); }
-    for (const Vec4& v : first) { path.series[1] = std::max(path.series[1], v.norm()); }
-    for (const Vec4& a : second) { path.series[2] = std::max(path.series[2], 0.5 * a.norm()); }
+    path.series[1] = largest_norm(first);
+    path.series[2] = 0.5 * largest_norm(second);
     path.series[3] = (second[1] - second[0]).norm() / std::abs(6.0 * h);
     return path;
 }
