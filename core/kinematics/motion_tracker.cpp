@@ -18,7 +18,8 @@ constexpr double kShortest = 0x1p-46;
 constexpr double kShortestFree = 0x1p-12;
 // growth of a step after one that was proved: more would often be rejected
 constexpr double kGrowth = 1.5;
-// corrections of a pose near a change point, and the largest [rad, or units of length] that is no error
+// corrections of a pose near a change point, and the largest where an equation is lost that is no error [rad,
+// or units of length]
 constexpr int kMostCorrections = 3;
 constexpr double kLargestCorrection = 1e-6;
 // the tangent is a few thousandths off at first: four secant steps reach rounding, the rest are reserve
@@ -95,13 +96,13 @@ void MotionTracker::restart_quick_way() {
                       quick_->start(frame_.state, frame_.velocity, frame_.acceleration, frame_.t);
 }
 
-/// Corrects the pose from Newton's tolerance to rounding. Near a change point a correction that leads far is
-/// mostly error.
-void MotionTracker::polish() {
+/// Corrects the pose from Newton's tolerance to rounding. In a change point a correction that leads far is
+/// mostly error; near it, each must halve the residual.
+void MotionTracker::polish(bool is_lost) {
     for (int k = 0; k < kMostCorrections; ++k) {
         const double residual = kinematics_.residual();
         State corrected = kinematics_.corrected_state();
-        if (is_at_change_ && movement(*system_, frame_.state, corrected) > kLargestCorrection) { return; }
+        if (is_lost && movement(*system_, frame_.state, corrected) > kLargestCorrection) { return; }
         std::swap(frame_.state, corrected);
         kinematics_.set_state(frame_.state, frame_.t);
         if (!is_at_change_) { return; }
@@ -123,7 +124,7 @@ void MotionTracker::analyse(double h) {
         kinematics_.rank() < full_rank_ || is_lost || kinematics_.last_pivot_ratio() < kChangePointRatio;
     frame_.change_point = is_at_change_ || kinematics_.rank() < rank_beside_;
 
-    polish();
+    polish(is_lost);
     if (is_lost) {
         path_velocity_ = kinematics_.solve_velocity(expected).velocity;
         kinematics_.leave_out_weakest();

@@ -88,7 +88,7 @@ private:
         const MotionFrame& from, const Motion& velocity, const MotionFrame& to, const Motion& to_velocity);
     bool satisfies_between(const MotionFrame& from, const MotionFrame& to);
     void analyse(double h);
-    void polish();
+    void polish(bool is_lost);
     void follow_branch();
     void explain_end(double t);
 
