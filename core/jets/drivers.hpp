@@ -103,9 +103,11 @@ inline TimeFunction::Value target_of(const Measure& measure, const TimeFunction&
 /// Φ of a driver: measure minus target; an angle is compared modulo a turn, so that the same pose
 /// answers for every count of turns and no false solution half a turn away exists.
 inline double driver_residual(const Measure& measure, double measured_value, double target) {
-    const double difference = measured_value - target;
-    if (!std::holds_alternative<AngleMeasure>(measure)) { return difference; }
-    return std::remainder(difference, 2.0 * std::numbers::pi);
+    if (!std::holds_alternative<AngleMeasure>(measure)) { return measured_value - target; }
+    constexpr double turn = 2.0 * std::numbers::pi;
+    // the target alone is reduced exactly; a difference of many turns would round
+    const double within = std::abs(target) > std::numbers::pi ? std::remainder(target, turn) : target;
+    return std::remainder(measured_value - within, turn);
 }
 
 }  // namespace jw

@@ -87,3 +87,25 @@ TEST_CASE("Driven frames decline what needs a rank decision, and stay where they
     CHECK_FALSE(DrivenFrames::can_follow(System(free, everything(free))));
     CHECK_FALSE(DrivenFrames::can_follow(System(mechanism, {{0, 1}, {0}})));
 }
+
+TEST_CASE("A crank that has turned a thousand times is followed as one in its first turn", "[core][motion]") {
+    const Mechanism mechanism = test::driven(test::four_bar_at(0.4), 0, 1.0);
+    const System system(mechanism, everything(mechanism));
+    const double turns = 1000.0 * 2.0 * std::numbers::pi;
+    DrivenFrames quick(system);
+    Moment frame{start_state(mechanism), zero_motion(mechanism), zero_motion(mechanism)};
+    frame = thorough(system, frame, turns);
+    REQUIRE(quick.start(frame.state, frame.velocity, frame.acceleration, turns));
+    Moment first{start_state(mechanism), zero_motion(mechanism), zero_motion(mechanism)};
+    for (int k = 1; k <= 60; ++k) {
+        const double t = 0.05 * k;
+        CAPTURE(t);
+        REQUIRE(quick.advance(turns + t));
+        quick.write(frame.state, frame.velocity, frame.acceleration);
+        first = thorough(system, first, t);
+        // turns + t is rounded to 5e-13
+        for (const int body : system.moving_bodies()) {
+            CHECK((frame.state.r[at(body)] - first.state.r[at(body)]).norm() < 1e-11);
+        }
+    }
+}
