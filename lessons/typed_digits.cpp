@@ -36,14 +36,16 @@ double half_unit(const std::string& typed, int digits) {
     return significant >= digits ? 0.5 * elementary::pow(10.0, exponent - decimals) : 0.0;
 }
 
+/// A number that was rounded, or may have been.
+struct Rounded {
+    double half_unit = 0.0;
+    bool is_short = false;
+};
+
 /// The numbers of joints that were rounded.
 class RoundedNumbers {
 public:
-    /// @param with_neighbours a number with fewer digits may be one that lost its last zeros, if others of
-    /// its
-    ///        vector have more
-    RoundedNumbers(const Reading& reading, bool with_neighbours)
-        : reading_(reading), with_neighbours_(with_neighbours) {}
+    explicit RoundedNumbers(const Reading& reading) : reading_(reading) {}
 
     void add(const Fields& fields, int joint);
     const std::vector<TypedNumber>& all() const { return all_; }
@@ -56,26 +58,28 @@ private:
     };
     void add_vector(const Fields& fields, const char* key, const std::vector<Target>& targets, bool is_unit);
     void add_scalar(const Fields& fields, const char* key, double JointGeometry::*scalar, double by);
-    std::vector<double> half_units(const std::vector<TypedText>& typed) const;
+    std::vector<Rounded> rounded(const std::vector<TypedText>& typed) const;
     void add_axes(const Fields& fields, const JointType& type, const Mat3& to_i, const Mat3& to_j);
 
     const Reading& reading_;
-    bool with_neighbours_;
     int joint_ = 0;
     std::vector<TypedNumber> all_;
 };
 
-std::vector<double> RoundedNumbers::half_units(const std::vector<TypedText>& typed) const {
-    std::vector<double> units;
+/// A number with fewer digits may be one that lost its last zeros, if others of its vector have more.
+std::vector<Rounded> RoundedNumbers::rounded(const std::vector<TypedText>& typed) const {
+    std::vector<Rounded> out;
+    double most = 0.0;
     for (const TypedText& number : typed) {
-        units.push_back(half_unit(number.text, reading_.lesson.precision.digits));
+        out.push_back({half_unit(number.text, reading_.lesson.precision.digits)});
+        most = std::max(most, out.back().half_unit);
     }
-    if (!with_neighbours_ || typed.size() < 2) { return units; }
-    const double most = *std::ranges::max_element(units);
     for (std::size_t k = 0; k < typed.size(); ++k) {
-        if (units[k] == 0.0 && typed[k].value != std::round(typed[k].value)) { units[k] = most; }
+        if (out[k].half_unit == 0.0 && typed[k].value != std::round(typed[k].value)) {
+            out[k] = {most, true};
+        }
     }
-    return units;
+    return out;
 }
 
 void RoundedNumbers::add_vector(
@@ -84,14 +88,13 @@ void RoundedNumbers::add_vector(
     if (typed.size() != 3) { return; }
     const Vec3 vector(typed[0].value, typed[1].value, typed[2].value);
     const double by = is_unit ? 1.0 / vector.norm() : 1.0;
-    const std::vector<double> units = half_units(typed);
+    const std::vector<Rounded> numbers = rounded(typed);
     for (Eigen::Index k = 0; k < 3; ++k) {
-        if (units[at(k)] == 0.0) { continue; }
-        TypedNumber& number = all_.emplace_back();
-        number.joint = joint_;
-        number.half_unit = units[at(k)];
+        const auto& [half_unit, is_short] = numbers[at(k)];
+        if (half_unit == 0.0) { continue; }
+        TypedNumber& number = all_.emplace_back(TypedNumber{half_unit, {}, is_short});
         for (const Target& target : targets) {
-            number.vectors.push_back({target.vector, by * target.way.col(k)});
+            number.changes.push_back({joint_, target.vector, by * target.way.col(k)});
         }
     }
 }
@@ -100,8 +103,8 @@ void RoundedNumbers::add_scalar(
     const Fields& fields, const char* key, double JointGeometry::*scalar, double by) {
     const std::vector<TypedText> typed = fields.typed_numbers(key);
     if (typed.size() != 1) { return; }
-    const double unit = by * half_units(typed)[0];
-    if (unit > 0.0) { all_.push_back({joint_, unit, {}, scalar}); }
+    const double unit = by * rounded(typed)[0].half_unit;
+    if (unit > 0.0) { all_.push_back({unit, {{joint_, nullptr, Vec3::Zero(), scalar}}}); }
 }
 
 void RoundedNumbers::add_axes(
@@ -142,13 +145,6 @@ void RoundedNumbers::add(const Fields& fields, int joint) {
     add_scalar(fields, "advance_per_rad", &JointGeometry::alpha, 1.0);
 }
 
-std::optional<MeantMechanism> judge(
-    const std::vector<Fields>& joints, const Reading& reading, bool with_neighbours) {
-    RoundedNumbers numbers(reading, with_neighbours);
-    for (std::size_t k = 0; k < joints.size(); ++k) { numbers.add(joints[k], static_cast<int>(k)); }
-    return judge_typed_numbers(reading.lesson.mechanism, numbers.all());
-}
-
 void tell(const TypedVerdict& verdict, Fields& last, Problems& problems) {
     const std::string ranks =
         "the numbers of the joints as typed give rank " + std::to_string(verdict.rank_as_typed) + ", others ";
@@ -178,14 +174,10 @@ void read_precision(Fields& root, Lesson& lesson) {
 
 void take_as_meant(std::vector<Fields>& joints, Reading& reading) {
     Mechanism& mechanism = reading.lesson.mechanism;
-    if (joints.empty() || reading.lesson.precision.exact ||
-        mechanism.moving_bodies_count() > kMostTypedBodies) {
-        return;
-    }
-    std::optional<MeantMechanism> meant = judge(joints, reading, false);
-    if (meant && !meant->verdict.is_told) {
-        if (auto wider = judge(joints, reading, true)) { meant = std::move(wider); }
-    }
+    if (reading.lesson.precision.exact) { return; }
+    RoundedNumbers numbers(reading);
+    for (std::size_t k = 0; k < joints.size(); ++k) { numbers.add(joints[k], static_cast<int>(k)); }
+    const auto meant = judge_typed_numbers(mechanism, numbers.all());
     if (!meant) { return; }
     mechanism.typed = meant->verdict;
     for (std::size_t k = 0; k < meant->geometry.size(); ++k) {

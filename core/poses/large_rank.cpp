@@ -6,6 +6,7 @@
 #include "core/eigen/decompositions.hpp"
 #include "core/numerics/sparse_rank.hpp"
 #include "core/poses/least_squares.hpp"
+#include "core/poses/typed_verdict.hpp"
 
 namespace jw {
 
@@ -81,6 +82,7 @@ RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, 
     report.estimated_last = found.last;
     report.largest_gap = found.last / std::max(found.next_at_most, kRounding * found.largest);
     report.near_singular = report.rank > 1 && found.last < kNearSingularRatio * found.last_but_one;
+    take_typed_verdict(system, report);
     for (const SparseCombination& combination : found.combinations) {
         RedundantRow entry{combination.row, {}, combination.misfit, combination.bound};
         for (std::size_t k = 0; k < combination.rows.size(); ++k) {

@@ -9,6 +9,7 @@
 #include "core/equations/assembler.hpp"
 #include "core/numerics/svd.hpp"
 #include "core/poses/least_squares.hpp"
+#include "core/poses/typed_verdict.hpp"
 
 namespace jw {
 
@@ -243,11 +244,7 @@ RankReport analyse_rank(
     report.assembled = report.residual <= kAssembledResidual;
 
     judge(report, svd);
-    const Mechanism& mechanism = system.mechanism();
-    if (mechanism.typed && system.selection().joints.size() == mechanism.joints.size()) {
-        report.typed = mechanism.typed;
-        report.decided = report.decided && report.typed->is_told;
-    }
+    take_typed_verdict(system, report);
     if (detail == RankDetail::verdict) { return report; }
 
     const VectorX& sigma = report.singular_values;

@@ -3,7 +3,6 @@
 
 #include "core/kinematics/motion_tracker.hpp"
 #include "core/poses/position.hpp"
-#include "core/poses/rank.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/lessons/typed_lesson.hpp"
 
@@ -14,22 +13,13 @@ using test::Bennett;
 using test::lesson_of;
 using test::Random;
 using test::random_bennett;
+using test::rank_of_joints;
 using test::Style;
 
 namespace {
 
 std::string lesson_text(const Bennett& bennett, Random& random, const Style& style) {
     return test::lesson_text(test::bennett_loop(bennett, random), style);
-}
-
-RankReport rank_of_joints(const Mechanism& mechanism, const State& state) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    System system(mechanism, joints);
-    system.choose_rows(state);
-    Assembler<OmegaLocal> assembler(system);
-    assembler.assemble_phi_and_jacobian(state, 0.0);
-    return analyse_rank(system, assembler.jacobian(), assembler.phi());
 }
 
 State assembled(const Mechanism& mechanism) {

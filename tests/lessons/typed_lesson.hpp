@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "core/poses/large_rank.hpp"
 #include "tests/support/overconstrained_linkages.hpp"
 
 /// Lessons of overconstrained linkages, with numbers as somebody types them.
@@ -12,12 +13,13 @@ namespace jw::test {
 /// How an author types numbers.
 struct Style {
     int digits = 6;
-    bool decimals = false;  ///< so many decimals, else significant digits
-    bool local = false;     ///< points and axes in the frames of the bodies, else in that of the ground
-    std::string head = {};  ///< what else stands in the lesson
-    double off = 0.0;       ///< by which a point is beside its axis [m]
-    bool zeros = false;     ///< decimals with the zeros at their end
-    std::string body = {};  ///< what else stands with each body
+    bool decimals = false;        ///< so many decimals, else significant digits
+    bool local = false;           ///< points and axes in the frames of the bodies, else in that of the ground
+    std::string head = {};        ///< what else stands in the lesson
+    double off = 0.0;             ///< by which a point is beside its axis [m]
+    bool zeros = false;           ///< decimals with the zeros at their end
+    std::string body = {};        ///< what else stands with each body
+    std::string base = "ground";  ///< the link between the last hinge and the first
 
     std::string number(double x) const {
         std::array<char, 40> text{};
@@ -34,11 +36,26 @@ struct Style {
     }
 };
 
+/// Bodies c1, c2... behind each other, held by hinges anywhere. @param to body that is held by the last, or
+/// none
+inline std::string chain_text(
+    const std::string& from, const std::string& to, int count, Random& random, const Style& style) {
+    std::string text;
+    const auto name_of = [&](int k) { return k == 0 ? from : k > count ? to : "c" + std::to_string(k); };
+    for (int k = 1; k <= count; ++k) { text += "[[body]]\nname = \"" + name_of(k) + "\"\n"; }
+    for (int k = 0; k < count + (to.empty() ? 0 : 1); ++k) {
+        text += "[[joint]]\ntype = \"revolute\"\nname = \"chain" + std::to_string(k) + "\"\nbodies = [\"" +
+                name_of(k) + "\", \"" + name_of(k + 1) + "\"]\nat = " + style.vector(random.vector()) +
+                "\naxis = " + style.vector(random.direction()) + "\n";
+    }
+    return text;
+}
+
 /// A lesson with a loop whose first hinge is driven: bodies b1, b2..., joints h0, h1...
 inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
     const std::size_t count = loop.hinges.size();
     const auto name_of = [&](std::size_t body) {
-        return body % count == 0 ? std::string("ground") : "b" + std::to_string(body);
+        return body % count == 0 ? style.base : "b" + std::to_string(body);
     };
     std::string text = "format = 1\ntitle = \"t\"\n" + style.head;
     // frame of each body: that of the hinge before its link, or that of the ground
@@ -71,6 +88,17 @@ inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
            "[[driver]]\nname = \"motor\"\njoint = \"h0\"\nquantity = \"angle\"\n"
            "polynomial_deg = [0, " +
            std::to_string(loop.turn_deg) + "]\n";
+}
+
+/// Joints alone at the start, assembled: their rank as everything that shows one says.
+inline RankReport rank_of_joints(const Mechanism& mechanism, State state) {
+    Selection joints = everything(mechanism);
+    joints.drivers.clear();
+    System system(mechanism, joints);
+    system.choose_rows(state);
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(state, 0.0);
+    return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), false);
 }
 
 }  // namespace jw::test

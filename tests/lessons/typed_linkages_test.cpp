@@ -25,15 +25,6 @@ constexpr int kIntervals = 12;
 const std::string kMass = "mass = 1\ninertia = [0.1, 0.1, 0.1]\n";
 const std::string kDynamics = "[dynamics]\nduration = 1\n";
 
-using Loop = HingeLoop (*)(Random&);
-constexpr std::array<Loop, 6> kLoops{
-    test::goldberg_loop,
-    test::myard_loop,
-    test::sarrus_loop,
-    test::line_symmetric_loop,
-    [](Random& random) { return test::threefold_loop(random, false); },
-    [](Random& random) { return test::threefold_loop(random, true); }};
-
 /// Loops of each class, and the digits that are tried: JW_TYPED_LOOPS asks for more of both.
 struct Share {
     unsigned loops = 1;
@@ -112,7 +103,7 @@ TEST_CASE(
     int undecided = 0;
     int asked = 0;
     for (unsigned seed = 1; seed <= share.loops; ++seed) {
-        for (const Loop make : kLoops) {
+        for (const test::MakeLoop make : test::kHingeLoops) {
             Random random(seed);
             const HingeLoop loop = make(random);
             const auto typed_with = [&](int digits) {

@@ -214,4 +214,14 @@ inline HingeLoop threefold_loop(Random& random, bool is_orthogonal) {
     return laid(loop, random);
 }
 
+using MakeLoop = HingeLoop (*)(Random&);
+/// Loops of five and six hinges, one of each class.
+inline constexpr std::array<MakeLoop, 6> kHingeLoops{
+    goldberg_loop,
+    myard_loop,
+    sarrus_loop,
+    line_symmetric_loop,
+    [](Random& random) { return threefold_loop(random, false); },
+    [](Random& random) { return threefold_loop(random, true); }};
+
 }  // namespace jw::test

@@ -1,0 +1,270 @@
+#include "core/poses/typed/meant_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/poses/large_rank.hpp"
+#include "core/poses/position.hpp"
+#include "core/poses/rank.hpp"
+#include "core/poses/typed/loose_motion.hpp"
+
+namespace jw {
+
+namespace {
+
+// a change of the numbers moves poses, too, by its size over the last singular value that counts
+constexpr double kMostEffect = 1e3;
+constexpr double kStep = 0.25;  // of the walk, largest turn [rad] or displacement in sizes of the machine
+constexpr double kCheckStep = 0.29;  // other poses than those of the walk
+constexpr int kMostSteps = 14;       // half a turn in either sense
+constexpr int kMostCheckSteps = 40;  // nearly two turns
+constexpr int kLeastSteps = 4;       // a motion of a radian is one of finite length
+constexpr int kMostFits = 12;
+constexpr int kMostRounds = 4;
+// what all digits together may change, with those that short numbers have lost; more has another reason
+constexpr double kDoubtful = 5.0;
+// a linear fit leaves errors of second order, which the next one removes: as few as can be removed by changes
+// within the half units, since those of weak conditions are as large as what they ask for
+constexpr double kLinearRest = 1e-5;
+constexpr double kMostLinearRest = 2e-2;
+constexpr double kRounding = 1e-16;
+// of the conditions, which are known to about nine digits of a change by half a unit
+constexpr double kLeastSingular = 1e-9;
+// singular values below it are rounding
+constexpr double kExact = 1e-13;
+// share of a joint in what repeats: others have some of the misfit, those of a loop as much as each other
+constexpr double kTakesPart = 1e-3;
+
+/// First-order conditions A x = b for the changes x of the numbers, in half units, with which the equations
+/// hold at poses nearby.
+struct Conditions {
+    MatrixX A;
+    VectorX b;
+    double misfit = 0.0;  ///< largest |Φ| at the poses, scaled
+    bool is_met = true;   ///< up to rounding
+    double excess = 0.0;  ///< largest |b| as a multiple of what changes of ±1 can add up to
+};
+
+class MeantSearch {
+public:
+    MeantSearch(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers, const RankDoubt& doubt)
+        : typed_(mechanism), numbers_(numbers), mechanism_(mechanism), rank_(doubt.rank) {
+        changes_.setZero(static_cast<Eigen::Index>(numbers.size()));
+        verdict_.rank = doubt.rank;
+        verdict_.rank_as_typed = doubt.rank_as_typed;
+    }
+
+    std::optional<MeantPart> run(State start);
+
+private:
+    Conditions conditions(const std::vector<State>& poses) const;
+    bool fit(std::vector<State>& poses);
+    bool find_meant(State start, std::vector<State> poses);
+
+    const Mechanism& typed_;
+    const std::vector<TypedNumber>& numbers_;
+    Mechanism mechanism_;
+    VectorX changes_;  ///< changes of the numbers in half units
+    int rank_;
+    TypedVerdict verdict_;
+};
+
+/// Angles are measured from vectors across the axis.
+void keep_sides_perpendicular(JointGeometry& g) {
+    const auto across = [](const Vec3& u, const Vec3& s) {
+        return Vec3((u - u.dot(s) / s.squaredNorm() * s).normalized());
+    };
+    g.u_i_local = across(g.u_i_local, g.s_i_local);
+    g.u_j_local = across(g.u_j_local, g.s_j_local);
+}
+
+/// Largest effect of half a unit on the scaled rows.
+double largest_half_unit(const std::vector<TypedNumber>& numbers, double length_unit) {
+    double largest = 0.0;
+    for (const TypedNumber& number : numbers) {
+        largest = std::max(largest, number.half_unit / (number.is_length() ? length_unit : 1.0));
+    }
+    return largest;
+}
+
+/// Orthonormal columns that span the combinations of rows that are zero at this rank.
+MatrixX combinations_of(const JointEquations& equations, int rank) {
+    const MatrixX jacobian = equations.scaled.jacobian();
+    return svd_of(jacobian.transpose()).V.rightCols(jacobian.rows() - rank);
+}
+
+/// Joints with rows that take part in the combinations.
+std::vector<int> joints_in(const MatrixX& combinations, const System& system) {
+    VectorX parts = VectorX::Zero(static_cast<Eigen::Index>(system.mechanism().joints.size()));
+    for (const Constraint& c : system.constraints()) {
+        parts(c.joint) += combinations.middleRows(c.first_row, c.rows()).squaredNorm();
+    }
+    std::vector<int> joints;
+    for (Eigen::Index j = 0; j < parts.size(); ++j) {
+        if (parts(j) > kTakesPart * kTakesPart) { joints.push_back(static_cast<int>(j)); }
+    }
+    return joints;
+}
+
+State best_start(const System& system) {
+    State start = start_state(system.mechanism());
+    const bool closes = solve_position<OmegaLocal>(system, start, 0.0).ok();
+    return closes ? start : closest_fit(system, start, 0.0);
+}
+
+Conditions MeantSearch::conditions(const std::vector<State>& poses) const {
+    const auto count = static_cast<Eigen::Index>(numbers_.size());
+    Conditions out;
+    for (const State& pose : poses) {
+        const JointEquations equations(mechanism_, pose);
+        const VectorX phi = equations.scaled.phi();
+        const Eigen::Index each = phi.size() - rank_;
+        const double rounding = residual_tolerance(equations.system, pose);
+        out.misfit = std::max(out.misfit, equations.misfit());
+        out.is_met = out.is_met && equations.misfit() <= rounding;
+        const MatrixX left = combinations_of(equations, rank_);
+        const Eigen::Index row = out.b.size();
+        out.A.conservativeResize(row + each, count);
+        out.b.conservativeResize(row + each);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            out.A.block(row, k, each, 1) =
+                left.transpose() * derivative(equations.system, pose, numbers_[at(k)]);
+        }
+        out.b.tail(each) = -(left.transpose() * phi);
+        for (Eigen::Index k = row; k < row + each; ++k) {
+            if (std::abs(out.b(k)) <= rounding) { continue; }
+            const double most = std::max(out.A.row(k).cwiseAbs().sum(), kRounding);
+            out.excess = std::max(out.excess, std::abs(out.b(k)) / most);
+        }
+    }
+    return out;
+}
+
+/// Smallest x, |x_k| <= 1, with |A x - b| up to `least_rest`. Entries that would be larger are set to ±1, one
+/// round after the other.
+std::optional<VectorX> smallest_changes(const MatrixX& A, const VectorX& b, double least_rest) {
+    VectorX x = VectorX::Zero(A.cols());
+    std::vector<bool> is_fixed(at(A.cols()), false);
+    for (Eigen::Index round = 0; round < A.cols(); ++round) {
+        VectorX rest = b;
+        MatrixX free = A;
+        for (Eigen::Index k = 0; k < A.cols(); ++k) {
+            if (!is_fixed[at(k)]) { continue; }
+            rest -= x(k) * A.col(k);
+            free.col(k).setZero();
+        }
+        const Svd svd = svd_of(free);
+        VectorX y = VectorX::Zero(A.cols());
+        for (Eigen::Index k = 0; k < svd.sigma.size() && rest.norm() > least_rest; ++k) {
+            if (svd.sigma(k) <= kLeastSingular * svd.sigma(0)) { break; }
+            const double part = svd.U.col(k).dot(rest);
+            rest -= part * svd.U.col(k);
+            y += part / svd.sigma(k) * svd.V.col(k);
+        }
+        if (rest.norm() > 2.0 * least_rest) { return std::nullopt; }
+        bool is_within = true;
+        for (Eigen::Index k = 0; k < A.cols(); ++k) {
+            if (is_fixed[at(k)]) { continue; }
+            x(k) = y(k);
+            if (std::abs(y(k)) <= 1.0) { continue; }
+            x(k) = std::copysign(1.0, y(k));
+            is_fixed[at(k)] = true;
+            is_within = false;
+        }
+        if (is_within) { return x; }
+    }
+    return std::nullopt;
+}
+
+/// Changes the numbers until all equations hold at all poses, which follow.
+bool MeantSearch::fit(std::vector<State>& poses) {
+    for (int k = 0; k < kMostFits; ++k) {
+        const Conditions c = conditions(poses);
+        if (c.is_met) { return true; }
+        // of the whole changes, with those made before
+        const VectorX whole = c.b + c.A * changes_;
+        const double rounding = kRounding * std::sqrt(static_cast<double>(c.b.size()));
+        std::optional<VectorX> changes;
+        for (double rest = kLinearRest; !changes && rest <= kMostLinearRest; rest *= 10.0) {
+            changes = smallest_changes(c.A, whole, std::max(rest * c.b.norm(), rounding));
+        }
+        if (!changes) { return false; }
+        changes_ = *changes;
+        mechanism_.joints = changed_joints(typed_.joints, numbers_, changes_);
+        if (!std::ranges::all_of(poses, [&](State& pose) { return settle(mechanism_, rank_, pose); })) {
+            return false;
+        }
+    }
+    return false;
+}
+
+/// Fits the numbers to the poses of a walk until the equations hold on another, longer one, too; poses of
+/// that one at which they do not are fitted as well.
+bool MeantSearch::find_meant(State start, std::vector<State> poses) {
+    for (int round = 0; round < kMostRounds; ++round) {
+        if (!fit(poses) || !settle(mechanism_, rank_, start)) { return false; }
+        const std::vector<State> others = walk(mechanism_, rank_, start, kCheckStep, kMostCheckSteps);
+        const std::size_t fitted = poses.size();
+        std::ranges::copy_if(others, std::back_inserter(poses), [&](const State& pose) {
+            const JointEquations equations(mechanism_, pose);
+            return equations.misfit() > residual_tolerance(equations.system, pose);
+        });
+        if (poses.size() == fitted) { return static_cast<int>(others.size()) > kLeastSteps; }
+    }
+    return false;
+}
+
+std::optional<MeantPart> MeantSearch::run(State start) {
+    if (!settle(mechanism_, rank_, start)) { return std::nullopt; }
+    const std::vector<State> poses = walk(mechanism_, rank_, start, kStep, kMostSteps);
+    if (static_cast<int>(poses.size()) <= kLeastSteps) { return std::nullopt; }
+    const Conditions as_typed = conditions(poses);
+    if (as_typed.excess > kDoubtful) { return std::nullopt; }
+    verdict_.misfit = as_typed.misfit;
+    verdict_.is_told = find_meant(start, poses);
+    if (verdict_.is_told) { verdict_.share = changes_.cwiseAbs().maxCoeff(); }
+    MeantPart part{verdict_, {}};
+    for (Joint& joint : (verdict_.is_told ? mechanism_ : Mechanism(typed_)).joints) {
+        if (verdict_.is_told && joint.type->has_angle()) { keep_sides_perpendicular(joint.geometry); }
+        part.geometry.push_back(joint.geometry);
+    }
+    return part;
+}
+
+}  // namespace
+
+std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers) {
+    Selection joints = everything(mechanism);
+    joints.drivers.clear();
+    const System system(mechanism, joints);
+    if (numbers.empty() || system.rows() == 0 || system.moving_bodies().empty() ||
+        system.columns(OmegaLocal::kAngular) > kMostColumnsWithSpectrum) {
+        return std::nullopt;
+    }
+    RankDoubt doubt{best_start(system), 0, 0, {}};
+    const JointEquations equations(mechanism, doubt.start);
+    const Svd svd = equations.svd();
+    if (!svd.sound) { return std::nullopt; }
+    const double unit = std::max(1.0, svd.sigma(0));
+    const double most = kMostEffect * largest_half_unit(numbers, equations.system.length_unit());
+    doubt.rank_as_typed = static_cast<int>(svd.rank(kRankThreshold * unit));
+    // the largest gap above singular values that a change of the digits may explain
+    double gap = 0.0;
+    for (int r = static_cast<int>(svd.rank(kExact * unit)) - 1; r > 0 && svd.sigma(r) <= most; --r) {
+        if (svd.sigma(r - 1) / svd.sigma(r) > gap) {
+            gap = svd.sigma(r - 1) / svd.sigma(r);
+            doubt.rank = r;
+        }
+    }
+    if (doubt.rank == 0) { return std::nullopt; }
+    doubt.joints = joints_in(combinations_of(equations, doubt.rank), equations.system);
+    return doubt;
+}
+
+std::optional<MeantPart> find_meant(
+    const Mechanism& mechanism, const std::vector<TypedNumber>& numbers, const RankDoubt& doubt) {
+    return MeantSearch(mechanism, numbers, doubt).run(doubt.start);
+}
+
+}  // namespace jw

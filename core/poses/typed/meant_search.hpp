@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "core/poses/typed/typed_number.hpp"
+
+/// Search for the mechanism that was meant, in one closed part of a mechanism.
+namespace jw {
+
+/// Joints whose rank depends on less than their numbers are known to.
+struct RankDoubt {
+    State start;   ///< where the equations hold best, as typed
+    int rank = 0;  ///< without the singular values that changes of the digits may explain
+    int rank_as_typed = 0;
+    std::vector<int> joints;  ///< those that may repeat each other, ascending
+};
+
+/// @param numbers those known to their last digit; all others are exact
+/// @return nothing where the digits make no difference to the rank, or too many bodies move to tell
+std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers);
+
+/// What is found about a part, with the geometry of each of its joints, as typed if it is not told.
+struct MeantPart {
+    TypedVerdict verdict;
+    std::vector<JointGeometry> geometry;
+};
+
+/// Finds the poses of the motion that the nearly dependent equations leave in least squares, then the
+/// smallest change of the numbers for which all equations hold at all of them; other poses on the way check
+/// it.
+/// @return nothing where no motion is near, or the misfit has another reason than digits
+std::optional<MeantPart> find_meant(
+    const Mechanism& mechanism, const std::vector<TypedNumber>& numbers, const RankDoubt& doubt);
+
+}  // namespace jw

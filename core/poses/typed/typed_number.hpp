@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "core/equations/system.hpp"
+
+/// Numbers of joints that are known to their last digit only, and what changes of them do.
+namespace jw {
+
+/// A number that is known to half a unit of its last digit.
+struct TypedNumber {
+    /// Change of a vector, or in its place a scalar, of a joint's geometry per unit of the number.
+    struct Change {
+        int joint = 0;
+        Vec3 JointGeometry::*vector = nullptr;
+        Vec3 direction = Vec3::Zero();
+        double JointGeometry::*scalar = nullptr;
+    };
+    double half_unit = 0.0;
+    std::vector<Change> changes;
+    /// Has few digits and counts as rounded only where nothing else explains the misfit.
+    bool is_short = false;
+
+    bool is_length() const;
+};
+
+/// Joints with the numbers changed by `changes`, in half units each; axes keep their lengths.
+std::vector<Joint> changed_joints(
+    const std::vector<Joint>& joints, const std::vector<TypedNumber>& numbers, const VectorX& changes);
+
+/// Change of the scaled rows of a system of joints per half unit of a number.
+VectorX derivative(const System& system, const State& state, const TypedNumber& number);
+
+}  // namespace jw

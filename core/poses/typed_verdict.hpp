@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/poses/rank.hpp"
+
+namespace jw {
+
+/// Tells the report on all joints of a mechanism what their digits leave open.
+inline void take_typed_verdict(const System& system, RankReport& report) {
+    const Mechanism& mechanism = system.mechanism();
+    if (!mechanism.typed || system.selection().joints.size() != mechanism.joints.size()) { return; }
+    report.typed = mechanism.typed;
+    report.decided = report.decided && report.typed->is_told;
+}
+
+}  // namespace jw
