@@ -118,7 +118,8 @@ std::vector<TypedText> Fields::typed_numbers(std::string_view key) const {
     std::vector<TypedText> out;
     const auto add = [&](const toml::node& node) {
         if (const auto value = node.value<double>()) {
-            out.push_back({*value, number_at(problems_->source(), span_of(node.source()))});
+            const SourceSpan span = span_of(node.source());
+            out.push_back({*value, number_at(problems_->source(), span), span});
         }
     };
     const toml::node* node = table_->get(key);

@@ -28,6 +28,7 @@ inline constexpr double kShortestDirection = 1e-9;
 struct TypedText {
     double value = 0.0;
     std::string text;
+    SourceSpan span;
 };
 
 /// "a table", "a number", ...: for messages.

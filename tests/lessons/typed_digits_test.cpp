@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "core/kinematics/motion_tracker.hpp"
@@ -116,6 +120,37 @@ TEST_CASE(
         CHECK(meant.typed->misfit < 2.0 * largest);
         CHECK(meant.typed->misfit > 0.02 * largest);
     }
+}
+
+TEST_CASE("A single number with too few digits is named, with its place", "[lessons][typed]") {
+    constexpr std::size_t kNumbers = 24;  // of four points and four axes
+    int named = 0;
+    for (unsigned seed = 1; seed <= kNumbers; ++seed) {
+        Random random(seed);
+        const Bennett bennett = random_bennett(random);
+        std::string text = lesson_text(bennett, random, {.digits = 10, .zeros = true});
+        // one of them loses four digits
+        std::size_t from = 0;
+        for (std::size_t k = 0; k < seed; ++k) { from = text.find('.', from + 1); }
+        from = text.find_last_of("[ ", from) + 1;
+        const std::size_t to = text.find_first_of(",]", from);
+        std::array<char, 40> typed{};
+        std::snprintf(typed.data(), typed.size(), "%#.6g", std::strtod(text.c_str() + from, nullptr));
+        text.replace(from, to - from, typed.data());
+
+        const ReadResult read = read_lesson(text, "test.toml");
+        CAPTURE(seed, typed.data(), read.report());
+        // a number that hardly matters leaves the others to decide, and they fit
+        REQUIRE(read.diagnostics.size() <= 1);
+        if (read.diagnostics.empty()) { continue; }
+        const Diagnostic& warning = read.diagnostics.front();
+        ++named;
+        CHECK(warning.hint.find(std::string("give ") + typed.data() + " in '") == 0);
+        CHECK(
+            warning.span.line == std::count(text.begin(), text.begin() + static_cast<long>(from), '\n') + 1);
+        CHECK(warning.span.length == static_cast<int>(std::string(typed.data()).size()));
+    }
+    CHECK(named > 20);
 }
 
 TEST_CASE("A loop that no rounding explains keeps the rank of its numbers", "[lessons][typed]") {

@@ -17,13 +17,13 @@ struct Style {
     bool local = false;           ///< points and axes in the frames of the bodies, else in that of the ground
     std::string head = {};        ///< what else stands in the lesson
     double off = 0.0;             ///< by which a point is beside its axis [m]
-    bool zeros = false;           ///< decimals with the zeros at their end
+    bool zeros = false;           ///< with the zeros at their end
     std::string body = {};        ///< what else stands with each body
     std::string base = "ground";  ///< the link between the last hinge and the first
 
     std::string number(double x) const {
         std::array<char, 40> text{};
-        std::snprintf(text.data(), text.size(), decimals ? "%.*f" : "%.*g", digits, x);
+        std::snprintf(text.data(), text.size(), decimals ? "%.*f" : zeros ? "%#.*g" : "%.*g", digits, x);
         std::string out = text.data();
         if (decimals && !zeros) {
             while (out.ends_with('0')) { out.pop_back(); }

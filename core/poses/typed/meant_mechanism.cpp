@@ -55,9 +55,10 @@ private:
 /// Numbers that change the part, with its joints counted in it.
 std::vector<TypedNumber> Judgement::numbers_of(const ClosedPart& part, bool with_short) const {
     std::vector<TypedNumber> out;
-    for (const TypedNumber& number : numbers_) {
+    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+        const TypedNumber& number = numbers_[k];
         if (number.is_short && !with_short) { continue; }
-        TypedNumber own{number.half_unit, {}, number.is_short};
+        TypedNumber own{number.half_unit, {}, number.is_short, static_cast<int>(k)};
         for (TypedNumber::Change change : number.changes) {
             const auto found = std::ranges::lower_bound(part.joints, change.joint);
             if (found == part.joints.end() || *found != change.joint) { continue; }
@@ -115,6 +116,7 @@ std::optional<MeantMechanism> Judgement::result() const {
     TypedVerdict whole{.is_told = true};
     int lost = 0;
     int lost_told = 0;
+    VectorX effects = VectorX::Zero(static_cast<Eigen::Index>(numbers_.size()));
     for (const auto& [part, found] : found_) {
         const TypedVerdict& verdict = found.verdict;
         lost += verdict.rank_as_typed - verdict.rank;
@@ -122,13 +124,16 @@ std::optional<MeantMechanism> Judgement::result() const {
         whole.misfit = std::max(whole.misfit, verdict.misfit);
         whole.share = std::max(whole.share, verdict.share);
         whole.is_told = whole.is_told && verdict.is_told;
+        for (const auto& [number, effect] : found.effects) {
+            effects(number) = std::max(effects(number), effect);
+        }
         for (std::size_t k = 0; k < part.joints.size(); ++k) {
             meant.joints[at(part.joints[k])].geometry = found.geometry[k];
         }
     }
     whole.rank_as_typed = rank_of_joints(meant) + lost_told;
     whole.rank = whole.rank_as_typed - lost;
-    MeantMechanism out{whole, {}};
+    MeantMechanism out{whole, {}, effects};
     for (const Joint& joint : meant.joints) { out.geometry.push_back(joint.geometry); }
     return out;
 }

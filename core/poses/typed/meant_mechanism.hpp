@@ -15,6 +15,7 @@ namespace jw {
 struct MeantMechanism {
     TypedVerdict verdict;
     std::vector<JointGeometry> geometry;
+    VectorX effects;  ///< of half a unit of each number on what decides; 0 where it plays no part
 };
 
 /// Searches each closed part of the mechanism for what was meant, the joints that may repeat each other alone

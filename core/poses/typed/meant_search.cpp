@@ -187,7 +187,10 @@ std::optional<MeantPart> MeantSearch::run(State start) {
     verdict_.misfit = as_typed.misfit;
     verdict_.is_told = find_meant(start, poses);
     if (verdict_.is_told) { verdict_.share = changes_.cwiseAbs().maxCoeff(); }
-    MeantPart part{verdict_, {}};
+    MeantPart part{verdict_, {}, {}};
+    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+        part.effects.push_back({numbers_[k].index, as_typed.A.col(static_cast<Eigen::Index>(k)).norm()});
+    }
     for (Joint& joint : (verdict_.is_told ? mechanism_ : Mechanism(typed_)).joints) {
         if (verdict_.is_told && joint.type->has_angle()) { keep_sides_perpendicular(joint.geometry); }
         part.geometry.push_back(joint.geometry);

@@ -19,10 +19,16 @@ struct RankDoubt {
 /// @return nothing where the digits make no difference to the rank, or too many bodies move to tell
 std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers);
 
-/// What is found about a part, with the geometry of each of its joints, as typed if it is not told.
+/// What is found about a part.
 struct MeantPart {
+    /// Size of the change of the conditions for a motion that half a unit of a number makes.
+    struct Effect {
+        int number = 0;  ///< TypedNumber::index
+        double size = 0.0;
+    };
     TypedVerdict verdict;
-    std::vector<JointGeometry> geometry;
+    std::vector<JointGeometry> geometry;  ///< of each joint; as typed if it is not told
+    std::vector<Effect> effects;          ///< of each number
 };
 
 /// Finds the poses of the motion that the nearly dependent equations leave in least squares, then the

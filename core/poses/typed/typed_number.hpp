@@ -20,6 +20,7 @@ struct TypedNumber {
     std::vector<Change> changes;
     /// Has few digits and counts as rounded only where nothing else explains the misfit.
     bool is_short = false;
+    int index = 0;  ///< in the list of all
 
     bool is_length() const;
 };

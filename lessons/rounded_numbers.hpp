@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+
+#include "core/poses/typed/typed_number.hpp"
+#include "lessons/reading.hpp"
+
+/// The numbers of a lesson that were rounded when they were typed, and what changes of them do to its joints.
+namespace jw::reading {
+
+class RoundedNumbers {
+public:
+    explicit RoundedNumbers(const Reading& reading) : reading_(reading) {}
+
+    /// Points, axes, sides and lengths of the joints, in the order of the mechanism.
+    void add_joints(const std::vector<Fields>& joints);
+
+    const std::vector<TypedNumber>& all() const { return all_; }
+
+    /// What needs more digits: the number or the key that decides more than all others together.
+    /// @param effects of half a unit of each number @return without a place where several do
+    Located<std::string> short_of_digits(const VectorX& effects) const;
+
+private:
+    using Change = TypedNumber::Change;
+    /// What a unit of one of the numbers of a key changes.
+    using Changes = std::function<std::vector<Change>(Eigen::Index)>;
+    /// A vector of the geometry, and the way there from the vector that was typed.
+    struct Target {
+        Vec3 JointGeometry::*vector;
+        Mat3 way;
+    };
+    /// Where a number stands.
+    struct Place {
+        SourceSpan span;
+        std::string text;
+        SourceSpan key;        ///< of all numbers of its key
+        std::string key_name;  ///< "'axis' of revolute joint 'hinge'"
+    };
+    void add(
+        const Fields& fields, std::string_view key, std::size_t count, const Changes& changes,
+        double by = 1.0);
+    void add_joint(const Fields& fields, int joint);
+    void add_axes(const Fields& fields, int joint, const Mat3& to_i, const Mat3& to_j);
+    void add_vector(
+        const Fields& fields, int joint, std::string_view key, const std::vector<Target>& targets,
+        bool is_unit = false);
+    void add_scalar(
+        const Fields& fields, int joint, std::string_view key, double JointGeometry::*scalar,
+        double by = 1.0);
+
+    const Reading& reading_;
+    std::vector<TypedNumber> all_;
+    std::vector<Place> places_;  ///< one for each of them
+};
+
+}  // namespace jw::reading
