@@ -139,7 +139,9 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices) {
 void read_joints(Fields& root, Reading& reading) {
     std::vector<Fields> joints = root.tables("joint", kMostJoints);
     for (Fields& fields : joints) { read_joint(fields, reading); }
-    if (reading.problems->errors_count() == 0) { take_as_meant(joints, reading); }
+    if (reading.problems->errors_count() > 0) { return; }
+    std::vector<Fields> bodies = root.tables("body", kMostBodies);
+    take_as_meant(bodies, joints, reading);
 }
 
 }  // namespace jw::reading

@@ -135,7 +135,7 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices);
 /// Vectors of a joint whose type and bodies are known.
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
 /// Gives the joints the geometry that was meant, where they repeat each other to the digits typed only.
-void take_as_meant(const std::vector<Fields>& joints, Reading& reading);
+void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joints, Reading& reading);
 /// Relative angle u_i to u_j and displacement s_i·d at the start pose.
 double start_angle(const BodyPair& pair, const JointGeometry& geometry);
 double start_displacement(const BodyPair& pair, const JointGeometry& geometry);

@@ -60,7 +60,8 @@ std::vector<Rounded> rounded(const std::vector<TypedText>& typed, int digits) {
 }  // namespace
 
 void RoundedNumbers::add(
-    const Fields& fields, std::string_view key, std::size_t count, const Changes& changes, double by) {
+    const Fields& fields, const std::string& pose_of, std::string_view key, std::size_t count,
+    const Changes& changes, double by) {
     const std::vector<TypedText> typed = fields.typed_numbers(key);
     if (typed.size() != count) { return; }
     const std::vector<Rounded> numbers = rounded(typed, reading_.lesson.precision.digits);
@@ -69,9 +70,10 @@ void RoundedNumbers::add(
         std::vector<Change> list = changes(static_cast<Eigen::Index>(k));
         if (list.empty()) { continue; }
         all_.push_back({by * numbers[k].half_unit, std::move(list), numbers[k].is_short, 0});
+        const std::string& what = pose_of.empty() ? fields.what() : pose_of;
         places_.push_back(
-            {typed[k].span, typed[k].text, fields.span(key),
-             in_quotes(std::string(key)) + " of " + fields.what()});
+            {typed[k].span, typed[k].text, fields.span(key), in_quotes(std::string(key)) + " of " + what,
+             !pose_of.empty()});
     }
 }
 
@@ -92,7 +94,7 @@ void RoundedNumbers::add_vector(
         }
         return list;
     };
-    add(fields, key, 3, changes);
+    add(fields, {}, key, 3, changes);
 }
 
 void RoundedNumbers::add_scalar(
@@ -100,7 +102,7 @@ void RoundedNumbers::add_scalar(
     const auto changes = [&](Eigen::Index) {
         return std::vector{Change{joint, nullptr, Vec3::Zero(), scalar}};
     };
-    add(fields, key, 1, changes, by);
+    add(fields, {}, key, 1, changes, by);
 }
 
 void RoundedNumbers::add_axes(const Fields& fields, int joint, const Mat3& to_i, const Mat3& to_j) {
@@ -147,16 +149,19 @@ Located<std::string> RoundedNumbers::short_of_digits(const VectorX& effects) con
     const double all = effects.squaredNorm();
     const auto decides = [&](double square) { return square > kDecides * kDecides * (all - square); };
     std::map<std::string, double> of_keys;
+    double of_poses = 0.0;
     for (std::size_t k = 0; k < places_.size(); ++k) {
         const Place& place = places_[k];
         const double square = effects(static_cast<Eigen::Index>(k)) * effects(static_cast<Eigen::Index>(k));
         if (decides(square)) { return {place.text + " in " + place.key_name, place.span}; }
         of_keys[place.key_name] += square;
+        of_poses += place.is_of_pose ? square : 0.0;
     }
     for (const Place& place : places_) {
         if (decides(of_keys[place.key_name])) { return {place.key_name, place.key}; }
     }
-    return {"points and axes", {}};
+    if (decides(of_poses)) { return {"poses of bodies", {}}; }
+    return {decides(all - of_poses) ? "points and axes" : "points, axes and poses of bodies", {}};
 }
 
 }  // namespace jw::reading

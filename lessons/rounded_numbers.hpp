@@ -14,11 +14,13 @@ public:
 
     /// Points, axes, sides and lengths of the joints, in the order of the mechanism.
     void add_joints(const std::vector<Fields>& joints);
+    /// Poses of bodies that have vectors in their own frame. @param joints those of the mechanism
+    void add_poses(std::vector<Fields>& bodies, const std::vector<Fields>& joints);
 
     const std::vector<TypedNumber>& all() const { return all_; }
 
-    /// What needs more digits: the number or the key that decides more than all others together.
-    /// @param effects of half a unit of each number @return without a place where several do
+    /// What needs more digits: the number, the key or the kind that decides more than all others together.
+    /// @param effects of half a unit of each number @return without a place where that is a kind, or several
     Located<std::string> short_of_digits(const VectorX& effects) const;
 
 private:
@@ -36,10 +38,23 @@ private:
         std::string text;
         SourceSpan key;        ///< of all numbers of its key
         std::string key_name;  ///< "'axis' of revolute joint 'hinge'"
+        bool is_of_pose = false;
     };
+    /// A number of a pose moves the body [m, global] and turns it [rad, local].
+    struct Displacement {
+        Vec3 shift = Vec3::Zero();
+        Vec3 turn_local = Vec3::Zero();
+    };
+    /// Vectors of a joint that were typed in the frame of a body.
+    struct LocalVectors {
+        int joint = 0;
+        std::vector<Vec3 JointGeometry::*> vectors;
+    };
+
+    /// @param pose_of body whose pose the table gives; empty: a joint
     void add(
-        const Fields& fields, std::string_view key, std::size_t count, const Changes& changes,
-        double by = 1.0);
+        const Fields& fields, const std::string& pose_of, std::string_view key, std::size_t count,
+        const Changes& changes, double by = 1.0);
     void add_joint(const Fields& fields, int joint);
     void add_axes(const Fields& fields, int joint, const Mat3& to_i, const Mat3& to_j);
     void add_vector(
@@ -48,6 +63,11 @@ private:
     void add_scalar(
         const Fields& fields, int joint, std::string_view key, double JointGeometry::*scalar,
         double by = 1.0);
+    void add_pose(Fields& fields, int body, const std::vector<LocalVectors>& locals);
+    void add_frame(
+        Fields& axes, const std::string& what, const Body& body, const std::vector<LocalVectors>& locals);
+    std::vector<Change> moved(
+        const Body& body, const std::vector<LocalVectors>& locals, const Displacement& by) const;
 
     const Reading& reading_;
     std::vector<TypedNumber> all_;

@@ -40,11 +40,12 @@ void read_precision(Fields& root, Lesson& lesson) {
     fields->finish();
 }
 
-void take_as_meant(const std::vector<Fields>& joints, Reading& reading) {
+void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joints, Reading& reading) {
     Mechanism& mechanism = reading.lesson.mechanism;
     if (reading.lesson.precision.exact) { return; }
     RoundedNumbers numbers(reading);
     numbers.add_joints(joints);
+    numbers.add_poses(bodies, joints);
     const auto meant = judge_typed_numbers(mechanism, numbers.all());
     if (!meant) { return; }
     mechanism.typed = meant->verdict;

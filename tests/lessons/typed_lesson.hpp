@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "core/poses/large_rank.hpp"
 #include "tests/support/overconstrained_linkages.hpp"
@@ -15,6 +16,9 @@ struct Style {
     int digits = 6;
     bool decimals = false;        ///< so many decimals, else significant digits
     bool local = false;           ///< points and axes in the frames of the bodies, else in that of the ground
+    bool mixed = false;           ///< every other hinge in these frames
+    int pose_digits = 0;          ///< of poses, if they have others than joints
+    std::string_view pose = "p";  ///< how bodies are turned: p, rotation or axes
     std::string head = {};        ///< what else stands in the lesson
     double off = 0.0;             ///< by which a point is beside its axis [m]
     bool zeros = false;           ///< with the zeros at their end
@@ -35,6 +39,25 @@ struct Style {
         return '[' + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ']';
     }
 };
+
+/// Keys for the pose of a body.
+inline std::string pose_text(const Eigen::Isometry3d& frame, Style style) {
+    if (style.pose_digits > 0) { style.digits = style.pose_digits; }
+    const Mat3 A = frame.linear();
+    const std::string position = "position = " + style.vector(frame.translation());
+    if (style.pose == "axes") {
+        return position + "\naxes = { x = " + style.vector(A.col(0)) + ", y = " + style.vector(A.col(1)) +
+               " }\n";
+    }
+    if (style.pose == "rotation") {
+        const Eigen::AngleAxisd turn(A);
+        return position + "\nrotation = { axis = " + style.vector(turn.axis()) +
+               ", angle_deg = " + style.number(turn.angle() * 180.0 / detail::kPi) + " }\n";
+    }
+    const Eigen::Quaterniond q(A);
+    return position + "\np = [" + style.number(q.w()) + ", " + style.number(q.x()) + ", " +
+           style.number(q.y()) + ", " + style.number(q.z()) + "]\n";
+}
 
 /// Bodies c1, c2... behind each other, held by hinges anywhere. @param to body that is held by the last, or
 /// none
@@ -62,11 +85,9 @@ inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
     std::vector<Eigen::Isometry3d> frames(count + 1, Eigen::Isometry3d::Identity());
     for (std::size_t k = 1; k < count; ++k) {
         text += "[[body]]\nname = \"" + name_of(k) + "\"\n" + style.body;
-        if (!style.local) { continue; }
+        if (!style.local && !style.mixed) { continue; }
         frames[k] = loop.hinges[k - 1].frame;
-        const Eigen::Quaterniond q(frames[k].linear());
-        text += "position = " + style.vector(frames[k].translation()) + "\np = [" + style.number(q.w()) +
-                ", " + style.number(q.x()) + ", " + style.number(q.y()) + ", " + style.number(q.z()) + "]\n";
+        text += pose_text(frames[k], style);
     }
     for (std::size_t k = 0; k < count; ++k) {
         const Vec3 axis = loop.hinges[k].frame.linear().col(2);
@@ -74,7 +95,7 @@ inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
         if (k == 2) { at += style.off * perpendicular_to(axis); }
         text += "[[joint]]\nname = \"h" + std::to_string(k) + "\"\ntype = \"revolute\"\nbodies = [\"" +
                 name_of(k) + "\", \"" + name_of(k + 1) + "\"]\n";
-        if (style.local) {
+        if (style.local || (style.mixed && k % 2 == 1)) {
             const Eigen::Isometry3d to_i = frames[k].inverse();
             const Eigen::Isometry3d to_j = frames[k + 1].inverse();
             text += "point_i = " + style.vector(to_i * at) + "\npoint_j = " + style.vector(to_j * at) +
