@@ -117,4 +117,25 @@ TEST_CASE("Every joint built by the library has the equations of the same joint 
     CHECK(asked == std::set<std::string>(all.begin(), all.end()));
 }
 
+TEST_CASE("Numbers of the library are exact, those of a lesson are known to their digits", "[api]") {
+    // two hinges on one axis, to five digits
+    const Vector3 axis{0.21822, 0.43644, 0.87287};
+    Mechanism own;
+    const int door = own.add_body("door", Vector3::Zero());
+    own.add_joint("lower", "revolute", 0, door, {.at = Vector3::Zero(), .axis = axis});
+    own.add_joint("upper", "revolute", 0, door, {.at = Vector3{0.5, 1.0, 2.0}, .axis = axis});
+    CHECK(rank_at(own, start_pose(own)).rank == 6);
+
+    const std::string hinge =
+        "type = \"revolute\"\nbodies = [\"ground\", \"door\"]\naxis = [0.21822, 0.43644, 0.87287]\n";
+    const std::string text =
+        "format = 1\ntitle = \"t\"\n[[body]]\nname = \"door\"\n[[joint]]\nname = \"lower\"\n"
+        "at = [0, 0, 0]\n" +
+        hinge + "[[joint]]\nname = \"upper\"\nat = [0.5, 1.0, 2.0]\n" + hinge;
+    const Lesson lesson = read_lesson_text(text);
+    CHECK(rank_at(lesson.mechanism(), start_pose(lesson.mechanism())).rank == 5);
+    const Lesson exact = read_lesson_text(text + "[precision]\nexact = true\n");
+    CHECK(rank_at(exact.mechanism(), start_pose(exact.mechanism())).rank == 6);
+}
+
 }  // namespace jointwise::test
