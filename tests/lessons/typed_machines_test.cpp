@@ -94,6 +94,27 @@ TEST_CASE("What is found about a loop is the same alone and in a large machine",
     }
 }
 
+TEST_CASE("A loop that is locked by a rod stays locked, whatever its digits", "[lessons][typed]") {
+    const int digits = GENERATE(5, 6, 9);
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+        for (const test::MakeLoop make : test::kHingeLoops) {
+            Random random(seed);
+            const HingeLoop loop = make(random);
+            CAPTURE(digits, seed, loop.name);
+            const Style style{.digits = digits};
+            const std::string rod =
+                "[[joint]]\nname = \"rod\"\ntype = \"distance\"\nbodies = [\"ground\", \"b2\"]\n";
+            const Mechanism locked =
+                lesson_of(
+                    test::lesson_text(loop, style) + rod + "at = " + style.vector(random.vector()) +
+                    "\nto = " + style.vector(random.vector()) + '\n')
+                    .mechanism;
+            const int freedoms = 6 * locked.moving_bodies_count() - rank_at_start(locked);
+            CHECK(freedoms == 0);
+        }
+    }
+}
+
 TEST_CASE("A loop of a large machine that no rounding explains keeps its rank", "[lessons][typed]") {
     const In in = GENERATE(In::chain, In::larger_loop);
     for (unsigned seed = 1; seed <= 4; ++seed) {
