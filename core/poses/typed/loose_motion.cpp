@@ -1,6 +1,7 @@
 #include "core/poses/typed/loose_motion.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/elementary/elementary.hpp"
 #include "core/poses/branches.hpp"
@@ -13,6 +14,7 @@ namespace {
 // convergence is linear, by the misfit times the curvature: a few steps for typed digits
 constexpr int kMostSettling = 30;
 constexpr double kSettled = 1e-13;
+constexpr double kShrinking = 0.5;
 // several motions are free: a few mixtures of them
 constexpr int kMostDirections = 3;
 constexpr double kNoDirection = 1e-12;
@@ -23,17 +25,11 @@ Selection joints_of(const Mechanism& mechanism) {
     return joints;
 }
 
-MatrixX free_of(const JointEquations& equations, int rank) {
-    const Svd svd = equations.svd();
-    return svd.V.rightCols(svd.V.cols() - rank);
-}
-
 void walk_along(
-    const Mechanism& mechanism, int rank, VectorX direction, double step, int steps,
+    const Mechanism& mechanism, int rank, MatrixX free, VectorX direction, double step, int steps,
     std::vector<State>& poses, State state) {
     for (int k = 0; k < steps; ++k) {
         const JointEquations equations(mechanism, state);
-        const MatrixX free = free_of(equations, rank);
         direction = (free * (free.transpose() * direction)).eval();
         // columns are scaled by the unit of length
         const double length = extent(mechanism) / equations.system.length_unit();
@@ -42,11 +38,13 @@ void walk_along(
         direction *= step / size;
         const State predicted = equations.scaled.moved(state, direction);
         State reached = predicted;
-        if (!settle(mechanism, rank, reached) || !is_on_tangent(
-                                                     movement(equations.system, state, predicted),
-                                                     movement(equations.system, predicted, reached))) {
+        auto free_there = settle(mechanism, rank, reached);
+        if (!free_there || !is_on_tangent(
+                               movement(equations.system, state, predicted),
+                               movement(equations.system, predicted, reached))) {
             return;
         }
+        free = std::move(*free_there);
         state = reached;
         poses.push_back(std::move(reached));
     }
@@ -60,23 +58,36 @@ JointEquations::JointEquations(const Mechanism& mechanism, const State& state)
     scaled.look(state);
 }
 
-bool settle(const Mechanism& mechanism, int rank, State& state) {
+std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state) {
     JointEquations equations(mechanism, state);
     for (int k = 0; k < kMostSettling; ++k) {
         const Svd svd = equations.svd();
-        if (!svd.sound || svd.sigma(rank - 1) <= kRankThreshold) { return false; }
-        const VectorX c =
-            (svd.U.leftCols(rank).transpose() * equations.scaled.phi()).cwiseQuotient(svd.sigma.head(rank));
-        state = equations.scaled.moved(state, -(svd.V.leftCols(rank) * c));
-        for (Vec4& p : state.p) { p.normalize(); }
-        if (c.norm() <= kSettled) { return true; }
-        equations.scaled.look(state);
+        if (!svd.sound || svd.sigma(rank - 1) <= kRankThreshold) { return std::nullopt; }
+        // a decomposition serves as long as its corrections shrink
+        double first = 0.0;
+        double last = std::numeric_limits<double>::infinity();
+        for (double size = 0.0;; last = size) {
+            const VectorX c = (svd.U.leftCols(rank).transpose() * equations.scaled.phi())
+                                  .cwiseQuotient(svd.sigma.head(rank));
+            size = c.norm();
+            if (!(size <= kShrinking * last)) { break; }
+            first = std::max(first, size);
+            state = equations.scaled.moved(state, -(svd.V.leftCols(rank) * c));
+            for (Vec4& p : state.p) { p.normalize(); }
+            equations.scaled.look(state);
+            // its vectors have turned by about the first correction, and the misfit is what that mixes in
+            if (size <= kSettled && first * equations.misfit() <= kSettled) {
+                return svd.V.rightCols(svd.V.cols() - rank);
+            }
+            if (size <= kSettled) { break; }
+        }
     }
-    return false;
+    return std::nullopt;
 }
 
 std::vector<State> walk(const Mechanism& mechanism, int rank, const State& start, double step, int steps) {
-    const MatrixX free = free_of(JointEquations(mechanism, start), rank);
+    const Svd svd = JointEquations(mechanism, start).svd();
+    const MatrixX free = svd.V.rightCols(svd.V.cols() - rank);
     std::vector<State> poses{start};
     for (int d = 0; d < std::min(kMostDirections, static_cast<int>(free.cols())); ++d) {
         // no two weights are equal: where several motions are free, no symmetry of the scene survives
@@ -85,8 +96,8 @@ std::vector<State> walk(const Mechanism& mechanism, int rank, const State& start
             weights(k) = elementary::cos(1.0 + 2.4 * static_cast<double>(k) + d);
         }
         const VectorX direction = free * weights;
-        walk_along(mechanism, rank, direction, step, steps, poses, start);
-        walk_along(mechanism, rank, -direction, step, steps, poses, start);
+        walk_along(mechanism, rank, free, direction, step, steps, poses, start);
+        walk_along(mechanism, rank, free, -direction, step, steps, poses, start);
     }
     return poses;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/numerics/svd.hpp"
@@ -24,8 +25,10 @@ struct JointEquations {
 };
 
 /// Moves a state to where the equations hold best, along the first `rank` singular vectors.
-/// @return false if it does not come to rest
-bool settle(const Mechanism& mechanism, int rank, State& state);
+/// @return orthonormal columns that span the motions that are free there, up to what the last correction
+/// turned
+///         them; nothing if it does not come to rest
+std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state);
 
 /// Settled poses along the motions that are free with this rank, from a settled start in both senses.
 /// @param step  largest turn of a body [rad], or displacement in sizes of the machine, from pose to pose

@@ -12,8 +12,9 @@ namespace jw {
 
 namespace {
 
-/// Largest part that is searched: decompositions of larger ones take longer than a reader should wait.
-constexpr int kMostTypedBodies = 20;
+/// Largest part that is searched, in about 8 s: decompositions of larger ones take longer than a reader
+/// waits.
+constexpr int kMostTypedBodies = 25;
 
 /// Rank of all joints at the start, as they are.
 int rank_of_joints(const Mechanism& mechanism) {

@@ -155,7 +155,8 @@ bool MeantSearch::fit(std::vector<State>& poses) {
         if (!changes) { return false; }
         changes_ = *changes;
         mechanism_.joints = changed_joints(typed_.joints, numbers_, changes_);
-        if (!std::ranges::all_of(poses, [&](State& pose) { return settle(mechanism_, rank_, pose); })) {
+        if (!std::ranges::all_of(
+                poses, [&](State& pose) { return settle(mechanism_, rank_, pose).has_value(); })) {
             return false;
         }
     }
@@ -180,6 +181,8 @@ bool MeantSearch::find_meant(State start, std::vector<State> poses) {
 
 std::optional<MeantPart> MeantSearch::run(State start) {
     if (!settle(mechanism_, rank_, start)) { return std::nullopt; }
+    // a misfit that digits do not explain is mostly seen at the first steps of the long way
+    if (conditions(walk(mechanism_, rank_, start, kStep, 1)).excess > kDoubtful) { return std::nullopt; }
     const std::vector<State> poses = walk(mechanism_, rank_, start, kStep, kMostSteps);
     if (static_cast<int>(poses.size()) <= kLeastSteps) { return std::nullopt; }
     const Conditions as_typed = conditions(poses);
