@@ -70,7 +70,7 @@ private:
     std::unique_ptr<DrivableEquations> driven_;
     std::vector<int> moving_;
     std::unique_ptr<System> system_;          ///< empty where something is free
-    std::unique_ptr<MotionTracker> tracker_;  ///< of `system_`
+    std::unique_ptr<MotionTracker> tracker_;  ///< of `system_`; proves poses, however small pivots are
     double accepted_t_ = 0.0;
     std::vector<double> accepted_;  ///< y at the end of the last step
 };
