@@ -1,11 +1,10 @@
 include(Catch)
 
-# jw_add_tests(name SOURCES a.cpp ... LIBS target ... [HEADERS target | PLAIN] [FIRST]): a test program whose every test
-# case is known to ctest. HEADERS: who has its precompiled headers, jw_test_headers if it is not said; PLAIN: nobody,
-# where other flags or few headers would make them useless. FIRST: it has cases that take long, which no core must wait
-# for at the end.
+# jw_add_tests(name SOURCES a.cpp ... LIBS target ... [HEADERS target | PLAIN] [BY_ITSELF]): a test program whose every
+# test case is known to ctest. HEADERS: who has its precompiled headers, jw_test_headers if it is not said; PLAIN: nobody,
+# where other flags or few headers would make them useless. BY_ITSELF: ctest does not know it, ./dev has a command for it.
 function(jw_add_tests name)
-  cmake_parse_arguments(ARG "PLAIN;FIRST" "HEADERS" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "PLAIN;BY_ITSELF" "HEADERS" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE JW_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
@@ -17,13 +16,12 @@ function(jw_add_tests name)
   elseif(NOT ARG_PLAIN)
     jw_precompiled_by(jw_test_headers ${name})
   endif()
-  set(cost 0)
-  if(ARG_FIRST)
-    set(cost 1)
+  if(ARG_BY_ITSELF)
+    return()
   endif()
   # a name that Catch reads as another filter would run nothing, and pass
   catch_discover_tests(${name}
     TEST_PREFIX "${name}: "
     EXTRA_ARGS --warn NoTests
-    PROPERTIES TIMEOUT 1500 COST ${cost})
+    PROPERTIES TIMEOUT 1500)
 endfunction()
