@@ -45,6 +45,7 @@ float way_of(Key key) {
 
 Host::Host(const HostSetup& setup)
     : context_(ImGui::CreateContext()),
+      fonts_(setup.load_fonts),
       shelf_(setup.catalogue, setup.recent_file),
       unsaved_(setup.unsaved),
       pictures_(setup.pictures),

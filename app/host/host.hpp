@@ -44,7 +44,8 @@ struct HostSetup {
     float text_scale = 1.0F;
     int width = 1280;
     int height = 720;
-    float density = 0.0F;  ///< of the screen, see panels::Looking
+    float density = 0.0F;                        ///< of the screen, see panels::Looking
+    FontLoader load_fonts = render::load_fonts;  ///< into the ImGui context of the host
 };
 
 /// The tab that an address names. @throws std::runtime_error where there is none of that name

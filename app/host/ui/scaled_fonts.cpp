@@ -30,7 +30,7 @@ bool ScaledFonts::fit(float scale) const {
 std::string ScaledFonts::load(float scale, render::AtlasSize atlas) {
     lacks_characters_ = false;  // what cannot be loaded now is not tried again in every frame
     try {
-        fonts_ = render::load_fonts(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()), atlas);
+        fonts_ = loader_(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()), atlas);
     } catch (const std::runtime_error& error) {
         if (version_ == 0) { throw; }
         return tr("The text size stays as it is: {0}", error.what());

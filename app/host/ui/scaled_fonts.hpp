@@ -1,16 +1,23 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "render/fonts.hpp"
 
 namespace jw::host {
 
+/// render::load_fonts, or who has loaded the same letters before.
+using FontLoader = std::function<render::Fonts(float scale, std::u32string_view others, render::AtlasSize)>;
+
 /// The letters of the interface, for one size of the window at a time.
 class ScaledFonts {
 public:
+    explicit ScaledFonts(FontLoader loader) : loader_(std::move(loader)) {}
+
     /// Text with these characters will be shown; those that the interface has anyway cost nothing.
     void need(std::u32string_view characters);
     /// True if the loaded fonts are those for this scale, with all characters that are needed.
@@ -29,6 +36,7 @@ public:
     int version() const { return version_; }
 
 private:
+    FontLoader loader_;
     render::Fonts fonts_;
     std::set<char32_t> needed_;
     bool lacks_characters_ = false;

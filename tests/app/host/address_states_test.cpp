@@ -9,6 +9,7 @@
 #include "lessons/reader.hpp"
 #include "lessons/writer.hpp"
 #include "tests/app/host/checks.hpp"
+#include "tests/app/host/kept_fonts.hpp"
 #include "tests/app/host/picture_values.hpp"
 #include "tests/app/host/random_person.hpp"
 #include "tests/app/session/all_experiments.hpp"
@@ -34,6 +35,7 @@ host::HostSetup setup_with(const std::filesystem::path& recent) {
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
     setup.recent_file = recent;
+    setup.load_fonts = kept_fonts;
     return setup;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
+#include "tests/app/host/kept_fonts.hpp"
 
 namespace jw::test {
 
@@ -25,6 +26,7 @@ Person::Person(
     setup.text_scale = text_scale;
     setup.width = width;
     setup.height = height;
+    setup.load_fonts = kept_fonts;
     if (pictures == Pictures::drawn) { context_ = std::make_unique<render::Offscreen>(16, 16); }
     host_ = std::make_unique<host::Host>(setup);
     if (!lesson.empty()) { host_->open(setup.catalogue / lesson); }
