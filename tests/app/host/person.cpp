@@ -1,5 +1,7 @@
 #include "tests/app/host/person.hpp"
 
+#include <cstdlib>
+
 #include "app/session/wording/messages.hpp"
 #include "lessons/catalogue.hpp"
 #include "tests/app/host/kept_fonts.hpp"
@@ -10,6 +12,10 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
 constexpr int kMostFrames = 600;
+// a free motion, there and back in three seconds, never rests: as far as it goes both ways, and ends off its
+// pose
+constexpr double kFreeFrame = 0.1;
+constexpr int kFreeFrames = 25;
 
 }  // namespace
 
@@ -48,7 +54,10 @@ void Person::settle() {
     const auto waits = [&] {
         return host_->seconds_to_change() <= 0.0 && host_->task() == host::DrawingTask::none;
     };
-    for (int k = 0; k < 3 || (waits() && k < kMostFrames); ++k) { frame(); }
+    const auto is_free = [&] { return host_->state().playback.freedom() >= 0; };
+    for (int k = 0; k < 3 || (waits() && k < (is_free() ? kFreeFrames : kMostFrames)); ++k) {
+        host_->frame(is_free() ? kFreeFrame : kFrame);
+    }
 }
 
 void Person::wait(double seconds) {
@@ -115,6 +124,10 @@ void Person::wheel(float notches) {
 }
 
 void Person::go_to(int step) {
+    // letters are read all at once, and keys one in a frame
+    const int by = step - session().index();
+    for (int k = 0; k < std::abs(by); ++k) { host_->push(host::InputEvent::typed(by > 0 ? 'n' : 'b')); }
+    settle();
     while (session().index() < step) { press(host::Key::right); }
     while (session().index() > step) { press(host::Key::left); }
 }
