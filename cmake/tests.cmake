@@ -9,7 +9,7 @@ function(jw_add_tests name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE JW_SOURCE_ROOT="${PROJECT_SOURCE_DIR}")
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # each runs once: compiling is what takes time
-  target_link_libraries(${name} PRIVATE ${ARG_LIBS} jw_test_main jw_warnings)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS} Catch2::Catch2WithMain jw_warnings)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   if(ARG_HEADERS)
     jw_precompiled_by(${ARG_HEADERS} ${name})
