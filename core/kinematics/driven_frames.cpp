@@ -19,8 +19,8 @@ constexpr double kHolds = 1e-13;
 /// Largest |Φ| of a prediction, by the size of its equations, whose factorisation serves the pose, too: each
 /// refinement then leaves less than 1e-5, as pivots are not below kLeastPivot.
 constexpr double kNear = 1e-8;
-/// Longest step that a polynomial is continued for, by the time since the pose before: errors of poses and of
-/// the polynomial grow with the ninth power of this.
+/// Longest step that a polynomial is continued for, by the time between two of its poses: errors of poses and
+/// of the polynomial grow with the ninth power of this.
 constexpr double kMostContinued = 1.5;
 
 Loads unit_masses(const Mechanism& mechanism) {
@@ -102,13 +102,17 @@ void DrivenFrames::remember() {
     flat_derivatives(y_.data(), y_dot_.data(), static_cast<int>(bodies), latest_.back().known.data());
 }
 
-/// Predicts the pose at `t` by the polynomial through the latest poses: of the order 9 after equal steps, of
-/// the order 3 where the step is much longer than those before.
+/// Predicts the pose at `t` by the polynomial through the latest poses: of order 9 after three, of order 6 or
+/// 3 where others are too near to one another for this step.
 void DrivenFrames::predict(double t) {
     std::size_t used = 1;
-    while (used < known_ && std::abs(t - t_) <= kMostContinued * std::abs(t_ - latest_.end()[-1 - used].t)) {
-        ++used;
-    }
+    const auto is_apart = [&](double other) {
+        const auto taken = std::span(latest_).last(used);
+        return std::ranges::all_of(taken, [&](const HermitePolynomial::Node& node) {
+            return std::abs(t - t_) < kMostContinued * std::abs(node.t - other);
+        });
+    };
+    while (used < known_ && is_apart(latest_.end()[-1 - static_cast<std::ptrdiff_t>(used)].t)) { ++used; }
     path_.fit(std::span(latest_).last(used), HermitePolynomial::Meets::second_derivatives_too);
     path_.evaluate(t);
     const int bodies = static_cast<int>(y_.size() / kNumbersPerBody);

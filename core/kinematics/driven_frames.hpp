@@ -24,8 +24,8 @@ public:
     /// Starts at a pose and determines which rows repeat others.
     /// @return false where the rows leave something open, or too little is left of one of them
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
-    /// Advances to time `t` by Newton's method from the pose that position, velocity and acceleration at the
-    /// last three times predict.
+    /// Advances to time `t` by Newton's method from the pose that position, velocity and acceleration at up
+    /// to three times before predict.
     /// @return false where a rank has to be decided or Newton led elsewhere; the pose is unchanged then
     bool advance(double t);
     /// Takes the last advance back.

@@ -18,9 +18,9 @@ constexpr double kShortest = 0x1p-46;
 constexpr double kShortestFree = 0x1p-12;
 // growth of a step after one that was proved: more would often be rejected
 constexpr double kGrowth = 1.5;
-// corrections of a pose near a change point, and the largest where an equation is lost that is no error [rad,
-// or units of length]
+// corrections of a pose near a change point
 constexpr int kMostCorrections = 3;
+// where an equation is lost, a larger correction is mostly error [rad, or units of length]
 constexpr double kLargestCorrection = 1e-6;
 // the tangent is a few thousandths off at first: four secant steps reach rounding, the rest are reserve
 constexpr int kMostSecantSteps = 8;
@@ -96,8 +96,8 @@ void MotionTracker::restart_quick_way() {
                       quick_->start(frame_.state, frame_.velocity, frame_.acceleration, frame_.t);
 }
 
-/// Corrects the pose from Newton's tolerance to rounding. In a change point a correction that leads far is
-/// mostly error; near it, each must halve the residual.
+/// Corrects the pose from Newton's tolerance to rounding. Near a change point each correction must halve the
+/// residual; where an equation is lost, none may lead far.
 void MotionTracker::polish(bool is_lost) {
     for (int k = 0; k < kMostCorrections; ++k) {
         const double residual = kinematics_.residual();

@@ -165,7 +165,7 @@ public:
     /// singular positions.
     virtual void refine(double* y_dot) = 0;
     /// Computes ẏ of a mechanism whose rows leave nothing open, as `evaluate` and `refine` would, by the
-    /// factorisation of the last `project`: for a pose that it hardly moved.
+    /// factorisation of the last `project`: for a pose that it hardly moved, and masses that are not apart.
     virtual RowsVerdict evaluate_driven(double t, const double* y, double* y_dot) = 0;
     /// True if light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
     /// `choose_rows`.

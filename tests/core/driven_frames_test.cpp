@@ -70,6 +70,30 @@ TEST_CASE("Driven frames are those of the thorough way, with a few frames declin
     CHECK(declined < 40);
 }
 
+TEST_CASE("Driven frames go forth and back, stand still and take any steps", "[core][motion]") {
+    const Mechanism mechanism = test::driven(test::four_bar_at(0.4), 0, 1.0, 0.3);
+    const System system(mechanism, everything(mechanism));
+    DrivenFrames quick(system);
+    Moment frame{start_state(mechanism), zero_motion(mechanism), zero_motion(mechanism)};
+    frame = thorough(system, frame, 0.0);
+    REQUIRE(quick.start(frame.state, frame.velocity, frame.acceleration, 0.0));
+    const Motion none = zero_motion(mechanism);
+    for (const double t : {0.1, 0.0, 0.0, 0.1, 0.1001, 0.4, 0.5, 0.55, 0.6, 0.2, 0.1, 0.0}) {
+        CAPTURE(t);
+        REQUIRE(quick.advance(t + 0.05));
+        quick.retreat();
+        REQUIRE(quick.advance(t));
+        const Moment expected = thorough(system, frame, t);
+        quick.write(frame.state, frame.velocity, frame.acceleration);
+        for (const int body : system.moving_bodies()) {
+            CHECK((frame.state.r[at(body)] - expected.state.r[at(body)]).norm() < 1e-13);
+        }
+        CHECK(
+            test::difference(frame.acceleration, expected.acceleration) <
+            1e-12 * (1.0 + test::difference(expected.acceleration, none)));
+    }
+}
+
 TEST_CASE("Driven frames decline what needs a rank decision, and stay where they were", "[core][motion]") {
     const Mechanism mechanism = test::driven(test::parallelogram(0.5), 0, -1.0);
     const System system(mechanism, everything(mechanism));

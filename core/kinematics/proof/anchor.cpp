@@ -17,7 +17,7 @@ double norm_of(const M& m) {
 }
 
 /// Inverts a matrix in place by Gauss-Jordan elimination, which skips the many entries of a Jacobian that are
-/// 0. A proof measures how good its inverse is; most matrices are small. @return false if it is singular
+/// 0. A proof measures how good its inverse is. @return false if it is singular
 bool invert_in_place(MatrixX& m, std::vector<Eigen::Index>& pivots) {
     const Eigen::Index n = m.rows();
     pivots.clear();
@@ -160,7 +160,9 @@ bool ProvedPart::choose_and_invert() {
         square_.bottomRows(part_.columns - part_.rank) = q.rightCols(part_.columns - part_.rank).transpose();
     }
     size_of_inverse_ = invert_chosen();
-    return std::isfinite(size_of_inverse_);
+    if (std::isfinite(size_of_inverse_)) { return true; }
+    chosen_.clear();
+    return false;
 }
 
 /// True if the rows that are not chosen still vanish on what the chosen ones leave free.
