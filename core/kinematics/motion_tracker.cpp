@@ -18,8 +18,9 @@ constexpr double kShortest = 0x1p-46;
 constexpr double kShortestFree = 0x1p-12;
 // growth of a step after one that was proved: more would often be rejected
 constexpr double kGrowth = 1.5;
-// corrections of a pose near a change point
-constexpr int kMostCorrections = 3;
+// corrections of a pose near a change point: halvings from where Newton's method may stop there, 1e-7, to
+// rounding
+constexpr int kMostCorrections = 30;
 // where an equation is lost, a larger correction is mostly error [rad, or units of length]
 constexpr double kLargestCorrection = 1e-6;
 // the tangent is a few thousandths off at first: four secant steps reach rounding, the rest are reserve
