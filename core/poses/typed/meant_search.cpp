@@ -82,7 +82,10 @@ void keep_sides_perpendicular(JointGeometry& g) {
 double largest_half_unit(const std::vector<TypedNumber>& numbers, double length_unit) {
     double largest = 0.0;
     for (const TypedNumber& number : numbers) {
-        largest = std::max(largest, number.half_unit / (number.is_length() ? length_unit : 1.0));
+        for (const TypedNumber::Change& change : number.changes) {
+            const double size = change.scalar != nullptr ? 1.0 : change.direction.norm();
+            largest = std::max(largest, number.half_unit * size / (change.is_length() ? length_unit : 1.0));
+        }
     }
     return largest;
 }

@@ -26,10 +26,8 @@ JointGeometry changed(const Mechanism& mechanism, int joint, const TypedNumber& 
 
 }  // namespace
 
-bool TypedNumber::is_length() const {
-    const Change& first = changes.front();
-    return first.scalar != nullptr || first.vector == &JointGeometry::P_i_local ||
-           first.vector == &JointGeometry::P_j_local;
+bool TypedNumber::Change::is_length() const {
+    return scalar != nullptr || vector == &JointGeometry::P_i_local || vector == &JointGeometry::P_j_local;
 }
 
 std::vector<Joint> changed_joints(

@@ -15,14 +15,14 @@ struct TypedNumber {
         Vec3 JointGeometry::*vector = nullptr;
         Vec3 direction = Vec3::Zero();
         double JointGeometry::*scalar = nullptr;
+
+        bool is_length() const;
     };
     double half_unit = 0.0;
     std::vector<Change> changes;
     /// Has few digits and counts as rounded only where nothing else explains the misfit.
     bool is_short = false;
     int index = 0;  ///< in the list of all
-
-    bool is_length() const;
 };
 
 /// Joints with the numbers changed by `changes`, in half units each; axes keep their lengths.
