@@ -49,14 +49,15 @@ std::vector<RoundedNumbers::Change> RoundedNumbers::moved(
     return changes;
 }
 
-/// Axes as the reader takes them: x as it is, y turned towards it.
+/// Axes as the reader takes them, each of length 1: x as it is, y turned towards it.
 void RoundedNumbers::add_frame(
     Fields& axes, const std::string& what, const Body& body, const std::vector<LocalVectors>& locals) {
     const Mat3 A = rotation_of(body);
     for (int column = 0; column < 3; ++column) {
+        const char* key = std::array{"x", "y", "z"}[at(column)];
         const auto changes = [&](Eigen::Index k) {
             std::array<Vec3, 3> d{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-            d[at(column)] = Vec3::Unit(k);
+            d[at(column)] = Vec3::Unit(k) / axes.direction(key)->value.norm();
             const bool has_x = axes.has("x");
             const bool has_y = axes.has("y");
             if (!has_x) { d[0] = d[1].cross(A.col(2)) + A.col(1).cross(d[2]); }
@@ -64,7 +65,7 @@ void RoundedNumbers::add_frame(
             const Vec3 turn(d[1].dot(A.col(2)), -d[0].dot(A.col(2)), d[0].dot(A.col(1)));
             return moved(body, locals, {Vec3::Zero(), turn});
         };
-        add(axes, what, std::array{"x", "y", "z"}[at(column)], 3, changes);
+        add(axes, what, key, 3, changes);
     }
 }
 
@@ -94,7 +95,9 @@ void RoundedNumbers::add_pose(Fields& fields, int index, const std::vector<Local
 void RoundedNumbers::add_poses(std::vector<Fields>& bodies, const std::vector<Fields>& joints) {
     const Mechanism& mechanism = reading_.lesson.mechanism;
     std::vector<std::vector<LocalVectors>> locals(mechanism.bodies.size());
-    // a body whose vectors are all local moves with them: its pose changes nothing
+    // a body whose vectors are all local moves with them: its pose changes only the h of joints whose sides
+    // are not typed; lengths of distance joints and d_0 and theta_0 of screws, which come from the start
+    // pose, too, are taken as they are
     std::vector<bool> matters(mechanism.bodies.size(), false);
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const Joint& joint = mechanism.joints[j];
@@ -107,6 +110,8 @@ void RoundedNumbers::add_poses(std::vector<Fields>& bodies, const std::vector<Fi
         for (const char* key : {"at", "axis", "side"}) {
             if (!joints[j].typed_numbers(key).empty()) { matters[pair[0]] = matters[pair[1]] = true; }
         }
+        const bool has_default_h = joint.type->uses(kSidesH) && joints[j].typed_numbers("side_i").empty();
+        if (has_default_h) { matters[pair[0]] = matters[pair[1]] = true; }
     }
     const bool has_several_fixed = std::ranges::count(mechanism.bodies, true, &Body::fixed) > 1;
     for (Fields& fields : bodies) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/equations/assembler.hpp"
 #include "core/poses/large_rank.hpp"
 #include "tests/support/overconstrained_linkages.hpp"
 
@@ -19,6 +20,7 @@ struct Style {
     bool mixed = false;           ///< every other hinge in these frames
     int pose_digits = 0;          ///< of poses, if they have others than joints
     std::string_view pose = "p";  ///< how bodies are turned: p, rotation or axes
+    double axes_length = 1.0;     ///< of the axes of bodies, which mean directions
     std::string head = {};        ///< what else stands in the lesson
     double off = 0.0;             ///< by which a point is beside its axis [m]
     bool zeros = false;           ///< with the zeros at their end
@@ -46,8 +48,8 @@ inline std::string pose_text(const Eigen::Isometry3d& frame, Style style) {
     const Mat3 A = frame.linear();
     const std::string position = "position = " + style.vector(frame.translation());
     if (style.pose == "axes") {
-        return position + "\naxes = { x = " + style.vector(A.col(0)) + ", y = " + style.vector(A.col(1)) +
-               " }\n";
+        return position + "\naxes = { x = " + style.vector(style.axes_length * A.col(0)) +
+               ", y = " + style.vector(style.axes_length * A.col(1)) + " }\n";
     }
     if (style.pose == "rotation") {
         const Eigen::AngleAxisd turn(A);
