@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "core/poses/large_rank.hpp"
-#include "core/poses/position.hpp"
 #include "core/poses/typed/closed_parts.hpp"
 #include "core/poses/typed/meant_search.hpp"
 
@@ -21,8 +20,7 @@ int rank_of_joints(const Mechanism& mechanism) {
     Selection joints = everything(mechanism);
     joints.drivers.clear();
     System system(mechanism, joints);
-    State state = start_state(mechanism);
-    solve_position<OmegaLocal>(system, state, 0.0);
+    const State state = best_start(system);
     system.choose_rows(state);
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, 0.0);
@@ -46,7 +44,9 @@ private:
     };
     std::vector<TypedNumber> numbers_of(const ClosedPart& part, bool with_short) const;
     void judge_less(Mechanism posed, const ClosedPart& part, const RankDoubt& doubt);
-    std::optional<MeantPart> search(const Mechanism& mechanism, const ClosedPart& part) const;
+    std::optional<MeantPart> search(
+        const Mechanism& mechanism, const ClosedPart& part, const std::vector<TypedNumber>& long_numbers,
+        const RankDoubt& doubt) const;
 
     const Mechanism& mechanism_;
     const std::vector<TypedNumber>& numbers_;
@@ -82,21 +82,22 @@ void Judgement::judge_less(Mechanism posed, const ClosedPart& part, const RankDo
     for (const ClosedPart& less : closed_parts(posed, joints)) { judge(posed, less); }
 }
 
-std::optional<MeantPart> Judgement::search(const Mechanism& mechanism, const ClosedPart& part) const {
-    std::optional<MeantPart> meant;
-    for (const bool with_short : {false, true}) {
-        const std::vector<TypedNumber> numbers = numbers_of(part, with_short);
-        const auto doubt = find_doubt(mechanism, numbers);
-        auto found = doubt ? find_meant(mechanism, numbers, *doubt) : std::nullopt;
-        if (found) { meant = std::move(found); }
-        if (!meant || meant->verdict.is_told) { break; }
-    }
-    return meant;
+/// Short numbers are taken as rounded only where the long ones alone tell nothing.
+std::optional<MeantPart> Judgement::search(
+    const Mechanism& mechanism, const ClosedPart& part, const std::vector<TypedNumber>& long_numbers,
+    const RankDoubt& doubt) const {
+    auto meant = find_meant(mechanism, long_numbers, doubt);
+    if (!meant || meant->verdict.is_told) { return meant; }
+    const std::vector<TypedNumber> numbers = numbers_of(part, true);
+    const auto with_short = find_doubt(mechanism, numbers);
+    auto found = with_short ? find_meant(mechanism, numbers, *with_short) : std::nullopt;
+    return found ? found : meant;
 }
 
 void Judgement::judge(const Mechanism& posed, const ClosedPart& part) {
     const Mechanism mechanism = alone(posed, part);
-    const auto doubt = find_doubt(mechanism, numbers_of(part, false));
+    const std::vector<TypedNumber> numbers = numbers_of(part, false);
+    const auto doubt = find_doubt(mechanism, numbers);
     if (!doubt) { return; }
     const std::size_t before = found_.size();
     if (doubt->joints.size() < part.joints.size()) {
@@ -105,7 +106,9 @@ void Judgement::judge(const Mechanism& posed, const ClosedPart& part) {
         if (found_.size() > before && std::all_of(found_.begin() + before, found_.end(), is_told)) { return; }
     }
     if (mechanism.moving_bodies_count() > kMostTypedBodies) { return; }
-    if (auto meant = search(mechanism, part)) {
+    // what is told of the joints alone stays, unless the whole part is told
+    auto meant = search(mechanism, part, numbers, *doubt);
+    if (meant && (meant->verdict.is_told || found_.size() == before)) {
         found_.resize(before);
         found_.push_back({part, std::move(*meant)});
     }

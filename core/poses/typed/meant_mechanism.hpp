@@ -19,9 +19,11 @@ struct MeantMechanism {
 };
 
 /// Searches each closed part of the mechanism for what was meant, the joints that may repeat each other alone
-/// first: loops that hang on each other, or in a larger one, take the time of each.
+/// first, so that a loop takes the time that it takes alone, whatever it hangs on. A number of a pose that
+/// acts in two closed parts is fitted in each by itself.
 /// @param numbers those known to their last digit; all others are exact
-/// @return nothing where the digits make no difference to the rank, or no motion is near
+/// @return nothing where the digits make no difference to the rank, no motion is near, or all is too large to
+///         tell: more than 25 moving bodies in doubt together, or a part of more than 300 columns
 std::optional<MeantMechanism> judge_typed_numbers(
     const Mechanism& mechanism, const std::vector<TypedNumber>& numbers);
 

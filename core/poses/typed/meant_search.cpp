@@ -109,12 +109,6 @@ std::vector<int> joints_in(const MatrixX& combinations, const System& system) {
     return joints;
 }
 
-State best_start(const System& system) {
-    State start = start_state(system.mechanism());
-    const bool closes = solve_position<OmegaLocal>(system, start, 0.0).ok();
-    return closes ? start : closest_fit(system, start, 0.0);
-}
-
 Conditions MeantSearch::conditions(const std::vector<State>& poses) const {
     const auto count = static_cast<Eigen::Index>(numbers_.size());
     Conditions out;
@@ -205,6 +199,12 @@ std::optional<MeantPart> MeantSearch::run(State start) {
 }
 
 }  // namespace
+
+State best_start(const System& system) {
+    State start = start_state(system.mechanism());
+    const bool closes = solve_position<OmegaLocal>(system, start, 0.0).ok();
+    return closes ? start : closest_fit(system, start, 0.0);
+}
 
 std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers) {
     Selection joints = everything(mechanism);

@@ -7,7 +7,10 @@
 /// Search for the mechanism that was meant, in one closed part of a mechanism.
 namespace jw {
 
-/// Joints whose rank depends on less than their numbers are known to.
+/// State near the start at which the equations hold, or hold best.
+State best_start(const System& system);
+
+/// Joints whose rank may change with their numbers by less than half a unit of the last digits.
 struct RankDoubt {
     State start;   ///< where the equations hold best, as typed
     int rank = 0;  ///< without the singular values that changes of the digits may explain
