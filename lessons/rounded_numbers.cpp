@@ -12,7 +12,7 @@ namespace jw::reading {
 
 namespace {
 
-// what is left to the others is then too small to be shared among them
+// its effect is three times that of all others together: less would send the author to one of several
 constexpr double kDecides = 3.0;
 
 /// Half a unit of the last digit of a number with a decimal point. @param digits significant ones from which

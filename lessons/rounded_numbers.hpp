@@ -19,7 +19,8 @@ public:
 
     const std::vector<TypedNumber>& all() const { return all_; }
 
-    /// What needs more digits: the number, the key or the kind that decides more than all others together.
+    /// What needs more digits: the number, the key or the kind with three times the effect of all others
+    /// together.
     /// @param effects of half a unit of each number @return without a place where that is a kind, or several
     Located<std::string> short_of_digits(const VectorX& effects) const;
 

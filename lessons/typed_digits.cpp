@@ -14,7 +14,7 @@ void tell(
     const TypedVerdict& verdict, const Located<std::string>& short_of_digits, const SourceSpan& last,
     Problems& problems) {
     const std::string ranks =
-        "the numbers of the joints as typed give rank " + std::to_string(verdict.rank_as_typed) + ", others ";
+        "the numbers as typed give rank " + std::to_string(verdict.rank_as_typed) + ", others ";
     const std::string meant = "rank " + std::to_string(verdict.rank);
     const std::string message = verdict.is_told ? ranks + "within " + short_number(verdict.share, 2) +
                                                       " of half a unit of their last digits give " + meant +

@@ -75,7 +75,7 @@ std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state
             state = equations.scaled.moved(state, -(svd.V.leftCols(rank) * c));
             for (Vec4& p : state.p) { p.normalize(); }
             equations.scaled.look(state);
-            // its vectors have turned by about the first correction, and the misfit is what that mixes in
+            // the pose is wrong by the misfit times the first correction, by which the vectors have turned
             if (size <= kSettled && first * equations.misfit() <= kSettled) {
                 return svd.V.rightCols(svd.V.cols() - rank);
             }

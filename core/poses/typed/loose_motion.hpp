@@ -25,9 +25,8 @@ struct JointEquations {
 };
 
 /// Moves a state to where the equations hold best, along the first `rank` singular vectors.
-/// @return orthonormal columns that span the motions that are free there, up to what the last correction
-/// turned
-///         them; nothing if it does not come to rest
+/// @return orthonormal columns that span the free motions, as they were at the last decomposition, a few
+///         small corrections before the state at rest; nothing if it does not come to rest
 std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state);
 
 /// Settled poses along the motions that are free with this rank, from a settled start in both senses.
