@@ -106,9 +106,8 @@ std::string undecided_text(const RankReport& report) {
     }
     if (report.typed && !report.typed->is_told) {
         return tr(
-            "The rank cannot be told: the numbers of the joints as typed give {0}, others that differ in "
-            "their "
-            "last digits may give {1}. Points and axes need more digits.",
+            "The rank cannot be told: the numbers as typed give {0}, others that differ in their last digits "
+            "may give {1}. Points, axes and poses need more digits.",
             report.typed->rank_as_typed, report.typed->rank);
     }
     const auto last = static_cast<Eigen::Index>(report.rank) - 1;
@@ -128,9 +127,8 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
     if (!report.decided) { doubts.push_back(undecided_text(report)); }
     if (report.typed && report.typed->is_told && report.typed->rank < report.typed->rank_as_typed) {
         doubts.push_back(tr(
-            "Overconstrained to the digits typed: the numbers of the joints as typed give rank {0} and miss "
-            "by {1} on the way; others, within {2} of half a unit of their last digits, give {3} and are "
-            "used.",
+            "Overconstrained to the digits typed: the numbers as typed give rank {0} and miss by {1} on the "
+            "way; others, within {2} of half a unit of their last digits, give {3} and are used.",
             report.typed->rank_as_typed, small_text(report.typed->misfit),
             number_text(report.typed->share, 2), report.typed->rank));
     }
