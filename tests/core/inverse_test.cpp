@@ -1,0 +1,25 @@
+#include <catch2/catch.hpp>
+
+#include "core/kinematics/proof/inverse.hpp"
+#include "tests/support/random_mechanisms.hpp"
+
+using namespace jw;
+
+TEST_CASE(
+    "The inverse of a matrix with many zeros is one, and a singular matrix has none", "[core][numerics]") {
+    test::Random random(71);
+    std::vector<Eigen::Index> pivots;
+    for (Eigen::Index n = 1; n <= 40; ++n) {
+        MatrixX m = MatrixX::Identity(n, n);
+        // rows in any order, so that pivots are found elsewhere
+        for (Eigen::Index k = 0; k < n; ++k) { m.row(k).swap(m.row((3 * k + 1) % n)); }
+        for (Eigen::Index k = 0; k < 2 * n; ++k) { m(k * 7 % n, k * 5 % n) += 0.3 * random.number(); }
+        MatrixX inverse = m;
+        CAPTURE(n);
+        REQUIRE(invert_in_place(inverse, pivots));
+        // these matrices have condition numbers up to 1e4
+        CHECK((m * inverse - MatrixX::Identity(n, n)).norm() < 1e-10);
+        m.col(n - 1).setZero();
+        CHECK_FALSE(invert_in_place(m, pivots));
+    }
+}
