@@ -96,10 +96,9 @@ void DrivenFrames::remember() {
     if (known_ > 0 && latest_.back().t == t_) { return; }
     std::ranges::rotate(latest_, latest_.begin() + 1);
     known_ = std::min(known_ + 1, latest_.size());
-    const auto bodies = static_cast<Eigen::Index>(y_.size() / kNumbersPerBody);
     latest_.back().t = t_;
-    latest_.back().known.resize(kPositionsPerBody * bodies, 3);
-    flat_derivatives(y_.data(), y_dot_.data(), static_cast<int>(bodies), latest_.back().known.data());
+    latest_.back().known.resize(equations_->interpolated(), 3);
+    equations_->derivatives(y_.data(), y_dot_.data(), latest_.back().known.data());
 }
 
 /// Predicts the pose at `t` by the polynomial through the latest poses: of order 9 after three, of order 6 or
@@ -115,8 +114,7 @@ void DrivenFrames::predict(double t) {
     while (used < known_ && is_apart(latest_.end()[-1 - static_cast<std::ptrdiff_t>(used)].t)) { ++used; }
     path_.fit(std::span(latest_).last(used), HermitePolynomial::Meets::second_derivatives_too);
     path_.evaluate(t);
-    const int bodies = static_cast<int>(y_.size() / kNumbersPerBody);
-    flat_state_of(path_.value().data(), path_.rate().data(), bodies, predicted_.data());
+    equations_->state_of(path_.value().data(), path_.rate().data(), predicted_.data());
 }
 
 bool DrivenFrames::advance(double t) {

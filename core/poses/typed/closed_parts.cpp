@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// The body, or the ground for all that are fixed.
+    /// Node of a body in the graph: all fixed ones are one.
     int node(int body) const { return mechanism_.bodies[at(body)].fixed ? 0 : body; }
     int visit(int body, int by);
     void close(int base, int joint);

@@ -8,6 +8,7 @@
 /// of one part can repeat each other, and no part restrains the motion of another.
 namespace jw {
 
+/// Part whose joints stay in one piece without any of its bodies.
 struct ClosedPart {
     std::vector<int> joints;  ///< indices in the mechanism, ascending
     int base = 0;             ///< body by which the part hangs on the rest

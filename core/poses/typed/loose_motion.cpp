@@ -19,12 +19,6 @@ constexpr double kShrinking = 0.5;
 constexpr int kMostDirections = 3;
 constexpr double kNoDirection = 1e-12;
 
-Selection joints_of(const Mechanism& mechanism) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    return joints;
-}
-
 void walk_along(
     const Mechanism& mechanism, int rank, MatrixX free, VectorX direction, double step, int steps,
     std::vector<State>& poses, State state) {
@@ -51,6 +45,12 @@ void walk_along(
 }
 
 }  // namespace
+
+Selection joints_of(const Mechanism& mechanism) {
+    Selection joints = everything(mechanism);
+    joints.drivers.clear();
+    return joints;
+}
 
 JointEquations::JointEquations(const Mechanism& mechanism, const State& state)
     : system(mechanism, joints_of(mechanism)), scaled(system, 0.0) {

@@ -10,6 +10,9 @@
 /// the equations met in least squares.
 namespace jw {
 
+/// All joints of a mechanism, without its drivers.
+Selection joints_of(const Mechanism& mechanism);
+
 /// Equations of the joints alone at a state, with the rows that are chosen there, scaled.
 struct JointEquations {
     JointEquations(const Mechanism& mechanism, const State& state);

@@ -5,6 +5,7 @@
 
 #include "core/poses/large_rank.hpp"
 #include "core/poses/typed/closed_parts.hpp"
+#include "core/poses/typed/loose_motion.hpp"
 #include "core/poses/typed/meant_search.hpp"
 
 namespace jw {
@@ -17,9 +18,7 @@ constexpr int kMostTypedBodies = 25;
 
 /// Rank of all joints at the start, as they are.
 int rank_of_joints(const Mechanism& mechanism) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    System system(mechanism, joints);
+    System system(mechanism, joints_of(mechanism));
     const State state = best_start(system);
     system.choose_rows(state);
     Assembler<OmegaLocal> assembler(system);
@@ -82,7 +81,7 @@ void Judgement::judge_less(Mechanism posed, const ClosedPart& part, const RankDo
     for (const ClosedPart& less : closed_parts(posed, joints)) { judge(posed, less); }
 }
 
-/// Short numbers are taken as rounded only where the long ones alone tell nothing.
+/// Result for the whole part. Short numbers are taken as rounded only where the long ones alone tell nothing.
 std::optional<MeantPart> Judgement::search(
     const Mechanism& mechanism, const ClosedPart& part, const std::vector<TypedNumber>& long_numbers,
     const RankDoubt& doubt) const {

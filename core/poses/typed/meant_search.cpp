@@ -191,9 +191,9 @@ std::optional<MeantPart> MeantSearch::run(State start) {
     for (std::size_t k = 0; k < numbers_.size(); ++k) {
         part.effects.push_back({numbers_[k].index, as_typed.A.col(static_cast<Eigen::Index>(k)).norm()});
     }
-    for (Joint& joint : (verdict_.is_told ? mechanism_ : Mechanism(typed_)).joints) {
-        if (verdict_.is_told && joint.type->has_angle()) { keep_sides_perpendicular(joint.geometry); }
+    for (const Joint& joint : (verdict_.is_told ? mechanism_ : typed_).joints) {
         part.geometry.push_back(joint.geometry);
+        if (verdict_.is_told && joint.type->has_angle()) { keep_sides_perpendicular(part.geometry.back()); }
     }
     return part;
 }
@@ -207,9 +207,7 @@ State best_start(const System& system) {
 }
 
 std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    const System system(mechanism, joints);
+    const System system(mechanism, joints_of(mechanism));
     if (numbers.empty() || system.rows() == 0 || system.moving_bodies().empty() ||
         system.columns(OmegaLocal::kAngular) > kMostColumnsWithSpectrum) {
         return std::nullopt;

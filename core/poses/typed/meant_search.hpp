@@ -18,11 +18,12 @@ struct RankDoubt {
     std::vector<int> joints;  ///< those that may repeat each other, ascending
 };
 
+/// Doubt about the rank of a closed part.
 /// @param numbers those known to their last digit; all others are exact
 /// @return nothing where the digits make no difference to the rank, or too many bodies move to tell
 std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vector<TypedNumber>& numbers);
 
-/// What is found about a part.
+/// Result of the search in a closed part.
 struct MeantPart {
     /// Size of the change of the conditions for a motion that half a unit of a number makes.
     struct Effect {
