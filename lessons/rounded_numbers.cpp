@@ -79,16 +79,13 @@ void RoundedNumbers::add(
 
 void RoundedNumbers::add_vector(
     const Fields& fields, int joint, std::string_view key, const std::vector<Target>& targets, bool is_unit) {
+    double square = is_unit ? 0.0 : 1.0;
+    if (is_unit) {
+        for (const TypedText& number : fields.typed_numbers(key)) { square += number.value * number.value; }
+    }
+    const double by = 1.0 / std::sqrt(square);
     const auto changes = [&](Eigen::Index k) {
         std::vector<Change> list;
-        double by = 1.0;
-        if (is_unit) {
-            double square = 0.0;
-            for (const TypedText& number : fields.typed_numbers(key)) {
-                square += number.value * number.value;
-            }
-            by /= std::sqrt(square);
-        }
         for (const Target& target : targets) {
             list.push_back({joint, target.vector, by * target.way.col(k)});
         }
@@ -112,15 +109,11 @@ void RoundedNumbers::add_axes(const Fields& fields, int joint, const Mat3& to_i,
     if (needs.axis_j && !needs.arms) { axes.push_back({&JointGeometry::s_j_local, to_j}); }
     add_vector(fields, joint, "axis", axes, true);
     add_vector(fields, joint, "axis2", {{&JointGeometry::s_j_local, to_j}}, true);
-    add_vector(fields, joint, "axis_i", {{&JointGeometry::s_i_local, Mat3::Identity()}});
-    add_vector(fields, joint, "axis_j", {{&JointGeometry::s_j_local, Mat3::Identity()}});
     if (!read.type->uses(kSidesH)) { return; }
     const Vec3 axis = to_i.transpose() * read.geometry.s_i_local.normalized();
     add_vector(
         fields, joint, "side",
         {{&JointGeometry::h_i_local, to_i}, {&JointGeometry::h_j_local, to_j * tilde(axis)}}, true);
-    add_vector(fields, joint, "side_i", {{&JointGeometry::h_i_local, Mat3::Identity()}});
-    add_vector(fields, joint, "side_j", {{&JointGeometry::h_j_local, Mat3::Identity()}});
 }
 
 void RoundedNumbers::add_joint(const Fields& fields, int joint) {
@@ -133,8 +126,9 @@ void RoundedNumbers::add_joint(const Fields& fields, int joint) {
     const bool has_two = !fields.typed_numbers("to").empty();
     add_vector(fields, joint, "at", has_two ? std::vector{point_i} : std::vector{point_i, point_j});
     add_vector(fields, joint, "to", {point_j});
-    add_vector(fields, joint, "point_i", {{&JointGeometry::P_i_local, Mat3::Identity()}});
-    add_vector(fields, joint, "point_j", {{&JointGeometry::P_j_local, Mat3::Identity()}});
+    for (const LocalKey& local : kLocalKeys) {
+        add_vector(fields, joint, local.key, {{local.vector, Mat3::Identity()}});
+    }
     add_axes(fields, joint, to_i, to_j);
     add_scalar(fields, joint, "length", &JointGeometry::length);
     add_scalar(fields, joint, "pitch", &JointGeometry::alpha, 1.0 / (2.0 * std::numbers::pi));

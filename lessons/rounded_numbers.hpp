@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "core/poses/typed/typed_number.hpp"
@@ -19,21 +20,21 @@ public:
 
     const std::vector<TypedNumber>& all() const { return all_; }
 
-    /// What needs more digits: the number, the key or the kind with three times the effect of all others
-    /// together.
+    /// Name and place of the number, key or kind that needs more digits: it has three times the effect of
+    /// all others together.
     /// @param effects of half a unit of each number @return without a place where that is a kind, or several
     Located<std::string> short_of_digits(const VectorX& effects) const;
 
 private:
     using Change = TypedNumber::Change;
-    /// What a unit of one of the numbers of a key changes.
+    /// Changes of the geometry per unit of each of the numbers of a key.
     using Changes = std::function<std::vector<Change>(Eigen::Index)>;
     /// A vector of the geometry, and the way there from the vector that was typed.
     struct Target {
         Vec3 JointGeometry::*vector;
         Mat3 way;
     };
-    /// Where a number stands.
+    /// Places of a number and of its key in the text, and their names.
     struct Place {
         SourceSpan span;
         std::string text;
@@ -46,6 +47,20 @@ private:
         Vec3 shift = Vec3::Zero();
         Vec3 turn_local = Vec3::Zero();
     };
+    /// Key of a joint that gives a vector in the frame of body i (side 0) or j (side 1).
+    struct LocalKey {
+        std::string_view key;
+        int side;
+        Vec3 JointGeometry::*vector;
+    };
+    static constexpr std::array<LocalKey, 6> kLocalKeys{{
+        {"point_i", 0, &JointGeometry::P_i_local},
+        {"point_j", 1, &JointGeometry::P_j_local},
+        {"axis_i", 0, &JointGeometry::s_i_local},
+        {"axis_j", 1, &JointGeometry::s_j_local},
+        {"side_i", 0, &JointGeometry::h_i_local},
+        {"side_j", 1, &JointGeometry::h_j_local},
+    }};
     /// Vectors of a joint that were typed in the frame of a body.
     struct LocalVectors {
         int joint = 0;

@@ -17,20 +17,6 @@ constexpr double kDifference = 1e-5;
 /// Turn of a body [rad, local] per unit by which its p changes.
 Vec3 turn_of(const Vec4& p, const Vec4& change) { return 2.0 * L_of(p.normalized()) * change / p.norm(); }
 
-struct LocalKey {
-    std::string_view key;
-    int side;  ///< 0: body i, 1: body j
-    Vec3 JointGeometry::*vector;
-};
-constexpr std::array<LocalKey, 6> kLocalKeys{{
-    {"point_i", 0, &JointGeometry::P_i_local},
-    {"point_j", 1, &JointGeometry::P_j_local},
-    {"axis_i", 0, &JointGeometry::s_i_local},
-    {"axis_j", 1, &JointGeometry::s_j_local},
-    {"side_i", 0, &JointGeometry::h_i_local},
-    {"side_j", 1, &JointGeometry::h_j_local},
-}};
-
 }  // namespace
 
 std::vector<RoundedNumbers::Change> RoundedNumbers::moved(
