@@ -4,6 +4,7 @@
 
 #include "jointwise/analysis.hpp"
 #include "jointwise/lesson.hpp"
+#include "tests/support/typed_door.hpp"
 
 namespace jointwise::test {
 namespace {
@@ -126,12 +127,7 @@ TEST_CASE("Numbers of the library are exact, those of a lesson are known to thei
     own.add_joint("upper", "revolute", 0, door, {.at = Vector3{0.5, 1.0, 2.0}, .axis = axis});
     CHECK(rank_at(own, start_pose(own)).rank == 6);
 
-    const std::string hinge =
-        "type = \"revolute\"\nbodies = [\"ground\", \"door\"]\naxis = [0.21822, 0.43644, 0.87287]\n";
-    const std::string text =
-        "format = 1\ntitle = \"t\"\n[[body]]\nname = \"door\"\n[[joint]]\nname = \"lower\"\n"
-        "at = [0, 0, 0]\n" +
-        hinge + "[[joint]]\nname = \"upper\"\nat = [0.5, 1.0, 2.0]\n" + hinge;
+    const std::string text = jw::test::typed_door();
     const Lesson lesson = read_lesson_text(text);
     CHECK(rank_at(lesson.mechanism(), start_pose(lesson.mechanism())).rank == 5);
     const Lesson exact = read_lesson_text(text + "[precision]\nexact = true\n");

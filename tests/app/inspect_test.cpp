@@ -6,6 +6,7 @@
 
 #include "tests/app/program.hpp"
 #include "tests/support/reference_phi.hpp"
+#include "tests/support/typed_door.hpp"
 
 /// The JSON of `inspect` has enough in it to compute every number again: here Φ, in long double and from the
 /// JSON alone, and Φq from differences of that Φ.
@@ -303,12 +304,7 @@ TEST_CASE("So many free motions that a reader would wait are listed without verd
 }
 
 TEST_CASE("JSON tells what typed digits leave open about the rank", "[app][inspect]") {
-    const std::string hinge =
-        "type = \"revolute\"\nbodies = [\"ground\", \"door\"]\naxis = [0.21822, 0.43644, 0.87287]\n";
-    const std::string door =
-        "format = 1\ntitle = \"A door\"\n[[body]]\nname = \"door\"\n[[joint]]\nname = \"lower\"\nat = [0, 0, "
-        "0]\n" +
-        hinge + "[[joint]]\nname = \"upper\"\nat = [0.5, 1.0, 2.0]\n" + hinge;
+    const std::string door = test::typed_door();
     const Folder folder;
     const auto ranks = [&](const std::string& text) {
         const std::string file = folder.file("door.toml", text);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include <catch2/catch.hpp>
@@ -9,6 +8,7 @@
 #include "core/kinematics/motion_tracker.hpp"
 #include "core/poses/branches.hpp"
 #include "tests/support/driven_linkages.hpp"
+#include "tests/support/number_from.hpp"
 
 using namespace jw;
 using namespace jw::test;
@@ -17,10 +17,7 @@ namespace {
 
 /// Loops of each class; JW_BRANCH_LOOPS asks for another number. Of 10,000 one or two end as undecided: such
 /// of 1 mm, with a margin of some 1e-9.
-unsigned share() {
-    const char* const text = std::getenv("JW_BRANCH_LOOPS");
-    return text == nullptr ? 60 : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
-}
+unsigned share() { return number_from("JW_BRANCH_LOOPS", 60); }
 
 /// End of a motion, and the distance of its worst pose from the branch of its start.
 struct Followed {
@@ -42,10 +39,6 @@ Followed follow(const DrivenLoop& loop, int steps) {
     }
     out.until = tracker.frame().t;
     return out;
-}
-
-double log_uniform(Random& random, double from, double to) {
-    return std::exp(random.number(std::log(from), std::log(to)));
 }
 
 template <class Generate>

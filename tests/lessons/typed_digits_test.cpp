@@ -228,9 +228,7 @@ TEST_CASE(
         double largest = 0.0;
         for (int k = 1; k <= 40; ++k) {
             REQUIRE(tracker.advance_to(k / 40.0));
-            Selection joints = everything(as_typed);
-            joints.drivers.clear();
-            const System typed_system(as_typed, joints);
+            const System typed_system(as_typed, joints_of(as_typed));
             Assembler<OmegaLocal> assembler(typed_system);
             assembler.assemble_phi_and_jacobian(tracker.frame().state, 0.0);
             largest = std::max(largest, assembler.phi().cwiseAbs().maxCoeff());

@@ -7,6 +7,7 @@
 
 #include "core/equations/assembler.hpp"
 #include "core/poses/large_rank.hpp"
+#include "core/poses/typed/loose_motion.hpp"
 #include "tests/support/overconstrained_linkages.hpp"
 
 /// Lessons of overconstrained linkages, with numbers as somebody types them.
@@ -115,9 +116,7 @@ inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
 
 /// Joints alone at the start, assembled: their rank as everything that shows one says.
 inline RankReport rank_of_joints(const Mechanism& mechanism, State state) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    System system(mechanism, joints);
+    System system(mechanism, joints_of(mechanism));
     system.choose_rows(state);
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, 0.0);

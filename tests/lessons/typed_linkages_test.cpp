@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "core/poses/rank.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/lessons/typed_lesson.hpp"
+#include "tests/support/number_from.hpp"
 
 /// Loops of five and six hinges as they are typed: with a few digits.
 namespace jw {
@@ -31,9 +31,8 @@ struct Share {
     std::vector<int> digits{4, 5};
 };
 Share share_of_loops() {
-    const char* const text = std::getenv("JW_TYPED_LOOPS");
-    if (text == nullptr) { return {}; }
-    return {static_cast<unsigned>(std::strtoul(text, nullptr, 10)), {4, 5, 6, 7, 8, 10, 12, 14}};
+    const unsigned asked = test::number_from("JW_TYPED_LOOPS", 0);
+    return asked == 0 ? Share{} : Share{asked, {4, 5, 6, 7, 8, 10, 12, 14}};
 }
 
 /// Verdicts of kinematics and dynamics on a loop.
@@ -49,16 +48,10 @@ struct Said {
 Said said_of(const HingeLoop& loop, const Lesson& lesson) {
     const Mechanism& mechanism = lesson.mechanism;
     Said said;
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
-    System alone(mechanism, joints);
     State state = start_state(mechanism);
-    alone.choose_rows(state);
-    Assembler<OmegaLocal> assembler(alone);
-    assembler.assemble_phi_and_jacobian(state, 0.0);
-    const RankReport report = analyse_rank(alone, assembler.jacobian(), assembler.phi());
+    const RankReport report = test::rank_of_joints(mechanism, state);
     said.is_decided = report.decided;
-    said.freedoms = alone.columns(OmegaLocal::kAngular) - report.rank;
+    said.freedoms = 6 * mechanism.moving_bodies_count() - report.rank;
 
     System system(mechanism, everything(mechanism));
     std::vector<State> poses;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBodies = 22;  // beside those of the loop
 
-/// Where a loop is in its machine.
+/// Placement of a loop in its machine.
 enum class In { chain, larger_loop };
 
 Mechanism machine(const HingeLoop& loop, In in, unsigned seed, Style style) {
@@ -34,10 +34,8 @@ Mechanism machine(const HingeLoop& loop, In in, unsigned seed, Style style) {
 }
 
 int rank_at_start(const Mechanism& mechanism) {
-    Selection joints = everything(mechanism);
-    joints.drivers.clear();
     State state = start_state(mechanism);
-    REQUIRE(solve_position<OmegaLocal>(System(mechanism, joints), state, 0.0).ok());
+    REQUIRE(solve_position<OmegaLocal>(System(mechanism, joints_of(mechanism)), state, 0.0).ok());
     const RankReport report = test::rank_of_joints(mechanism, state);
     CHECK(report.decided);
     return report.rank;

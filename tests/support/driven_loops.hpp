@@ -94,6 +94,10 @@ inline DrivenLoop crank_near_folding(double e) {
     return four_bar_of({}, {1.0 - e, 2.0, 1.0, 2.0}, e, 1.0, 1.0, 1.0);
 }
 
+inline double log_uniform(Random& random, double from, double to) {
+    return std::exp(random.number(std::log(from), std::log(to)));
+}
+
 /// Any four-bar: near folding where b + c exceeds d + a, or |b - c|
 /// falls below d - a, by `margin` only.
 inline DrivenLoop driven_four_bar(Random& random, double margin) {

@@ -9,6 +9,7 @@
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/exercise_lesson.hpp"
 #include "tests/app/host/random_person.hpp"
+#include "tests/support/number_from.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/common_interface_defs.h>
@@ -19,11 +20,6 @@ namespace {
 
 constexpr int kEvents = 300;
 constexpr std::uint32_t kSeed = 20240;
-
-std::uint32_t number_from(const char* name, std::uint32_t otherwise) {
-    const char* const text = std::getenv(name);
-    return text == nullptr ? otherwise : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
-}
 
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);

@@ -1,35 +1,25 @@
 #include <cmath>
-#include <cstdlib>
 
 #include <catch2/catch.hpp>
 
 #include "core/integrate/simulation.hpp"
 #include "core/motion/flat_state.hpp"
 #include "tests/support/driven_linkages.hpp"
+#include "tests/support/number_from.hpp"
 
 /// Driven loops near folding, moved by methods of dynamics, against their branch in closed form.
 using namespace jw;
 using namespace jw::test;
 
-namespace {
-
-/// Loops of each class; JW_BRANCH_LOOPS asks for another number.
-unsigned share() {
-    const char* const text = std::getenv("JW_BRANCH_LOOPS");
-    return text == nullptr ? 10 : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
-}
-
-}  // namespace
-
 TEST_CASE("Implicit methods keep driven loops on their branch, at any tolerance", "[dynamics][branches]") {
     const auto generate = GENERATE(
         driven_four_bar, driven_slider_crank, driven_spatial_loop, driven_row, driven_spherical_loop,
         driven_coupler_point);
-    for (unsigned k = 0; k < share(); ++k) {
+    for (unsigned k = 0; k < number_from("JW_BRANCH_LOOPS", 10); ++k) {
         const unsigned seed = 20000 + k;
         Random random(seed);
         // below 1e-7 some runs end with too small a step, on their branch
-        const double margin = std::exp(random.number(std::log(1e-6), std::log(0.3)));
+        const double margin = log_uniform(random, 1e-6, 0.3);
         const DrivenLoop loop = generate(random, margin);
         SimulationSettings settings;
         settings.method = k % 2 == 0 ? Method::implicit_5 : Method::implicit_9;
