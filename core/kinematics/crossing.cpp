@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "core/elementary/elementary.hpp"
-#include "core/kinematics/cubic_path.hpp"
 #include "core/kinematics/motion_tracker.hpp"
+#include "core/kinematics/paths/cubic_path.hpp"
+#include "core/kinematics/turning_point.hpp"
 
 /// Change points, which are crossed, and the causes of an end: the poses at which no step can be proved.
 namespace jw {
@@ -148,7 +149,10 @@ void MotionTracker::explain_end(double t) {
     if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
     const Root root = is_driven_ ? find_root() : Root{};
     if (root.kind == Root::Kind::simple_root) {
-        failure_->cause = FailureCause::turning_point;
+        const double sense = t > frame_.t ? 1.0 : -1.0;
+        failure_->cause = turns_back(*system_, frame_.state, path_velocity_, frame_.t, sense)
+                              ? FailureCause::turning_point
+                              : FailureCause::likely_turning_point;
         failure_->t = root.t;
         return;
     }

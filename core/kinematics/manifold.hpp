@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/kinematics/free_proof.hpp"
+#include "core/kinematics/paths/free_proof.hpp"
 #include "core/poses/newton.hpp"
 
 /// Dragging on the manifold of assembled states: a point of a body is pulled, everything else follows.

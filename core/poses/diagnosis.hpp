@@ -10,10 +10,11 @@ namespace jw {
 
 /// Cause of a failure of position analysis.
 enum class FailureCause {
-    cannot_close,    ///< the equations contradict each other: a closest fit was found, and it is not zero
-    wrong_branch,    ///< only solutions with anti-parallel axes or half-turned sides were found
-    singular,        ///< the iteration ended at a pose where independent equations are lost
-    turning_point,   ///< the motion turns back at `t`: beyond there is no pose on this branch
+    cannot_close,   ///< the equations contradict each other: a closest fit was found, and it is not zero
+    wrong_branch,   ///< only solutions with anti-parallel axes or half-turned sides were found
+    singular,       ///< the iteration ended at a pose where independent equations are lost
+    turning_point,  ///< it is proved that the motion turns back, at `t`: no pose of this branch lies beyond
+    likely_turning_point,  ///< the same, not proved
     undecided,       ///< branches come so near to each other at `t` that rounding hides which one leads on
     no_convergence,  ///< none of the above could be shown
 };

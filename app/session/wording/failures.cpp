@@ -195,6 +195,15 @@ std::string turning_point_text(const System& system, const PositionFailure& fail
         tr("Let it end within reach, or change the lengths."));
 }
 
+std::string likely_turning_point_text(const PositionFailure& failure) {
+    return followed(
+        tr("It seems that the motion turns back at t = {0} s, and that no pose on the branch of the start "
+           "lies "
+           "beyond; this is not proved.",
+           moment_of(failure)),
+        tr("Let the drivers end there, or change the lengths."));
+}
+
 std::string undecided_text(const PositionFailure& failure) {
     return followed(
         tr("At t = {0} s branches of the motion come so near to each other that rounding hides which one "
@@ -237,6 +246,7 @@ std::string failure_text(const System& system, const PositionFailure& failure) {
         case FailureCause::wrong_branch: return wrong_branch_text(system, failure);
         case FailureCause::singular: return singular_text(system, failure);
         case FailureCause::turning_point: return turning_point_text(system, failure);
+        case FailureCause::likely_turning_point: return likely_turning_point_text(failure);
         case FailureCause::undecided: return undecided_text(failure);
         case FailureCause::no_convergence: break;
     }

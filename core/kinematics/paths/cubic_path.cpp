@@ -1,4 +1,4 @@
-#include "core/kinematics/cubic_path.hpp"
+#include "core/kinematics/paths/cubic_path.hpp"
 
 #include <cmath>
 

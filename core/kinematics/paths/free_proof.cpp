@@ -1,4 +1,4 @@
-#include "core/kinematics/free_proof.hpp"
+#include "core/kinematics/paths/free_proof.hpp"
 
 #include <algorithm>
 #include <vector>

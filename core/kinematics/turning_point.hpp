@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/equations/system.hpp"
+
+/// Proof that a driven motion turns back.
+namespace jw {
+
+/// True if it is proved that the motion turns back ahead of a pose: when its driver lets go, the path that
+/// leads on from there comes to poses that the driver has left behind. So the driver has a largest value on
+/// this branch, between. The path is regular at that value; the driven motion is not.
+///
+/// Not proved where several drivers move at once: one that lets go leaves the others behind.
+/// @param state satisfies the constraints at time `t`
+/// @param velocity there; any size
+/// @param sense 1 if time goes on, -1 if the motion is followed backwards
+bool turns_back(const System& system, const State& state, const Motion& velocity, double t, double sense);
+
+}  // namespace jw

@@ -1,0 +1,118 @@
+#include "core/kinematics/turning_point.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "core/kinematics/motion_tracker.hpp"
+#include "tests/support/driven_linkages.hpp"
+#include "tests/support/number_from.hpp"
+
+using namespace jw;
+using namespace jw::test;
+
+namespace {
+
+/// Loops of each class; JW_BRANCH_LOOPS asks for another number.
+unsigned share() { return number_from("JW_BRANCH_LOOPS", 40); }
+
+/// Crank of length 1, coupler b shorter than it, and a slide along x through the crank's axis: the crank
+/// turns back where its pin is b above the slide. @param start of the crank [rad]
+Mechanism locking_slider_crank(const Place& place, double b, double start, double side) {
+    SceneBuilder scene;
+    const Vec3 A = place.at(std::cos(start), std::sin(start));
+    const double height = std::sin(start);
+    const Vec3 B = place.at(std::cos(start) + side * std::sqrt(b * b - height * height), 0);
+    const Vec3 z = place.along(0, 0, 1);
+    const int crank = scene.add_body("crank", place.at(0.2, 0.1));
+    const int coupler = scene.add_body("coupler", 0.4 * A + 0.6 * B);
+    const int slider = scene.add_body("slider", B);
+    Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
+    scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
+    scene.add_joint("revolute", crank, coupler, A, z);
+    scene.add_joint("revolute", coupler, slider, B, z);
+    scene.add_joint("prismatic", 0, slider, B, place.along(1, 0, 0));
+    drive(scene.mechanism, 0, start, 1.0);
+    return scene.mechanism;
+}
+
+/// Two cranks of length 1 on a ground of 2, both driven, whose couplers of length b meet.
+Mechanism five_bar(double b, double rate_of_second) {
+    SceneBuilder scene;
+    const Vec3 z = Vec3::UnitZ();
+    const double phi = 1.0;
+    const Vec3 A(std::cos(phi), std::sin(phi), 0);
+    const Vec3 B(2.0 - std::cos(phi), std::sin(phi), 0);
+    const double half = 0.5 * (B - A).norm();
+    const Vec3 C(1.0, std::sin(phi) + std::sqrt(b * b - half * half), 0);
+    const int first = scene.add_body("first crank", 0.5 * A);
+    const int second = scene.add_body("second crank", 0.5 * (B + Vec3(2, 0, 0)));
+    const int left = scene.add_body("left coupler", 0.5 * (A + C));
+    const int right = scene.add_body("right coupler", 0.5 * (B + C));
+    scene.measure_angle(scene.add_joint("revolute", 0, first, Vec3::Zero(), z), Vec3::UnitX(), A);
+    scene.measure_angle(
+        scene.add_joint("revolute", 0, second, Vec3(2, 0, 0), z), Vec3::UnitX(), B - Vec3(2, 0, 0));
+    scene.add_joint("revolute", first, left, A, z);
+    scene.add_joint("revolute", left, right, C, z);
+    scene.add_joint("revolute", second, right, B, z);
+    drive(scene.mechanism, 0, phi, 1.0);
+    drive(scene.mechanism, 1, std::numbers::pi - phi, rate_of_second / (2.0 * std::numbers::pi));
+    return scene.mechanism;
+}
+
+PositionFailure end_of(const Mechanism& mechanism, int steps) {
+    System system(mechanism, everything(mechanism));
+    MotionTracker tracker(system, start_state(mechanism), 0.0);
+    for (int n = 1; n <= steps; ++n) {
+        if (!tracker.advance_to(static_cast<double>(n) / steps)) { return *tracker.failure(); }
+    }
+    FAIL("the crank should turn back");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("A slider-crank that locks is proved to turn back, whatever its size and place", "[branches]") {
+    for (unsigned k = 0; k < share(); ++k) {
+        Random random(20000 + k);
+        const Place place = random_place(random);
+        const double b =
+            random.number() > 0.0 ? random.number(0.1, 0.9) : 1.0 - log_uniform(random, 1e-6, 0.1);
+        const double start = random.number(-0.9, 0.9) * std::asin(b);
+        const double side = random.number() > 0.0 ? 1.0 : -1.0;
+        const int steps = static_cast<int>(log_uniform(random, 1.0, 500.0));
+        CAPTURE(20000 + k, b, start, steps, place.size);
+        const PositionFailure failure = end_of(locking_slider_crank(place, b, start, side), steps);
+        CHECK(failure.cause == FailureCause::turning_point);
+        CHECK(failure.t == Approx((std::asin(b) - start) / (2.0 * std::numbers::pi)).epsilon(1e-7));
+    }
+}
+
+TEST_CASE("A crank that turns on is never proved to turn back", "[branches]") {
+    const std::array classes{
+        driven_four_bar, driven_slider_crank, driven_spatial_loop, driven_row, driven_spherical_loop};
+    for (unsigned k = 0; k < share(); ++k) {
+        Random random(21000 + k);
+        const DrivenLoop loop = classes[k % classes.size()](random, log_uniform(random, 1e-8, 0.1));
+        System system(loop.mechanism, everything(loop.mechanism));
+        MotionTracker tracker(system, start_state(loop.mechanism), 0.0);
+        for (int n = 1; n <= 20; ++n) {
+            CAPTURE(21000 + k, loop.name, loop.margin, loop.size, n);
+            if (!tracker.advance_to(n / 20.0)) {
+                // one in two thousand: of a millimetre, far from the origin
+                CHECK(tracker.failure()->cause == FailureCause::undecided);
+                break;
+            }
+            const MotionFrame& frame = tracker.frame();
+            CHECK_FALSE(turns_back(system, frame.state, frame.velocity, frame.t, 1.0));
+            CHECK_FALSE(turns_back(system, frame.state, frame.velocity, frame.t, -1.0));
+        }
+    }
+}
+
+TEST_CASE("Of several drivers that move at once it is not proved that they turn back", "[branches]") {
+    CHECK(end_of(five_bar(1.2, 0.0), 100).cause == FailureCause::turning_point);
+    CHECK(end_of(five_bar(1.2, -0.5), 100).cause == FailureCause::likely_turning_point);
+}
