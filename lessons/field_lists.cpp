@@ -57,7 +57,12 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
 
 std::optional<Located<std::vector<double>>> Fields::numbers(
     std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
-    note(key, "numbers");
+    check_described(key, {KeyKind::numbers, KeyKind::tensor});
+    return numbers_under(key, count, most, expected);
+}
+
+std::optional<Located<std::vector<double>>> Fields::numbers_under(
+    std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     return list_in(*node, in_quotes(key), count, most, expected);
@@ -70,7 +75,7 @@ bool Fields::is_nested(std::string_view key) {
 }
 
 std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
-    note(key, "matrix");
+    check_described(key, {KeyKind::tensor});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     const toml::array* list = node->as_array();
@@ -91,15 +96,19 @@ std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
 }
 
 std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
-    note(key, "vector");
-    const auto list = numbers(key, 3);
+    check_described(key, {KeyKind::vector, KeyKind::direction});
+    return vector_under(key);
+}
+
+std::optional<Located<Vec3>> Fields::vector_under(std::string_view key) {
+    const auto list = numbers_under(key, 3, kLongestList, {});
     if (!list) { return std::nullopt; }
     return Located<Vec3>{Vec3(list->value[0], list->value[1], list->value[2]), list->span};
 }
 
 std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
-    note(key, "direction");
-    const auto v = vector(key);
+    check_described(key, {KeyKind::direction});
+    const auto v = vector_under(key);
     // squares of very small numbers are 0: measured without them
     if (v && v->value.stableNorm() < kShortestDirection) {
         const bool zero = v->value.isZero(0.0);
@@ -133,7 +142,7 @@ std::vector<TypedText> Fields::typed_numbers(std::string_view key) const {
 }
 
 std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {
-    note(key, "texts");
+    check_described(key, {KeyKind::texts});
     const toml::node* node = find(key);
     return node != nullptr ? texts_in(*node, std::string(key), "a list of names") : std::nullopt;
 }

@@ -32,12 +32,12 @@ std::vector<std::pair<std::string, const toml::table*>> Fields::languages() cons
 }
 
 std::optional<Located<Text>> Fields::words(std::string_view key, Audience audience) {
-    note(key, "words");
+    check_described(key, {KeyKind::words});
     return words_in(key, Formulas::checked, audience);
 }
 
 std::optional<Located<Text>> Fields::plain_words(std::string_view key) {
-    note(key, "plain words");
+    check_described(key, {KeyKind::plain_words});
     return words_in(key, Formulas::none, Audience::students);
 }
 
@@ -60,7 +60,7 @@ std::optional<Located<Text>> Fields::words_in(std::string_view key, Formulas for
 }
 
 std::optional<Located<std::vector<Text>>> Fields::list_of_words(std::string_view key) {
-    note(key, "list of words");
+    check_described(key, {KeyKind::list_of_words});
     words_.emplace(key);
     const toml::node* node = find(key);
     const auto own = node != nullptr ? texts_in(*node, std::string(key), "a list of texts") : std::nullopt;

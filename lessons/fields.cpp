@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "lessons/asked_keys.hpp"
 #include "lessons/exact_text.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/text_place.hpp"
@@ -36,17 +36,21 @@ const toml::node* Fields::find(std::string_view key) {
     return table_->get(key);
 }
 
-void Fields::note(
-    std::string_view key, const char* as, const std::vector<std::string>& words, int least, int most) const {
-    if (AskedKeys* asked = AskedKeys::listening()) {
-        asked->add({path_, std::string(key), as, words, least, most});
+const Key* Fields::check_described(std::string_view key, std::initializer_list<KeyKind> kinds) const {
+    if (described_ == nullptr) { return nullptr; }
+    const Key* found = find_key(*described_, key);
+    if (found == nullptr || (kinds.size() > 0 && std::ranges::find(kinds, found->kind) == kinds.end())) {
+        throw std::logic_error(
+            "key " + in_quotes(key) + " of table " + in_quotes(described_->name) +
+            " is read as lessons/format does not describe it");
     }
+    return found;
 }
 
 Fields Fields::below(const toml::table& table, std::string_view key) const {
-    Fields fields(table, std::string(key), *problems_);
-    fields.path_ = path_.empty() ? std::string(key) : path_ + '.' + std::string(key);
-    return fields;
+    const Key* described = check_described(key);
+    return {
+        table, std::string(key), *problems_, described != nullptr ? &key_table(described->table) : nullptr};
 }
 
 SourceSpan Fields::span(std::string_view key) const {
@@ -85,7 +89,11 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
 }
 
 std::optional<Located<std::string>> Fields::text(std::string_view key) {
-    note(key, "text");
+    check_described(key, {KeyKind::text, KeyKind::word, KeyKind::formula});
+    return text_under(key);
+}
+
+std::optional<Located<std::string>> Fields::text_under(std::string_view key) {
     const toml::node* node = find(key);
     return node != nullptr ? text_in(*node, std::string(key)) : std::nullopt;
 }
@@ -115,8 +123,8 @@ std::optional<Located<std::string>> Fields::text_in(const toml::node& node, cons
 }
 
 std::optional<Located<std::string>> Fields::formula(std::string_view key) {
-    note(key, "formula");
-    auto source = text(key);
+    check_described(key, {KeyKind::formula});
+    auto source = text_under(key);
     if (!source) { return source; }
     if (auto problem = math::read_math(source->value).problem) {
         problems_->add(
@@ -128,7 +136,11 @@ std::optional<Located<std::string>> Fields::formula(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::number(std::string_view key) {
-    note(key, "number");
+    check_described(key, {KeyKind::number, KeyKind::positive, KeyKind::not_negative});
+    return number_under(key);
+}
+
+std::optional<Located<double>> Fields::number_under(std::string_view key) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_number()) {
@@ -141,8 +153,8 @@ std::optional<Located<double>> Fields::number(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::positive(std::string_view key) {
-    note(key, "positive");
-    auto value = number(key);
+    check_described(key, {KeyKind::positive});
+    auto value = number_under(key);
     if (value && value->value <= 0.0) {
         problems_->add(
             Code::out_of_range, value->span,
@@ -153,8 +165,8 @@ std::optional<Located<double>> Fields::positive(std::string_view key) {
 }
 
 std::optional<Located<double>> Fields::not_negative(std::string_view key) {
-    note(key, "not negative");
-    auto value = number(key);
+    check_described(key, {KeyKind::not_negative});
+    auto value = number_under(key);
     if (value && value->value < 0.0) {
         problems_->add(
             Code::out_of_range, value->span,
@@ -166,7 +178,7 @@ std::optional<Located<double>> Fields::not_negative(std::string_view key) {
 }
 
 std::optional<Located<int>> Fields::integer(std::string_view key, int least, int most) {
-    note(key, "whole number", {}, least, most);
+    check_described(key, {KeyKind::whole_number});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_integer()) {
@@ -190,8 +202,13 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
     return Located<int>{static_cast<int>(value), span_of(node->source())};
 }
 
+std::optional<Located<int>> Fields::integer(std::string_view key) {
+    const Key& described = *check_described(key);
+    return integer(key, described.least, described.most);
+}
+
 std::optional<Located<bool>> Fields::flag(std::string_view key) {
-    note(key, "flag");
+    check_described(key, {KeyKind::flag});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_boolean()) {
@@ -202,7 +219,7 @@ std::optional<Located<bool>> Fields::flag(std::string_view key) {
 }
 
 std::optional<Fields> Fields::table(std::string_view key) {
-    note(key, "table");
+    check_described(key, {KeyKind::table});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_table()) {
@@ -213,7 +230,7 @@ std::optional<Fields> Fields::table(std::string_view key) {
 }
 
 std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
-    note(key, "tables");
+    check_described(key, {KeyKind::tables});
     const toml::node* node = find(key);
     if (node == nullptr) { return {}; }
     if (node->is_table()) { return {below(*node->as_table(), key)}; }
@@ -243,8 +260,8 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
 }
 
 std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<std::string>& words) {
-    note(key, "word", words);
-    const auto value = text(key);
+    check_described(key, {KeyKind::word, KeyKind::text});
+    const auto value = text_under(key);
     if (!value) { return std::nullopt; }
     const auto found = std::ranges::find(words, value->value);
     if (found == words.end()) {
@@ -256,6 +273,10 @@ std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<
         return std::nullopt;
     }
     return static_cast<std::size_t>(found - words.begin());
+}
+
+std::optional<std::size_t> Fields::word(std::string_view key) {
+    return word(key, check_described(key)->words());
 }
 
 std::optional<Located<double>> Fields::angle(std::string_view key) {

@@ -10,6 +10,7 @@
 
 #include "core/numerics/linear.hpp"
 #include "lessons/enum_words.hpp"
+#include "lessons/format/key.hpp"
 #include "lessons/problems.hpp"
 #include "lessons/text.hpp"
 #include "lessons/typed.hpp"
@@ -35,13 +36,17 @@ struct TypedText {
 std::string kind_of(const toml::node& node);
 
 /// One table. Keys that are read are remembered; `finish` reports the others as unknown.
+///
+/// Where the format describes the table (lessons/format), each access throws std::logic_error for a key that
+/// is not described, or is of another type, range or other words.
 class Fields {
 public:
-    Fields(const toml::table& table, std::string what, Problems& problems)
-        : table_(&table), what_(std::move(what)), problems_(&problems) {}
+    Fields(
+        const toml::table& table, std::string what, Problems& problems, const KeyTable* described = nullptr)
+        : table_(&table), described_(described), what_(std::move(what)), problems_(&problems) {}
 
     bool has(std::string_view key) {
-        note(key, "known");
+        check_described(key);
         return find(key) != nullptr;
     }
     /// Place of the table's header, or of a key's value.
@@ -72,6 +77,8 @@ public:
     std::optional<Located<double>> positive(std::string_view key);
     std::optional<Located<double>> not_negative(std::string_view key);
     std::optional<Located<int>> integer(std::string_view key, int least, int most);
+    /// In the range that the format describes.
+    std::optional<Located<int>> integer(std::string_view key);
     std::optional<Located<bool>> flag(std::string_view key);
     std::optional<Located<Vec3>> vector(std::string_view key);
     /// A vector that is not zero.
@@ -90,6 +97,8 @@ public:
     std::vector<Fields> tables(std::string_view key, std::size_t most = kLongestList);
     /// Index of the text among `words`.
     std::optional<std::size_t> word(std::string_view key, const std::vector<std::string>& words);
+    /// Index of the text among the words that the format describes.
+    std::optional<std::size_t> word(std::string_view key);
     /// The value that the text is a word for.
     template <class E, std::size_t N>
     std::optional<E> word(std::string_view key, const std::array<EnumWord<E>, N>& table) {
@@ -105,7 +114,7 @@ public:
 
     /// The value as it stands, for those who copy it; nothing if the key is not there.
     const toml::node* raw(std::string_view key) {
-        note(key, "known");
+        check_described(key);
         return find(key);
     }
 
@@ -139,10 +148,16 @@ private:
     void finish_language(const std::string& tag, const toml::table& table);
     /// True for a subtable that was meant as a language; reports what is wrong with its name.
     bool is_misnamed_language(const toml::key& key, const toml::node& node);
-    /// Tells who listens (asked_keys.hpp) that the key was asked for.
-    void note(
-        std::string_view key, const char* as, const std::vector<std::string>& words = {}, int least = 0,
-        int most = 0) const;
+    /// The key as the format describes it; nullptr in a table that it does not describe.
+    /// @param kinds one of which it has; any without them
+    /// @throws std::logic_error for a key that is not described so
+    const Key* check_described(std::string_view key, std::initializer_list<KeyKind> kinds = {}) const;
+    // without check_described
+    std::optional<Located<std::string>> text_under(std::string_view key);
+    std::optional<Located<double>> number_under(std::string_view key);
+    std::optional<Located<std::vector<double>>> numbers_under(
+        std::string_view key, std::size_t count, std::size_t most, std::string_view expected);
+    std::optional<Located<Vec3>> vector_under(std::string_view key);
     /// The table under a key of this one, or in a list there.
     Fields below(const toml::table& table, std::string_view key) const;
     /// A key not read so far that may stand for `key`: misspelt, or with another unit or none.
@@ -154,8 +169,8 @@ private:
         std::string_view expected = {});
 
     const toml::table* table_;
+    const KeyTable* described_;
     std::string what_;
-    std::string path_;  ///< keys that lead here, with dots
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
     std::set<std::string, std::less<>> words_;  ///< keys read as words: those that a language may have

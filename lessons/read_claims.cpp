@@ -9,7 +9,6 @@ namespace jw::reading {
 namespace {
 
 constexpr std::size_t kMostClaims = 5000;
-constexpr int kLargestCount = 100000;
 
 using Facts = std::vector<std::pair<Fact, SourceSpan>>;
 
@@ -17,7 +16,7 @@ using Facts = std::vector<std::pair<Fact, SourceSpan>>;
 /// that `of` names.
 std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     const auto t = fields.number("at_s");
-    const auto of = fields.word("of", {"motion", "dynamics"});
+    const auto of = fields.word("of");
     if (!t) { return std::nullopt; }
     const bool by_forces = of ? *of == 1 : !lesson.motion && lesson.dynamics.has_value();
     const auto& motion = lesson.motion;
@@ -52,8 +51,7 @@ std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
 
 void read_counts(Fields& fields, Facts& facts) {
     for (const EnumWord<Count>& count : kCounts) {
-        const int least = count.value == Count::mobility_by_counting ? -kLargestCount : 0;
-        if (const auto value = fields.integer(count.word, least, kLargestCount)) {
+        if (const auto value = fields.integer(count.word)) {
             facts.emplace_back(CountClaim{count.value, value->value}, value->span);
         }
     }

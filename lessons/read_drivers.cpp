@@ -67,7 +67,7 @@ void check_moves(Fields& fields, const Reading& reading, int body, const SourceS
 bool place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
     const auto name = fields.text("body");
     fields.require("body", "the body whose coordinate is driven");
-    const auto coordinate = fields.word("coordinate", strings(kCoordinates));
+    const auto coordinate = fields.word("coordinate");
     fields.require("coordinate", "one of x, y, z, e0, e1, e2, e3");
     const Named* named = name ? reading.body(*name) : nullptr;
     if (named == nullptr || !coordinate) { return false; }
@@ -182,9 +182,7 @@ void read_driver(Fields& fields, Reading& reading) {
     fields.require(
         "quantity", "one of angle, displacement, distance, coordinate, or a name such as hinge.angle");
     const bool is_name = quantity && quantity->value.find('.') != std::string::npos;
-    const auto what = quantity && !is_name
-                          ? fields.word("quantity", {"angle", "displacement", "distance", "coordinate"})
-                          : std::nullopt;
+    const auto what = quantity && !is_name ? fields.word("quantity") : std::nullopt;
     if (is_name || what) {
         const bool placed = is_name ? place_by_name(fields, reading, *quantity, driver)
                                     : place(fields, reading, static_cast<What>(*what), driver);

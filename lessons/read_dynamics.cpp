@@ -7,19 +7,12 @@ namespace jw::reading {
 
 namespace {
 
-template <class Names>
-std::vector<std::string> words_of(const Names& names) {
-    std::vector<std::string> words;
-    for (const auto& entry : names) { words.emplace_back(entry.name); }
-    return words;
-}
-
 void read_method(Fields& fields, DynamicsPlan& plan) {
-    if (const auto method = fields.word("method", words_of(kMethods))) {
+    if (const auto method = fields.word("method")) {
         plan.method = kMethods[*method].method;
         plan.method_given = true;
     }
-    if (const auto treatment = fields.word("treatment", words_of(kTreatments))) {
+    if (const auto treatment = fields.word("treatment")) {
         plan.treatment = kTreatments[*treatment].treatment;
     }
     const std::string_view unfit = why_not(plan.method, plan.treatment);

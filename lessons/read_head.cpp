@@ -7,7 +7,6 @@ namespace {
 
 // a camera this close to looking along `up` has no upright picture (0.06 deg)
 constexpr double kAlongUp = 1e-3;
-constexpr int kMostSteps = 100000;
 
 }  // namespace
 
@@ -43,7 +42,7 @@ void read_motion(Fields& root, Lesson& lesson) {
     }
     plan.duration = plan.to - plan.from;
     if (const auto duration = fields->positive("duration_s")) { plan.duration = duration->value; }
-    if (const auto steps = fields->integer("steps", 1, kMostSteps)) { plan.steps = steps->value; }
+    if (const auto steps = fields->integer("steps")) { plan.steps = steps->value; }
     fields->finish();
     lesson.motion = plan;
 }

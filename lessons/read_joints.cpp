@@ -64,7 +64,7 @@ void read_joint(Fields& fields, Reading& reading) {
     const int index = static_cast<int>(joints.size());
     Joint joint;
     joint.name = reading.declare(fields, Named::Kind::joint, index);
-    const auto type = fields.word("type", type_names());
+    const auto type = fields.word("type");
     fields.require("type", "one of " + comma_list(type_names()));
     const PairIndices bodies = read_pair(fields, reading);
     joint.body_i = bodies.i;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lessons/exact_text.hpp"
+#include "lessons/format/motion_keys.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -9,7 +10,6 @@ namespace jw::reading {
 namespace {
 
 // more coefficients or parts than this are data, not a lesson
-constexpr std::size_t kMostCoefficients = 50;
 constexpr std::size_t kMostParts = 100;
 // a shorter step has accelerations beyond all reason [s]
 constexpr double kShortestStep = 1e-6;
@@ -31,7 +31,7 @@ struct ValueKeys {
 
 void read_polynomial(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     const auto take = [&](const std::string& key) {
-        const auto list = fields.numbers(key, 0, kMostCoefficients);
+        const auto list = fields.numbers(key, 0, format::kMostCoefficients);
         if (list) { function.polynomial = list->value; }
     };
     if (!keys.angle) {

@@ -101,7 +101,7 @@ Lesson read_root(Fields& root, Problems& problems) {
 
 void read_table(
     const toml::table& table, const std::string& file_name, Problems& problems, ReadResult& result) {
-    Fields root(table, "the lesson", problems);
+    Fields root(table, "the lesson", problems, &key_tables().front());
     if (!read_format(root, table)) { return; }
     Lesson lesson = read_root(root, problems);
     lesson.file_name = file_name;

@@ -7,9 +7,6 @@ namespace jw::reading {
 
 namespace {
 
-constexpr int kFewestDigits = 2;
-constexpr int kMostDigits = 17;
-
 void tell(
     const TypedVerdict& verdict, const Located<std::string>& short_of_digits, const SourceSpan& last,
     Problems& problems) {
@@ -34,9 +31,7 @@ void read_precision(Fields& root, Lesson& lesson) {
     if (!fields) { return; }
     fields->at_most_one({"exact", "digits"});
     if (const auto exact = fields->flag("exact")) { lesson.precision.exact = exact->value; }
-    if (const auto digits = fields->integer("digits", kFewestDigits, kMostDigits)) {
-        lesson.precision.digits = digits->value;
-    }
+    if (const auto digits = fields->integer("digits")) { lesson.precision.digits = digits->value; }
     fields->finish();
 }
 

@@ -1,7 +1,7 @@
 #include "app/commands/lesson_schema.hpp"
 
 #include "app/session/output/json.hpp"
-#include "lessons/schema/keys.hpp"
+#include "lessons/format/key.hpp"
 #include "lessons/typed.hpp"
 
 namespace jw {
@@ -15,7 +15,7 @@ constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 constexpr const char* kLanguageTag =
     "[a-z]{2,3}(-[A-Z][a-z]{3})?(-([A-Z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*$";
 
-Json definition(const std::string& name) { return {{"$ref", "#/definitions/" + name}}; }
+Json definition(std::string_view name) { return {{"$ref", "#/definitions/" + std::string(name)}}; }
 
 Json list_of(const Json& entry, int least, int most) {
     Json list{{"type", "array"}, {"items", entry}};
@@ -30,9 +30,9 @@ Json number_between(const char* least_key, double least) {
 
 Json text_of(const Key& key) {
     Json any{{"type", "string"}};
-    if (key.words.empty()) { return any; }
+    if (key.words == nullptr) { return any; }
     any["pattern"] = key.pattern;
-    return {{"anyOf", Json::array({Json{{"enum", key.words}}, any})}};
+    return {{"anyOf", Json::array({Json{{"enum", key.words()}}, any})}};
 }
 
 /// J' as three or six numbers or as three rows of three.
@@ -49,7 +49,7 @@ Json value_of(const Key& key) {
         case KeyKind::words:
         case KeyKind::plain_words:
         case KeyKind::formula: return {{"type", "string"}};
-        case KeyKind::word: return {{"enum", key.words}};
+        case KeyKind::word: return {{"enum", key.words()}};
         case KeyKind::number: return definition("number");
         case KeyKind::positive: return number_between("exclusiveMinimum", 0.0);
         case KeyKind::not_negative: return number_between("minimum", 0.0);
@@ -72,8 +72,8 @@ Json value_of(const Key& key) {
     return Json::object();
 }
 
-Json property(const Key& key) {
-    const Json value = value_of(key);
+Json property(const SpelledKey& key) {
+    const Json value = value_of(*key.key);
     Json described{{"description", key.about}};
     // draft 7 looks at nothing that stands beside a reference
     if (value.contains("$ref")) {
@@ -88,8 +88,8 @@ Json property(const Key& key) {
 void add_languages(const KeyTable& table, Json& out) {
     Json texts = Json::object();
     std::string keys;
-    for (const Key& key : table.keys) {
-        if (is_translated(key.kind)) { texts[key.name] = property(key); }
+    for (const SpelledKey& key : spelled_keys(table)) {
+        if (is_translated(key.key->kind)) { texts[key.name] = property(key); }
         keys += (keys.empty() ? "" : "|") + key.name;
     }
     if (texts.empty()) { return; }
@@ -103,9 +103,9 @@ void add_languages(const KeyTable& table, Json& out) {
 Json table_of(const KeyTable& table) {
     Json properties = Json::object();
     Json required = Json::array();
-    for (const Key& key : table.keys) {
+    for (const SpelledKey& key : spelled_keys(table)) {
         properties[key.name] = property(key);
-        if (key.required) { required.push_back(key.name); }
+        if (key.key->required) { required.push_back(key.name); }
     }
     Json out{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
     add_languages(table, out);
@@ -117,16 +117,16 @@ Json table_of(const KeyTable& table) {
 }  // namespace
 
 void write_lesson_schema(std::ostream& out) {
-    const std::vector<KeyTable> tables = key_tables();
+    const std::span<const KeyTable> tables = key_tables();
     Json schema{
         {"$schema", kDraft},
         {"title", "Jointwise lesson"},
-        {"description", "Written by 'jointwise schema' from lessons/schema; do not edit."}};
+        {"description", "Written by 'jointwise schema' from lessons/format; do not edit."}};
     schema.update(table_of(tables.front()));
     Json& definitions = schema["definitions"];
     definitions["number"] = {{"type", "number"}, {"minimum", -kLargestNumber}, {"maximum", kLargestNumber}};
     definitions["vector"] = list_of(definition("number"), 3, 3);
-    for (std::size_t k = 1; k < tables.size(); ++k) { definitions[tables[k].name] = table_of(tables[k]); }
+    for (const KeyTable& table : tables.subspan(1)) { definitions[table.name] = table_of(table); }
     out << json_document(schema);
 }
 

@@ -35,7 +35,7 @@ void read_range(Fields& fields, Draw& draw) {
     const auto from = fields.number("from");
     const auto to = fields.number("to");
     const auto step = fields.positive("step");
-    const auto count = fields.integer("count", 1, 12);
+    const auto count = fields.integer("count");
     if (!from || !to) { return; }
     draw.kind = Draw::Kind::numbers;
     draw.from = from->value;
@@ -53,8 +53,7 @@ Draw read_draw(Fields& fields, const Exercise& exercise) {
     fields.call("the draw");
     read_keys(fields, exercise, draw);
     fields.at_most_one({"values", "from", "nice"});
-    static const std::vector<std::string> kNice{"direction", "p"};
-    if (const auto nice = fields.word("nice", kNice)) {
+    if (const auto nice = fields.word("nice")) {
         draw.kind = *nice == 0 ? Draw::Kind::direction : Draw::Kind::euler_parameters;
     } else if (fields.has("values")) {
         draw.values = list_of_toml(fields, "values");

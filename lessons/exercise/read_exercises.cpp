@@ -8,6 +8,7 @@
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/file_text.hpp"
+#include "lessons/format/exercise_keys.hpp"
 #include "lessons/reader.hpp"
 #include "lessons/toml_text.hpp"
 
@@ -71,8 +72,7 @@ void read_frame(Fields& fields, Exercise& exercise) {
     fields.require("title", "a title");
     if (const auto title = fields.words("title")) { exercise.title = title->value; }
     if (const auto source = fields.text("source")) { exercise.source = source->value; }
-    static const std::vector<std::string> kWords{"paper", "program"};
-    if (const auto allowed = fields.word("allowed", kWords)) {
+    if (const auto allowed = fields.word("allowed")) {
         exercise.allowed = *allowed == 0 ? Allowed::paper : Allowed::program;
     }
     if (const auto points = fields.positive("points")) {
@@ -208,7 +208,7 @@ bool is_lesson_table(const toml::table& table) { return table.contains("body") |
 
 bool read_exercise_head(Fields& root, ExercisesRead& read, Exercise& defaults) {
     root.require("format", "format = 1 as the first key");
-    root.integer("format", 1, 1);
+    root.integer("format");
     root.require("title", "a title");
     if (const auto title = root.words("title")) { read.title = title->value; }
     if (const auto source = root.text("source")) { defaults.source = source->value; }
@@ -237,7 +237,7 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
     read.source = std::move(source);
     Problems problems(path.string(), read.source);
     if (const auto table = reading::parse_toml(read.source, problems)) {
-        Fields root(*table, "the exercises", problems);
+        Fields root(*table, "the exercises", problems, &format::kExerciseFile);
         Exercise defaults;
         const bool is_lesson = is_lesson_table(*table);
         if (is_lesson) {

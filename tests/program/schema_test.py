@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The schema for editors agrees with the reader: schema_test.py JOINTWISE SOURCE_ROOT
 
-It accepts every shipped lesson, and refuses every wrong lesson whose mistake a schema can see: a value of a
+It accepts every shipped lesson and exercise, and refuses every wrong lesson whose mistake a schema can see: a value of a
 wrong type or with a wrong number of entries, a word that is none, a number out of range, an unknown key.
 """
 
@@ -71,6 +71,14 @@ def main():
     for path, lesson in right_lessons(root):
         accepted += 1
         faults += [f"{path}: {error.json_path}: {error.message}" for error in validator.iter_errors(lesson)]
+    exercise = jsonschema.Draft7Validator({"$ref": "#/definitions/exercise", "definitions": schema["definitions"]})
+    exercises = 0
+    for path in sorted((root / "lessons/exercises").glob("*.toml")):
+        for table in tomllib.loads(path.read_text())["exercise"]:
+            exercises += 1
+            faults += [f"{path}: {table['name']}: {error.json_path}: {error.message}" for error in exercise.iter_errors(table)]
+            if exercise.is_valid(table | {"kind": "poem"}) or exercise.is_valid(table | {"hint": "?"}):
+                faults.append(f"{path}: the schema takes {table['name']} with a wrong kind or an unknown key")
     refused = set()
     for name, lesson, codes in wrong_lessons(root / "tests/lessons/wrong_lessons.txt"):
         if not validator.is_valid(lesson):
@@ -79,8 +87,8 @@ def main():
                 faults.append(f"the reader takes '{name}', the schema does not")
         elif codes & SEEN or name in SEEN_HERE:
             faults.append(f"the schema takes '{name}', which has {', '.join(sorted(codes))}")
-    print(f"{accepted} lessons accepted, {len(refused)} wrong ones refused")
-    if accepted < 50 or len(refused) < 20 or not SEEN_HERE <= refused:
+    print(f"{accepted} lessons and {exercises} exercises accepted, {len(refused)} wrong lessons refused")
+    if accepted < 50 or exercises < 50 or len(refused) < 20 or not SEEN_HERE <= refused:
         faults.append(f"too few lessons; not refused: {sorted(SEEN_HERE - refused)}")
     for fault in faults:
         print(fault, file=sys.stderr)

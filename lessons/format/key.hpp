@@ -1,0 +1,137 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a table of a lesson file may hold: its keys with type, unit, range and words, as data.
+namespace jw {
+
+/// Type of a key's value, by the access of `Fields` that reads it.
+enum class KeyKind {
+    text,
+    words,          ///< text for people, with formulas between dollar signs
+    plain_words,    ///< text for people without formulas
+    list_of_words,  ///< several texts for people
+    formula,        ///< a formula without dollar signs
+    word,           ///< one of a few words
+    number,
+    positive,
+    not_negative,
+    whole_number,
+    flag,
+    vector,     ///< three numbers
+    direction,  ///< three numbers, not all zero
+    numbers,
+    tensor,  ///< three or six numbers, or three rows of three
+    texts,
+    table,
+    tables,  ///< a list of tables, or one
+    any,     ///< read elsewhere
+};
+
+/// True for keys that a subtable named by a language may have too.
+constexpr bool is_translated(KeyKind kind) {
+    return kind == KeyKind::words || kind == KeyKind::plain_words || kind == KeyKind::list_of_words;
+}
+
+/// How the unit of a key is spelled.
+enum class Spelling {
+    plain,             ///< not in its name
+    angle,             ///< _deg or _rad
+    angular_velocity,  ///< _deg_per_s or _rad_per_s
+    any,               ///< plain, or as an angle, its rate or its acceleration
+};
+
+/// A key of a table.
+struct Key {
+    std::string_view name;
+    KeyKind kind = KeyKind::text;
+    std::string_view about;      ///< a line for the editor; the unit is put before ; or : or at its end
+    std::string_view unit = {};  ///< of its numbers, where it is not in the name
+    Spelling spelling = Spelling::plain;
+    bool required = false;
+    std::vector<std::string> (*words)() =
+        nullptr;                    ///< of a word; of a text those with a meaning of their own
+    std::string_view pattern = {};  ///< of a text that is none of the words, a regular expression
+    std::string_view table = {};    ///< name of the KeyTable of a table or of tables
+    int least = 0;                  ///< of a whole number, or of the entries of a list
+    int most = 0;                   ///< likewise; 0 for a list: no limit
+};
+
+/// All keys of one kind of table.
+struct KeyTable {
+    std::string_view name;
+    std::span<const Key> keys;
+    bool exactly_one = false;  ///< of its keys is there
+};
+
+/// Every kind of table of a lesson; the first is the lesson itself.
+std::span<const KeyTable> key_tables();
+/// The table of that name. @throws std::logic_error if there is none
+const KeyTable& key_table(std::string_view name);
+/// The key that `name` is a spelling of, nullptr if there is none.
+const Key* find_key(const KeyTable& table, std::string_view name);
+
+/// A key as it may stand in a file.
+struct SpelledKey {
+    std::string name;
+    std::string about;
+    std::string unit;
+    const Key* key = nullptr;
+};
+/// All spellings of the keys of a table, in its order.
+std::vector<SpelledKey> spelled_keys(const KeyTable& table);
+
+/// Unit of the numbers under a key, none if it has no unit or is in no table.
+/// @param path keys that lead there, with names or numbers of entries: "body.crank.shape.0.rod.radius"
+std::string unit_of_key(std::string_view path);
+
+// ways to say a key
+constexpr Key required(Key key) {
+    key.required = true;
+    return key;
+}
+constexpr Key spelled(Key key, Spelling spelling) {
+    key.spelling = spelling;
+    return key;
+}
+constexpr Key one_of(std::string_view name, std::string_view about, std::vector<std::string> (*words)()) {
+    return {.name = name, .kind = KeyKind::word, .about = about, .words = words};
+}
+constexpr Key in_table(std::string_view name, KeyKind kind, std::string_view about, std::string_view table) {
+    return {.name = name, .kind = kind, .about = about, .table = table};
+}
+constexpr Key counted(std::string_view name, KeyKind kind, std::string_view about, int least, int most) {
+    return {.name = name, .kind = kind, .about = about, .least = least, .most = most};
+}
+
+/// The words of a list of entries: their `word`, their `name`, or themselves.
+template <const auto& entries>
+std::vector<std::string> words_in() {
+    std::vector<std::string> words;
+    for (const auto& entry : entries) {
+        if constexpr (requires { entry.word; }) {
+            words.emplace_back(entry.word);
+        } else if constexpr (requires { entry.name; }) {
+            words.emplace_back(entry.name);
+        } else {
+            words.emplace_back(entry);
+        }
+    }
+    return words;
+}
+
+/// Lists of keys, or of tables, one behind the other.
+template <class T, std::size_t... N>
+constexpr auto joined(const std::array<T, N>&... lists) {
+    std::array<T, (N + ...)> all{};
+    auto next = all.begin();
+    ((next = std::ranges::copy(lists, next).out), ...);
+    return all;
+}
+
+}  // namespace jw

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "core/integrate/methods.hpp"
+#include "lessons/enum_words.hpp"
+#include "lessons/format/key.hpp"
+#include "lessons/typed.hpp"
+
+/// Keys of drivers, motions, dynamics and loads.
+namespace jw::format {
+
+/// Coefficients of a polynomial.
+inline constexpr int kMostCoefficients = 50;
+/// Intervals of a motion.
+inline constexpr int kMostIntervals = 100000;
+
+/// Keys of a function of time. @param harmonic, step  tables of its terms
+constexpr std::array<Key, 3> function_of_time(std::string_view harmonic, std::string_view step) {
+    return {
+        counted("polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k", 1, kMostCoefficients),
+        in_table("harmonics", KeyKind::tables, "sines of time", harmonic),
+        in_table("step", KeyKind::tables, "smooth steps from one value to another", step)};
+}
+
+inline std::vector<std::string> driven_quantities() {
+    return {"angle", "displacement", "distance", "coordinate"};
+}
+
+inline constexpr std::array kDriver = joined(
+    std::array{
+        required({"name", KeyKind::text, "name by which the lesson refers to it"}),
+        required(
+            {.name = "quantity",
+             .kind = KeyKind::text,
+             .about = "what is prescribed, or its name as \"hinge.angle\"",
+             .words = driven_quantities,
+             .pattern = "\\."}),
+        Key{"joint", KeyKind::text, "joint whose angle or displacement it is"},
+        counted("bodies", KeyKind::texts, "two bodies whose points have the distance", 2, 2),
+        Key{"at", KeyKind::vector, "point of the first body, global at the start pose", "m"},
+        Key{"to", KeyKind::vector, "point of the second body, global at the start pose", "m"},
+        Key{"point_i", KeyKind::vector, "point in the frame of the first body", "m"},
+        Key{"point_j", KeyKind::vector, "point in the frame of the second body", "m"},
+        Key{"body", KeyKind::text, "body whose coordinate it is"},
+        one_of("coordinate", "coordinate of the body", words_in<kCoordinates>),
+        Key{"from_start", KeyKind::flag, "adds the value at the start pose"},
+        Key{"text", KeyKind::words, "the author's words in its step"}},
+    function_of_time("harmonic_of_driver", "smooth_step_of_driver"),
+    std::array{spelled(
+        counted(
+            "polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k of an angle", 1,
+            kMostCoefficients),
+        Spelling::angle)});
+
+/// @param unit of values, none where another key decides it
+constexpr std::array<Key, 4> harmonic(std::string_view unit) {
+    return {
+        Key{"amplitude", KeyKind::number, "size of the swing", unit},
+        Key{"frequency_hz", KeyKind::number, "oscillations per second"},
+        Key{"omega_rad_per_s", KeyKind::number, "instead of the frequency: 2 pi times it"},
+        spelled({"phase", KeyKind::number, "angle of the sine at t = 0"}, Spelling::angle)};
+}
+constexpr std::array<Key, 4> smooth_step(std::string_view unit) {
+    return {
+        Key{"from", KeyKind::number, "value before; default 0", unit},
+        Key{"to", KeyKind::number, "value afterwards", unit},
+        Key{"start_s", KeyKind::number, "time at which it starts; default 0"},
+        required({"end_s", KeyKind::number, "time at which it ends"})};
+}
+inline constexpr std::array kHarmonic = harmonic("");
+inline constexpr std::array kSmoothStep = smooth_step("");
+
+/// Values of a driver are lengths or angles.
+inline constexpr std::array kHarmonicOfDriver = joined(
+    harmonic("m"),
+    std::array{spelled({"amplitude", KeyKind::number, "size of the swing of an angle"}, Spelling::angle)});
+inline constexpr std::array kSmoothStepOfDriver = joined(
+    smooth_step("m"), std::array{
+                          spelled({"from", KeyKind::number, "angle before; default 0"}, Spelling::angle),
+                          spelled({"to", KeyKind::number, "angle afterwards"}, Spelling::angle)});
+
+inline constexpr std::array kMotion{
+    Key{"from_s", KeyKind::number, "time at which everything is put together; default 0"},
+    required({"to_s", KeyKind::number, "time at which it ends"}),
+    Key{"duration_s", KeyKind::positive, "how long it takes on the screen"},
+    counted("steps", KeyKind::whole_number, "equal intervals that are solved", 1, kMostIntervals)};
+
+inline constexpr std::array kDynamics{
+    required({"duration", KeyKind::positive, "how long it moves", "s"}),
+    Key{"gravity", KeyKind::vector, "global; default none", "m/s²"},
+    one_of("method", "method of integration", words_in<kMethods>),
+    one_of("treatment", "how the constraints are kept", words_in<kTreatments>),
+    Key{"tolerance", KeyKind::positive, "of methods whose steps follow the error"},
+    Key{"step", KeyKind::positive, "of methods with equal steps", "s"},
+    in_table("point", KeyKind::table, "point whose path is plotted", "point"),
+    Key{"point_at_end", KeyKind::vector, "where a trusted computation finds it at the end", "m"}};
+
+inline constexpr std::array kPoint{
+    required({"body", KeyKind::text, "body that it belongs to"}),
+    Key{"at", KeyKind::vector, "global at the start pose", "m"},
+    Key{"point", KeyKind::vector, "in the frame of the body", "m"}};
+
+/// Keys of a force or a torque; `direction` tells the unit, too.
+constexpr auto load(std::string_view what, std::string_view direction, std::string_view unit) {
+    return joined(
+        std::array{
+            required({"body", KeyKind::text, "body that it acts on"}),
+            Key{what, KeyKind::vector, "three numbers; times the function of time if there is one", unit},
+            Key{"direction", KeyKind::direction, direction},
+            one_of("frame", "whose directions these are; 'local' turns with the body", words_in<kFrames>)},
+        function_of_time("harmonic", "smooth_step"));
+}
+inline constexpr std::array kForce = joined(
+    load("force", "instead: its direction, beside a function of time in N", "N"),
+    std::array{
+        Key{"at", KeyKind::vector, "point, global at the start pose", "m"},
+        Key{"point", KeyKind::vector, "point in the frame of the body", "m"}});
+inline constexpr std::array kTorque =
+    load("torque", "instead: its direction, beside a function of time in N m", "N m");
+
+inline constexpr std::array kSpring{
+    required(counted("bodies", KeyKind::texts, "names of two bodies", 2, 2)),
+    Key{"at", KeyKind::vector, "point of the first body, global at the start pose", "m"},
+    Key{"to", KeyKind::vector, "point of the second body, global at the start pose", "m"},
+    Key{"point_i", KeyKind::vector, "point in the frame of the first body", "m"},
+    Key{"point_j", KeyKind::vector, "point in the frame of the second body", "m"},
+    Key{"stiffness", KeyKind::not_negative, "k", "N/m"},
+    Key{"damping", KeyKind::not_negative, "c", "N s/m"},
+    Key{"free_length", KeyKind::not_negative, "length without force; default that at the start", "m"}};
+
+inline constexpr std::array kRotationalSpring{
+    required({"joint", KeyKind::text, "joint that has an angle"}),
+    Key{"stiffness", KeyKind::not_negative, "k", "N m/rad"},
+    Key{"damping", KeyKind::not_negative, "c", "N m s/rad"},
+    spelled(
+        {"free_angle", KeyKind::number, "angle without torque; default that at the start"}, Spelling::angle)};
+
+inline constexpr std::array kMotionTables{
+    KeyTable{"driver", kDriver},
+    KeyTable{"harmonic_of_driver", kHarmonicOfDriver},
+    KeyTable{"smooth_step_of_driver", kSmoothStepOfDriver},
+    KeyTable{"harmonic", kHarmonic},
+    KeyTable{"smooth_step", kSmoothStep},
+    KeyTable{"motion", kMotion},
+    KeyTable{"dynamics", kDynamics},
+    KeyTable{"point", kPoint},
+    KeyTable{"force", kForce},
+    KeyTable{"torque", kTorque},
+    KeyTable{"spring", kSpring},
+    KeyTable{"rotational_spring", kRotationalSpring}};
+
+}  // namespace jw::format
