@@ -182,16 +182,16 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 
 std::string turning_point_text(const System& system, const PositionFailure& failure) {
     constexpr double digits_of = 1e-3;  // rad or m: four decimals of a degree
-    const std::string when = moment_of(failure);
-    if (system.drivers().size() != 1) {
-        return followed(
-            tr("The motion turns back at t = {0} s: no pose on the branch of the start lies beyond.", when),
-            tr("Let the drivers end there, or change the lengths."));
-    }
-    const Driver& driver = driver_at(system, system.drivers().front().driver);
+    // proved where one driver moves alone
+    const auto moves = [&](const DriverConstraint& d) {
+        return driver_at(system, d.driver).function.at(failure.t).f_dot != 0.0;
+    };
+    const auto moving = std::ranges::find_if(system.drivers(), moves);
+    const auto& one = moving != system.drivers().end() ? *moving : system.drivers().front();
+    const Driver& driver = driver_at(system, one.driver);
     return followed(
         tr("The motion turns back at t = {0} s: on the branch of the start, {1} cannot lead beyond {2}.",
-           when, driver.name, measure_text(driver, driver.function.at(failure.t).f, digits_of)),
+           moment_of(failure), driver.name, measure_text(driver, driver.function.at(failure.t).f, digits_of)),
         tr("Let it end within reach, or change the lengths."));
 }
 
