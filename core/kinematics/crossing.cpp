@@ -163,7 +163,7 @@ void MotionTracker::explain_end(double t) {
         failure_ = std::move(there);
         return;
     }
-    if (is_driven_ && !is_decided()) {
+    if (is_driven_ ? !is_decided() : is_start_ && full_rank_ < rank_beside_) {
         failure_->cause = FailureCause::undecided;
         failure_->t = frame_.t;
     }

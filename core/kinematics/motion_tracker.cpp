@@ -302,6 +302,14 @@ bool MotionTracker::reach(double t) {
             follow_angles();
             is_driven_ = is_determined();
         }
+        const auto moves = [&](const DriverConstraint& d) {
+            return system_->mechanism().drivers[at(d.driver)].function.at(frame_.t).f_dot != 0.0;
+        };
+        if (!is_driven_ && full_rank_ < rank_beside_ && std::ranges::any_of(system_->drivers(), moves)) {
+            // drivers determine less here than beside the start: several branches may lead on, or none
+            explain_end(t);
+            return false;
+        }
     }
     is_start_ = is_start_ && is_there();
     if (!is_driven_) { step_ = HUGE_VAL; }

@@ -116,3 +116,18 @@ TEST_CASE("Of several drivers that move at once it is not proved that they turn 
     CHECK(end_of(five_bar(1.2, 0.0), 100).cause == FailureCause::turning_point);
     CHECK(end_of(five_bar(1.2, -0.5), 100).cause == FailureCause::likely_turning_point);
 }
+
+TEST_CASE("From a dead centre of its driver no motion is followed, however it is sampled", "[branches]") {
+    // crank 2, coupler 1.5, rocker 1, ground 3: coupler and rocker in line, so two branches lead back, none
+    // on
+    const double locks = std::acos((4.0 + 9.0 - 2.5 * 2.5) / 12.0);
+    for (const int steps : {7, 20, 100, 1000}) {
+        CAPTURE(steps);
+        const auto end = [&](double sense) {
+            return end_of(four_bar_of({}, {2.0, 1.5, 1.0, 3.0}, 0.0, locks, sense, 1.0).mechanism, steps);
+        };
+        CHECK(end(1.0).cause == FailureCause::cannot_close);
+        CHECK(end(-1.0).cause == FailureCause::undecided);
+        CHECK(end(-1.0).t == 0.0);
+    }
+}
