@@ -287,6 +287,16 @@ bool MotionTracker::is_determined() {
            !proof_.leaves_bodies_free({frame_.t, &frame_.state, &path_velocity_});
 }
 
+/// True if there are drivers, and none of them moves anything before `t`.
+bool MotionTracker::stands_still_until(double t) const {
+    const auto stands = [&](const DriverConstraint& d) {
+        const TimeFunction& function = system_->mechanism().drivers[at(d.driver)].function;
+        const TimeFunction::Value now = function.at(frame_.t);
+        return now.f_dot == 0.0 && now.f_ddot == 0.0 && function.at(t).f == now.f;
+    };
+    return !system_->drivers().empty() && std::ranges::all_of(system_->drivers(), stands);
+}
+
 void MotionTracker::follow_angles() {
     angles_.reach(frame_.t, frame_.state, frame_.velocity, frame_.acceleration);
     frame_.turns = angles_.turns();
@@ -294,7 +304,8 @@ void MotionTracker::follow_angles() {
 
 bool MotionTracker::reach(double t) {
     const auto is_there = [&] { return std::abs(t - frame_.t) <= 1e-12 * std::max(1.0, std::abs(t)); };
-    if (is_start_ && !is_there() && !system_->drivers().empty()) {
+    const bool waits = stands_still_until(t);
+    if (is_start_ && !is_there() && !system_->drivers().empty() && !waits) {
         is_driven_ = is_determined();
         if (!is_driven_ && frame_.change_point && cross(t)) {
             // at a singular start fewer equations are independent than after it
@@ -302,16 +313,13 @@ bool MotionTracker::reach(double t) {
             follow_angles();
             is_driven_ = is_determined();
         }
-        const auto moves = [&](const DriverConstraint& d) {
-            return system_->mechanism().drivers[at(d.driver)].function.at(frame_.t).f_dot != 0.0;
-        };
-        if (!is_driven_ && full_rank_ < rank_beside_ && std::ranges::any_of(system_->drivers(), moves)) {
+        if (!is_driven_ && full_rank_ < rank_beside_) {
             // drivers determine less here than beside the start: several branches may lead on, or none
             explain_end(t);
             return false;
         }
     }
-    is_start_ = is_start_ && is_there();
+    is_start_ = is_start_ && (is_there() || waits);
     if (!is_driven_) { step_ = HUGE_VAL; }
     const double shortest = (is_driven_ ? kShortest : kShortestFree) * std::abs(t - frame_.t);
     int rejected = 0;

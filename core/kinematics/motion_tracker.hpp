@@ -67,6 +67,7 @@ private:
 
     void restart_quick_way();
     bool is_determined();
+    bool stands_still_until(double t) const;
     int rank_beside();
     bool reach(double t);
     bool try_step(double h);
@@ -117,7 +118,7 @@ private:
     std::vector<Proved> latest_;  ///< of the approach to a singular pose
     bool is_crossing_ = false;    ///< the frame was reached without a proof
     std::vector<double> crossings_;
-    bool is_start_ = true;    ///< no step was taken yet
+    bool is_start_ = true;    ///< nothing has moved yet
     bool is_driven_ = false;  ///< drivers leave no bodies free together: steps are proved
     /// At a singular pose or nearly so, by the rank of the motion so far.
     bool is_at_change_ = false;

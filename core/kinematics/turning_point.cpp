@@ -22,19 +22,6 @@ constexpr double kBehind = 1e-9;
 // far beyond what is asked, and no part of a turn: angles are compared modulo one
 constexpr double kGoesOn = 0.01;
 
-/// The only driver that moves at `t`, as an index of System::drivers; -1 if none or several do.
-int moving_driver(const System& system, double t) {
-    int found = -1;
-    int count = 0;
-    for (std::size_t k = 0; k < system.drivers().size(); ++k) {
-        const Driver& driver = system.mechanism().drivers[at(system.drivers()[k].driver)];
-        if (driver.function.at(t).f_dot == 0.0) { continue; }
-        found = static_cast<int>(k);
-        ++count;
-    }
-    return count == 1 ? found : -1;
-}
-
 Selection without(Selection selection, int driver) {
     std::erase(selection.drivers, driver);
     return selection;
@@ -42,24 +29,31 @@ Selection without(Selection selection, int driver) {
 
 }  // namespace
 
-bool turns_back(const System& system, const State& state, const Motion& velocity, double t, double sense) {
-    const int moving = moving_driver(system, t);
-    if (moving < 0) { return false; }
-    const DriverConstraint& driver = system.drivers()[at(moving)];
+const DriverConstraint* only_moving_driver(const System& system, double t) {
+    const DriverConstraint* found = nullptr;
+    for (const DriverConstraint& driver : system.drivers()) {
+        if (system.mechanism().drivers[at(driver.driver)].function.at(t).f_dot == 0.0) { continue; }
+        if (found != nullptr) { return nullptr; }
+        found = &driver;
+    }
+    return found;
+}
 
-    const Mechanism still = at_rest(system.mechanism(), t);
-    System released(still, without(system.selection(), driver.driver));
-    released.inherit_rows(system);
-    System held(still, system.selection());
-    held.inherit_rows(system);
-    Assembler<OmegaLocal> assembler(held);
-    const Driver& moves = system.mechanism().drivers[at(driver.driver)];
-    const double unit = std::copysign(driver.unit, sense * target_of(moves.measure, moves.function, t).f_dot);
+bool turns_back(const System& system, const State& state, const Motion& velocity, double t, double sense) {
+    const DriverConstraint* driver = only_moving_driver(system, t);
+    if (driver == nullptr) { return false; }
+    Assembler<OmegaLocal> assembler(system);
+    const Driver& moves = system.mechanism().drivers[at(driver->driver)];
+    const double unit =
+        std::copysign(driver->unit, sense * target_of(moves.measure, moves.function, t).f_dot);
     const auto ahead_at = [&](const State& pose) {
         assembler.assemble_phi_and_jacobian(pose, t);
-        return assembler.phi()(driver.row) / unit;
+        return assembler.phi()(driver->row) / unit;
     };
 
+    const Mechanism still = at_rest(system.mechanism(), t);
+    System released(still, without(system.selection(), driver->driver));
+    released.inherit_rows(system);
     FreePath path(released, state);
     PathPoint point{state, sense * assembler.layout().columns_of(state, velocity)};
     if (!path.make_free(point)) { return false; }

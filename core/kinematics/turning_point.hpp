@@ -5,11 +5,14 @@
 /// Proof that a driven motion turns back.
 namespace jw {
 
+/// The only driver whose target changes at `t`; nullptr if none or several do.
+const DriverConstraint* only_moving_driver(const System& system, double t);
+
 /// True if it is proved that the motion turns back ahead of a pose: when its driver lets go, the path that
 /// leads on from there comes to poses that the driver has left behind. So the driver has a largest value on
 /// this branch, between. The path is regular at that value; the driven motion is not.
 ///
-/// Not proved where several drivers move at once: one that lets go leaves the others behind.
+/// The proof needs one driver that moves alone: of several, one that lets go leaves the others behind.
 /// @param state satisfies the constraints at time `t`
 /// @param velocity there; any size
 /// @param sense 1 if time goes on, -1 if the motion is followed backwards

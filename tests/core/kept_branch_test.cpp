@@ -138,24 +138,9 @@ TEST_CASE(
         const double start = random.number(0.2, 1.2);
         const int steps = static_cast<int>(log_uniform(random, 1.0, 500.0));
         const double side = random.number() > 0.0 ? 1.0 : -1.0;
-        const Vec3 A = place.at(std::cos(start), std::sin(start));
-        const double x = std::cos(start) - d;
-        const double y = std::sin(start);
-        const double phi = angle_that_meets(x, y, (x * x + y * y + 1.0 - 4.0) / 2.0, side);
-        const Vec3 B = place.at(d + std::cos(phi), std::sin(phi));
-        SceneBuilder scene;
-        const Vec3 z = place.along(0, 0, 1);
-        const int crank = scene.add_body("crank", place.at(0.2, 0));
-        const int coupler = scene.add_body("coupler", 0.5 * (A + B));
-        const int rocker = scene.add_body("rocker", place.at(d, 0.3));
-        Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
-        scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
-        scene.add_joint("revolute", crank, coupler, A, z);
-        scene.add_joint("revolute", coupler, rocker, B, z);
-        scene.add_joint("revolute", 0, rocker, place.at(d, 0), z);
-        drive(scene.mechanism, 0, start, 1.0);
-        System system(scene.mechanism, everything(scene.mechanism));
-        MotionTracker tracker(system, start_state(scene.mechanism), 0.0);
+        const Mechanism mechanism = four_bar_of(place, {1.0, 2.0, 1.0, d}, 0.0, start, 1.0, side).mechanism;
+        System system(mechanism, everything(mechanism));
+        MotionTracker tracker(system, start_state(mechanism), 0.0);
         CAPTURE(7000 + k, gap, steps, place.size);
         bool stopped = false;
         for (int n = 1; n <= steps && !stopped; ++n) {

@@ -18,26 +18,6 @@ namespace {
 /// Loops of each class; JW_BRANCH_LOOPS asks for another number.
 unsigned share() { return number_from("JW_BRANCH_LOOPS", 40); }
 
-/// Crank of length 1, coupler b shorter than it, and a slide along x through the crank's axis: the crank
-/// turns back where its pin is b above the slide. @param start of the crank [rad]
-Mechanism locking_slider_crank(const Place& place, double b, double start, double side) {
-    SceneBuilder scene;
-    const Vec3 A = place.at(std::cos(start), std::sin(start));
-    const double height = std::sin(start);
-    const Vec3 B = place.at(std::cos(start) + side * std::sqrt(b * b - height * height), 0);
-    const Vec3 z = place.along(0, 0, 1);
-    const int crank = scene.add_body("crank", place.at(0.2, 0.1));
-    const int coupler = scene.add_body("coupler", 0.4 * A + 0.6 * B);
-    const int slider = scene.add_body("slider", B);
-    Joint& driven = scene.add_joint("revolute", 0, crank, place.at(0, 0), z);
-    scene.measure_angle(driven, place.along(1, 0, 0), A - place.at(0, 0));
-    scene.add_joint("revolute", crank, coupler, A, z);
-    scene.add_joint("revolute", coupler, slider, B, z);
-    scene.add_joint("prismatic", 0, slider, B, place.along(1, 0, 0));
-    drive(scene.mechanism, 0, start, 1.0);
-    return scene.mechanism;
-}
-
 /// Two cranks of length 1 on a ground of 2, both driven, whose couplers of length b meet.
 Mechanism five_bar(double b, double rate_of_second) {
     SceneBuilder scene;
@@ -74,6 +54,7 @@ PositionFailure end_of(const Mechanism& mechanism, int steps) {
 
 }  // namespace
 
+// the crank turns back where its pin is as high above the slide as the coupler is long
 TEST_CASE("A slider-crank that locks is proved to turn back, whatever its size and place", "[branches]") {
     for (unsigned k = 0; k < share(); ++k) {
         Random random(20000 + k);
@@ -84,7 +65,8 @@ TEST_CASE("A slider-crank that locks is proved to turn back, whatever its size a
         const double side = random.number() > 0.0 ? 1.0 : -1.0;
         const int steps = static_cast<int>(log_uniform(random, 1.0, 500.0));
         CAPTURE(20000 + k, b, start, steps, place.size);
-        const PositionFailure failure = end_of(locking_slider_crank(place, b, start, side), steps);
+        const PositionFailure failure =
+            end_of(slider_crank_of(place, {1.0, b, 0.0}, 0.0, start, 1.0, side).mechanism, steps);
         CHECK(failure.cause == FailureCause::turning_point);
         CHECK(failure.t == Approx((std::asin(b) - start) / (2.0 * std::numbers::pi)).epsilon(1e-7));
     }
@@ -118,16 +100,33 @@ TEST_CASE("Of several drivers that move at once it is not proved that they turn 
 }
 
 TEST_CASE("From a dead centre of its driver no motion is followed, however it is sampled", "[branches]") {
-    // crank 2, coupler 1.5, rocker 1, ground 3: coupler and rocker in line, so two branches lead back, none
-    // on
+    // coupler and rocker in line: two branches lead back, none on
+    const FourBarLinks links{2.0, 1.5, 1.0, 3.0};
     const double locks = std::acos((4.0 + 9.0 - 2.5 * 2.5) / 12.0);
     for (const int steps : {7, 20, 100, 1000}) {
         CAPTURE(steps);
         const auto end = [&](double sense) {
-            return end_of(four_bar_of({}, {2.0, 1.5, 1.0, 3.0}, 0.0, locks, sense, 1.0).mechanism, steps);
+            return end_of(four_bar_of({}, links, 0.0, locks, sense, 1.0).mechanism, steps);
         };
         CHECK(end(1.0).cause == FailureCause::cannot_close);
         CHECK(end(-1.0).cause == FailureCause::undecided);
         CHECK(end(-1.0).t == 0.0);
+    }
+}
+
+TEST_CASE(
+    "A driver that stands still at its dead centre stays there, and is not followed when it moves",
+    "[branches]") {
+    const double locks = std::acos((4.0 + 9.0 - 2.5 * 2.5) / 12.0);
+    for (const double begins : {0.0, 0.5}) {
+        for (const int steps : {7, 100}) {
+            CAPTURE(begins, steps);
+            Mechanism mechanism = four_bar_of({}, {2.0, 1.5, 1.0, 3.0}, 0.0, locks, 1.0, 1.0).mechanism;
+            // back, from rest and without acceleration at first
+            mechanism.drivers[0].function = TimeFunction{{}, {}, {{locks, locks - 0.5, begins, 1.0}}};
+            const PositionFailure failure = end_of(mechanism, steps);
+            CHECK(failure.cause == FailureCause::undecided);
+            CHECK(failure.t == Approx(begins).margin(1e-12));
+        }
     }
 }

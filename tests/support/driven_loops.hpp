@@ -94,12 +94,12 @@ inline DrivenLoop crank_near_folding(double e) {
     return four_bar_of({}, {1.0 - e, 2.0, 1.0, 2.0}, e, 1.0, 1.0, 1.0);
 }
 
+/// Random number whose logarithm is uniform.
 inline double log_uniform(Random& random, double from, double to) {
     return std::exp(random.number(std::log(from), std::log(to)));
 }
 
-/// Any four-bar: near folding where b + c exceeds d + a, or |b - c|
-/// falls below d - a, by `margin` only.
+/// Any four-bar: near folding where b + c exceeds d + a, or |b - c| falls below d - a, by `margin` only.
 inline DrivenLoop driven_four_bar(Random& random, double margin) {
     const Place place = random_place(random);
     const double d = random.number(1.5, 2.5);
@@ -126,16 +126,20 @@ inline DrivenLoop driven_four_bar(Random& random, double margin) {
     return four_bar_of(place, {a, b, c, d}, margin, start, sense, side);
 }
 
-/// Crank a, coupler b, slide along x at height e: near folding where b exceeds a + |e| by `margin` only.
-inline DrivenLoop driven_slider_crank(Random& random, double margin) {
-    const Place place = random_place(random);
-    const double a = random.number(0.3, 1.5);
-    const double e = random.number(-1.0, 1.0) * a;
-    const double b = a + std::abs(e) + margin;
-    const double start = random.number(0.0, 2.0 * std::numbers::pi);
-    const double sense = random.number() > 0.0 ? 1.0 : -1.0;
-    const double side = random.number() > 0.0 ? 1.0 : -1.0;
-    const auto meeting = [=](double t) {
+/// Crank a, coupler b, slide along x at height e.
+struct SliderCrankLinks {
+    double a;
+    double b;
+    double e;
+};
+
+/// @param start angle of the crank [rad] @param sense of its turn @param side of the crank on which the slide
+/// is
+inline DrivenLoop slider_crank_of(
+    const Place& place, const SliderCrankLinks& links, double margin, double start, double sense,
+    double side) {
+    const auto [a, b, e] = links;
+    const auto meeting = [place, a = a, b = b, e = e, start, sense, side](double t) {
         const double theta = start + sense * 2.0 * std::numbers::pi * t;
         const double y = e - a * std::sin(theta);
         return place.at(a * std::cos(theta) + side * std::sqrt(std::max(b * b - y * y, 0.0)), e);
@@ -154,6 +158,17 @@ inline DrivenLoop driven_slider_crank(Random& random, double margin) {
     drive(scene.mechanism, 0, start, sense);
     return {scene.mechanism, slider,        scene.local_point(slider, meeting(0.0)), meeting, place.size,
             margin,          "slider-crank"};
+}
+
+/// Any slider-crank: near folding where b exceeds a + |e| by `margin` only.
+inline DrivenLoop driven_slider_crank(Random& random, double margin) {
+    const Place place = random_place(random);
+    const double a = random.number(0.3, 1.5);
+    const double e = random.number(-1.0, 1.0) * a;
+    const double start = random.number(0.0, 2.0 * std::numbers::pi);
+    const double sense = random.number() > 0.0 ? 1.0 : -1.0;
+    const double side = random.number() > 0.0 ? 1.0 : -1.0;
+    return slider_crank_of(place, {a, a + std::abs(e) + margin, e}, margin, start, sense, side);
 }
 
 /// Universal joint whose driven shaft is `margin` [rad] short of a quarter turn, bent by half a turn: within

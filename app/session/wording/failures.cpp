@@ -6,6 +6,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
+#include "core/kinematics/turning_point.hpp"
 #include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics.hpp"
 
@@ -182,13 +183,9 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 
 std::string turning_point_text(const System& system, const PositionFailure& failure) {
     constexpr double digits_of = 1e-3;  // rad or m: four decimals of a degree
-    // proved where one driver moves alone
-    const auto moves = [&](const DriverConstraint& d) {
-        return driver_at(system, d.driver).function.at(failure.t).f_dot != 0.0;
-    };
-    const auto moving = std::ranges::find_if(system.drivers(), moves);
-    const auto& one = moving != system.drivers().end() ? *moving : system.drivers().front();
-    const Driver& driver = driver_at(system, one.driver);
+    // proved where one driver moves alone; where it ends, another may begin
+    const DriverConstraint* moving = only_moving_driver(system, failure.t);
+    const Driver& driver = driver_at(system, (moving != nullptr ? *moving : system.drivers().front()).driver);
     return followed(
         tr("The motion turns back at t = {0} s: on the branch of the start, {1} cannot lead beyond {2}.",
            moment_of(failure), driver.name, measure_text(driver, driver.function.at(failure.t).f, digits_of)),

@@ -64,29 +64,41 @@ bool FreePath::proves(
 
 bool FreePath::make_free(PathPoint& point) {
     system_.choose_rows(point.state);
-    newton_.start(point.state, 0.0);
-    if (!solve(newton_).converged) { return false; }
-    point.state = newton_.state();
-    keep_free_part(point.state, point.direction);
-    return make_unit(point.direction);
+    return assemble(point) && make_unit(point.direction);
 }
 
 double FreePath::take_proved_step(PathPoint& point, double length) {
-    PathPoint to;
     for (const double shortest = kShortestOfLength * length; length > shortest; length *= 0.5) {
         system_.choose_rows(point.state);
-        to.state = point.state;
+        PathPoint to = point;
         assembler_.layout().advance(to.state, length * point.direction);
-        newton_.start(to.state, 0.0);
-        if (!solve(newton_).converged || !is_meant(system_, newton_.state(), sides_)) { continue; }
-        to = {newton_.state(), point.direction};
-        keep_free_part(to.state, to.direction);
-        if (!make_unit(to.direction) || !proves(point, length_, to, length_ + length, 0)) { continue; }
+        if (!assemble(to) || !make_unit(to.direction)) { continue; }
+        Motion velocity;
+        Motion velocity_there;
+        if (!satisfies(assembler_, to.state, 0.0, holds_) ||
+            !proof_.holds(end_of(point, length_, velocity), end_of(to, length_ + length, velocity_there))) {
+            continue;
+        }
         std::swap(point, to);
         length_ += length;
         return length;
     }
     return 0.0;
+}
+
+/// Moves a point to the assembled pose nearby, and its direction into the free motions there.
+bool FreePath::assemble(PathPoint& point) {
+    newton_.start(point.state, 0.0);
+    if (!solve(newton_).converged || !is_meant(system_, newton_.state(), sides_)) { return false; }
+    point.state = newton_.state();
+    keep_free_part(point.state, point.direction);
+    return true;
+}
+
+/// End of a step of the path, whose velocity is kept in `velocity`.
+PathEnd FreePath::end_of(const PathPoint& point, double t, Motion& velocity) const {
+    velocity = assembler_.layout().motion_of(point.state, point.direction);
+    return {t, &point.state, &velocity};
 }
 
 /// Scales a direction so that its largest rotation, displacement in sizes of the machine, or θ is 1.
@@ -163,21 +175,18 @@ void FreePath::keep_free_part(const State& state, VectorX& direction) {
 }
 
 bool FreePath::proves(const PathPoint& from, double t_from, const PathPoint& to, double t_to, int halvings) {
-    const Motion velocity = assembler_.layout().motion_of(from.state, from.direction);
-    const Motion velocity_there = assembler_.layout().motion_of(to.state, to.direction);
-    const PathEnd begin{t_from, &from.state, &velocity};
-    const PathEnd end{t_to, &to.state, &velocity_there};
+    Motion velocity;
+    Motion velocity_there;
+    const PathEnd begin = end_of(from, t_from, velocity);
+    const PathEnd end = end_of(to, t_to, velocity_there);
     if (!satisfies(assembler_, to.state, 0.0, holds_)) { return false; }
     if (proof_.holds(begin, end)) { return true; }
-    const State between = middle_of(system_, begin, end);
-    if (t_from == 0.0 && t_to <= kCrossing) { return satisfies(assembler_, between, 0.0, kCrossed); }
+    PathPoint middle{middle_of(system_, begin, end), 0.5 * (from.direction + to.direction)};
+    if (t_from == 0.0 && t_to <= kCrossing) { return satisfies(assembler_, middle.state, 0.0, kCrossed); }
     if (halvings == 0) { return false; }
 
-    system_.choose_rows(between);
-    newton_.start(between, 0.0);
-    if (!solve(newton_).converged || !is_meant(system_, newton_.state(), sides_)) { return false; }
-    PathPoint middle{newton_.state(), 0.5 * (from.direction + to.direction)};
-    keep_free_part(middle.state, middle.direction);
+    system_.choose_rows(middle.state);
+    if (!assemble(middle)) { return false; }
     const double t = 0.5 * (t_from + t_to);
     return proves(from, t_from, middle, t, halvings - 1) && proves(middle, t, to, t_to, halvings - 1);
 }

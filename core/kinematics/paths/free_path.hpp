@@ -46,6 +46,8 @@ private:
     bool leads_on(const State& from, const State& prediction, const State& reached) const;
     VectorX difference(const State& from, const State& to) const;
     void keep_free_part(const State& state, VectorX& direction);
+    bool assemble(PathPoint& point);
+    PathEnd end_of(const PathPoint& point, double t, Motion& velocity) const;
     bool proves(const PathPoint& from, double t_from, const PathPoint& to, double t_to, int halvings);
 
     System system_;
@@ -56,9 +58,8 @@ private:
     NewtonStepper<OmegaLocal> newton_;
     std::vector<int> sides_;
     StepProof proof_;
-    double holds_;  ///< largest |Φ| of a pose, scaled
-    double length_ =
-        1.0;  ///< of all steps that take_proved_step took, and 1: no start at which branches cross
+    double holds_;         ///< largest |Φ| of a pose, scaled
+    double length_ = 0.0;  ///< of all steps of take_proved_step
 };
 
 }  // namespace jw
