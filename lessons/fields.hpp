@@ -37,8 +37,8 @@ std::string kind_of(const toml::node& node);
 
 /// One table. Keys that are read are remembered; `finish` reports the others as unknown.
 ///
-/// Where the format describes the table (lessons/format), each access throws std::logic_error for a key that
-/// is not described, or is of another type, range or other words.
+/// Accesses throw std::logic_error for keys that the format (lessons/format) does not describe, or describes
+/// with another type; not in a table that it does not describe.
 class Fields {
 public:
     Fields(

@@ -168,10 +168,9 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
     claim.derivative = read_derivative(fields, when, quantity, text->span);
     if (!quantity) {
         // which keys belong to it is not known: only those that never do are unknown
-        for (const char* ending :
-             {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
-            fields.number(std::string("value") + ending);
-            fields.positive(std::string("tolerance") + ending);
+        for (const UnitEnding& ending : endings_of(Spelling::any)) {
+            fields.number(std::string("value").append(ending.text));
+            fields.positive(std::string("tolerance").append(ending.text));
         }
         fields.vector("point");
         return;

@@ -7,12 +7,6 @@ namespace jw::reading {
 
 namespace {
 
-std::vector<std::string> type_names() {
-    std::vector<std::string> names;
-    for (const JointType& type : kJointTypes) { names.emplace_back(type.name); }
-    return names;
-}
-
 /// Keys of a joint whose type is not known: each alone can still be wrong.
 void check_keys(Fields& fields) {
     for (const char* key : {"at", "to", "point_i", "point_j"}) { fields.vector(key); }
@@ -65,7 +59,7 @@ void read_joint(Fields& fields, Reading& reading) {
     Joint joint;
     joint.name = reading.declare(fields, Named::Kind::joint, index);
     const auto type = fields.word("type");
-    fields.require("type", "one of " + comma_list(type_names()));
+    fields.require("type", "one of " + comma_list(words_in<kJointTypes>()));
     const PairIndices bodies = read_pair(fields, reading);
     joint.body_i = bodies.i;
     joint.body_j = bodies.j;

@@ -60,9 +60,4 @@ inline constexpr std::array<NamedColour, 8> kNamedColours{{
     {"steel", 0x8A94A0},
 }};
 
-template <std::size_t N>
-std::vector<std::string> strings(const std::array<std::string_view, N>& words) {
-    return {words.begin(), words.end()};
-}
-
 }  // namespace jw

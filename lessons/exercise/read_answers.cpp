@@ -6,6 +6,7 @@
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/exercise/scene_edits.hpp"
+#include "lessons/format/claim_keys.hpp"
 #include "lessons/reader.hpp"
 
 namespace jw::reading {
@@ -14,11 +15,6 @@ namespace {
 
 constexpr std::size_t kMostItems = 10;
 constexpr std::size_t kMostEdits = 50;
-
-// keys of [[expect]] that an exercise uses as they are
-constexpr std::array<const char*, 5> kMoments{"after", "at_s", "of", "as_given", "any_state"};
-constexpr std::array<const char*, 5> kOfFormula{"joint", "body", "primitive", "coordinates", "where"};
-constexpr std::array<const char*, 3> kOfQuantity{"quantity", "derivative", "point"};
 
 std::string text_of_table(const toml::table& table) {
     std::ostringstream out;
@@ -44,11 +40,10 @@ std::string value_text(const toml::node& node) {
     return out.str();
 }
 
-/// The keys that are there, copied.
-template <std::size_t N>
-void copy_keys(Fields& fields, const std::array<const char*, N>& keys, toml::table& to) {
-    for (const char* key : keys) {
-        if (const toml::node* const node = fields.raw(key)) { to.insert(key, *node); }
+/// Copies keys of [[expect]] that are there.
+void copy_keys(Fields& fields, std::span<const Key> keys, toml::table& to) {
+    for (const Key& key : keys) {
+        if (const toml::node* const node = fields.raw(key.name)) { to.insert(key.name, *node); }
     }
 }
 
@@ -73,7 +68,7 @@ void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
         claim.insert("formula", "p = p");
         exercise.formula = "p = p";
     }
-    copy_keys(fields, kOfFormula, claim);
+    copy_keys(fields, format::kSubjectOfFormula, claim);
     if (const auto where = fields.texts("where")) {
         for (const Located<std::string>& definition : where->value) {
             exercise.where.push_back(definition.value);
@@ -85,23 +80,22 @@ void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
 }
 
 void read_quantity_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
-    copy_keys(fields, kOfQuantity, claim);
+    copy_keys(fields, format::kMeasured, claim);
     exercise.absolute = true;
-    for (const char* ending :
-         {"", "_deg", "_rad", "_deg_per_s", "_rad_per_s", "_deg_per_s2", "_rad_per_s2"}) {
-        const std::string key = std::string("tolerance") + ending;
+    for (const UnitEnding& ending : endings_of(Spelling::any)) {
+        const std::string key = std::string("tolerance").append(ending.text);
         const auto tolerance = fields.positive(key);
         if (!tolerance) { continue; }
         exercise.tolerance = tolerance->value;
         claim.insert(key, tolerance->value);
-        claim.insert(std::string("value") + ending, 0.0);
+        claim.insert(std::string("value").append(ending.text), 0.0);
     }
 }
 
 /// What is asked, as a claim.
 void read_asked(Fields& fields, Exercise& exercise) {
     toml::table claim;
-    copy_keys(fields, kMoments, claim);
+    copy_keys(fields, format::kMoment, claim);
     const bool any = exercise.kind == ExerciseKind::code;
     if (any) { claim.insert("any_state", true); }
     fields.at_most_one({"formula", "count", "dropped", "quantity", "choices"});

@@ -21,7 +21,7 @@ inline constexpr std::array kMoment{
     Key{"as_given", KeyKind::flag, "when: the start pose, nothing assembled"},
     Key{"any_state", KeyKind::flag, "when: random states; for formulas"}};
 
-/// Keys that are the words of enumerators.
+/// Keys named by the words of enumerators.
 template <const auto& entries, class Make>
 constexpr auto keys_of(Make&& make) {
     std::array<Key, entries.size()> keys{};
@@ -41,21 +41,26 @@ inline constexpr std::array kFacts = joined(
     }),
     std::array{Key{"dropped", KeyKind::text, "the equation that a joint leaves out, as \"hinge p1 z\""}});
 
+inline constexpr std::array kSubjectOfFormula{
+    Key{"joint", KeyKind::text, "joint that the formula is about"},
+    one_of("primitive", "primitive of the joint that it is about", words_of_roles),
+    Key{"body", KeyKind::text, "body that the formula is about"},
+    one_of("coordinates", "choice of coordinates of a formula of the system", words_in<kChoices>),
+    Key{"where", KeyKind::texts, "definitions of further symbols"}};
+
+inline constexpr std::array kMeasured{
+    Key{"quantity", KeyKind::text, "what is measured, as \"crank.x\""},
+    counted("derivative", KeyKind::whole_number, "1 for its rate, 2 for its acceleration", 0, 2),
+    Key{"point", KeyKind::vector, "the point of \"crank.point.x\", local", "m"}};
+
 inline constexpr std::array kClaim = joined(
-    std::array{Key{"why", KeyKind::words, "reason, shown if it fails"}}, kMoment, kFacts,
+    std::array{Key{"why", KeyKind::words, "reason, shown if it fails"}}, kMoment, kFacts, kMeasured,
     std::array{
-        Key{"quantity", KeyKind::text, "what is measured, as \"crank.x\""},
-        counted("derivative", KeyKind::whole_number, "1 for its rate, 2 for its acceleration", 0, 2),
-        Key{"point", KeyKind::vector, "the point of \"crank.point.x\", local", "m"},
         spelled({"value", KeyKind::number, "value of the quantity"}, Spelling::any),
         spelled({"tolerance", KeyKind::positive, "largest allowed deviation"}, Spelling::any),
         Key{"formula", KeyKind::formula, "equation that holds (docs/mathematics.md)"},
-        Key{"joint", KeyKind::text, "joint that the formula is about"},
-        one_of("primitive", "primitive of the joint that it is about", words_of_roles),
-        Key{"body", KeyKind::text, "body that the formula is about"},
-        one_of("coordinates", "choice of coordinates of a formula of the system", words_in<kChoices>),
-        Key{"where", KeyKind::texts, "definitions of further symbols"},
-        Key{"holds", KeyKind::flag, "false: the formula is a misprint"}});
+        Key{"holds", KeyKind::flag, "false: the formula is a misprint"}},
+    kSubjectOfFormula);
 
 inline constexpr std::array kQuestion{
     required({"at", KeyKind::text, "\"bodies\", \"motion\", a joint or a driver, before which it is asked"}),

@@ -9,7 +9,7 @@ namespace jw::format {
 inline std::vector<std::string> allowed_aids() { return {"paper", "program"}; }
 inline std::vector<std::string> nice_draws() { return {"direction", "p"}; }
 
-/// Question, scene and draws.
+/// Keys of the question, its scene and its draws.
 inline constexpr std::array kTask{
     required({"ask", KeyKind::words, "the question"}),
     Key{"why", KeyKind::words, "shown with the answer"},
@@ -20,20 +20,12 @@ inline constexpr std::array kTask{
     Key{"condition_below", KeyKind::positive, "draws with a larger condition number are drawn again"}};
 
 inline constexpr std::array kAnswer = joined(
-    kMoment,
+    kMoment, kMeasured, kSubjectOfFormula,
     std::array{
         Key{"formula", KeyKind::formula, "answer: the value of a formula (docs/mathematics.md)"},
-        Key{"joint", KeyKind::text, "joint that the formula is about"},
-        one_of("primitive", "primitive of the joint that it is about", words_of_roles),
-        Key{"body", KeyKind::text, "body that the formula is about"},
-        one_of("coordinates", "choice of coordinates of a formula of the system", words_in<kChoices>),
-        Key{"where", KeyKind::texts, "definitions of further symbols"},
         Key{"given", KeyKind::texts, "symbols whose values are given"},
         one_of("count", "answer: how many there are", words_in<kCounts>),
         Key{"dropped", KeyKind::text, "answer: which of x, y, z is left out of \"hinge p1\""},
-        Key{"quantity", KeyKind::text, "answer: what is measured, as \"crank.x\""},
-        counted("derivative", KeyKind::whole_number, "1 for its rate, 2 for its acceleration", 0, 2),
-        Key{"point", KeyKind::vector, "the point of \"crank.point.x\", local", "m"},
         spelled({"tolerance", KeyKind::positive, "largest deviation that counts as right"}, Spelling::any),
         Key{"absolute", KeyKind::flag, "the tolerance is no share of the value"},
         Key{"unit", KeyKind::text, "unit of the answer, shown beside it"},
@@ -90,7 +82,7 @@ inline constexpr std::array kExerciseFileKeys{
     required({"title", KeyKind::words, "title of all exercises"}),
     Key{"source", KeyKind::text, "slides or pages of the book"},
     required(in_table("exercise", KeyKind::tables, "exercises, with answers that are judged", "exercise"))};
-/// A file of exercises alone.
+/// Table of a file with exercises alone.
 inline constexpr KeyTable kExerciseFile{"exercises", kExerciseFileKeys};
 
 }  // namespace jw::format

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// What a table of a lesson file may hold: its keys with type, unit, range and words, as data.
+/// Keys of the tables of a lesson file as data: type, unit, range and words.
 namespace jw {
 
 /// Type of a key's value, by the access of `Fields` that reads it.
@@ -38,7 +38,7 @@ constexpr bool is_translated(KeyKind kind) {
     return kind == KeyKind::words || kind == KeyKind::plain_words || kind == KeyKind::list_of_words;
 }
 
-/// How the unit of a key is spelled.
+/// Spelling of the unit of a key.
 enum class Spelling {
     plain,             ///< not in its name
     angle,             ///< _deg or _rad
@@ -75,6 +75,14 @@ std::span<const KeyTable> key_tables();
 const KeyTable& key_table(std::string_view name);
 /// The key that `name` is a spelling of, nullptr if there is none.
 const Key* find_key(const KeyTable& table, std::string_view name);
+
+/// UnitEnding of a key's name, and the unit that it tells.
+struct UnitEnding {
+    std::string_view text;
+    std::string_view unit;
+};
+/// Endings of a spelling; the one without text is that of a name alone.
+std::span<const UnitEnding> endings_of(Spelling spelling);
 
 /// A key as it may stand in a file.
 struct SpelledKey {

@@ -76,7 +76,7 @@ inline constexpr std::array kBox{
 
 inline constexpr Key kRadius = required({"radius", KeyKind::positive, "radius", "m"});
 inline constexpr std::array kSphere{kRadius, Key{"at", KeyKind::vector, "its centre", "m"}};
-/// Of a cylinder, and of a rod.
+/// Keys of a cylinder, and of a rod.
 inline constexpr std::array kBar{
     required({"from", KeyKind::vector, "one end", "m"}),
     required({"to", KeyKind::vector, "the other end", "m"}), kRadius};

@@ -20,38 +20,27 @@ std::string described(const Key& key) {
     return about.insert(std::min(about.find_first_of(";:"), about.size()), unit);
 }
 
-/// What stands behind the name of a key, and the unit that it tells.
-struct Ending {
-    std::string_view text;
-    std::string_view unit;
-};
-constexpr std::array kAngle{Ending{"_deg", "deg"}, Ending{"_rad", "rad"}};
-constexpr std::array kAngularVelocity{Ending{"_deg_per_s", "deg/s"}, Ending{"_rad_per_s", "rad/s"}};
-constexpr std::array kAny{Ending{"_deg", "deg"},           Ending{"_rad", "rad"},
-                          Ending{"_deg_per_s", "deg/s"},   Ending{"_rad_per_s", "rad/s"},
-                          Ending{"_deg_per_s2", "deg/s²"}, Ending{"_rad_per_s2", "rad/s²"}};
+constexpr std::array kPlain{UnitEnding{"", ""}};
+constexpr std::array kAngle{UnitEnding{"_deg", "deg"}, UnitEnding{"_rad", "rad"}};
+constexpr std::array kAngularVelocity{UnitEnding{"_deg_per_s", "deg/s"}, UnitEnding{"_rad_per_s", "rad/s"}};
+constexpr std::array kAny{
+    UnitEnding{"", ""},
+    UnitEnding{"_deg", "deg"},
+    UnitEnding{"_rad", "rad"},
+    UnitEnding{"_deg_per_s", "deg/s"},
+    UnitEnding{"_rad_per_s", "rad/s"},
+    UnitEnding{"_deg_per_s2", "deg/s²"},
+    UnitEnding{"_rad_per_s2", "rad/s²"}};
 
-/// Unit of a key's numbers where it is spelled one way only: beside its name, or in it.
+/// Unit of a key's numbers where no ending tells it: beside its name, or in it.
 std::string unit_of(const Key& key) {
-    constexpr std::array in_name{Ending{"_rad_per_s", "rad/s"}, Ending{"_hz", "Hz"}, Ending{"_s", "s"}};
+    constexpr std::array in_name{
+        UnitEnding{"_rad_per_s", "rad/s"}, UnitEnding{"_hz", "Hz"}, UnitEnding{"_s", "s"}};
     if (!key.unit.empty()) { return std::string(key.unit); }
     const auto ending =
-        std::ranges::find_if(in_name, [&](const Ending& one) { return key.name.ends_with(one.text); });
+        std::ranges::find_if(in_name, [&](const UnitEnding& one) { return key.name.ends_with(one.text); });
     return ending != in_name.end() ? std::string(ending->unit) : "";
 }
-
-std::span<const Ending> endings_of(Spelling spelling) {
-    switch (spelling) {
-        case Spelling::plain: break;
-        case Spelling::angle: return kAngle;
-        case Spelling::angular_velocity: return kAngularVelocity;
-        case Spelling::any: return kAny;
-    }
-    return {};
-}
-
-/// True for keys that may stand without an ending.
-bool is_plain(const Key& key) { return key.spelling == Spelling::plain || key.spelling == Spelling::any; }
 
 }  // namespace
 
@@ -65,13 +54,22 @@ const KeyTable& key_table(std::string_view name) {
     return *found;
 }
 
+std::span<const UnitEnding> endings_of(Spelling spelling) {
+    switch (spelling) {
+        case Spelling::plain: return kPlain;
+        case Spelling::angle: return kAngle;
+        case Spelling::angular_velocity: return kAngularVelocity;
+        case Spelling::any: return kAny;
+    }
+    return {};
+}
+
 const Key* find_key(const KeyTable& table, std::string_view name) {
     const auto is_spelling_of = [name](const Key& key) {
-        if (!name.starts_with(key.name)) { return false; }
-        const std::string_view ending = name.substr(key.name.size());
-        return ending.empty() ? is_plain(key)
-                              : std::ranges::find(endings_of(key.spelling), ending, &Ending::text) !=
-                                    endings_of(key.spelling).end();
+        const auto ends = [&](const UnitEnding& ending) {
+            return name.substr(key.name.size()) == ending.text;
+        };
+        return name.starts_with(key.name) && std::ranges::any_of(endings_of(key.spelling), ends);
     };
     const auto found = std::ranges::find_if(table.keys, is_spelling_of);
     return found != table.keys.end() ? &*found : nullptr;
@@ -81,10 +79,11 @@ std::vector<SpelledKey> spelled_keys(const KeyTable& table) {
     std::vector<SpelledKey> out;
     for (const Key& key : table.keys) {
         const std::string about = described(key);
-        const char* in_si = key.spelling == Spelling::any ? ", in SI units" : "";
-        if (is_plain(key)) { out.push_back({std::string(key.name), about + in_si, unit_of(key), &key}); }
-        for (const Ending& ending : endings_of(key.spelling)) {
-            out.push_back({std::string(key.name).append(ending.text), about, std::string(ending.unit), &key});
+        for (const UnitEnding& ending : endings_of(key.spelling)) {
+            const bool is_in_si = key.spelling == Spelling::any && ending.text.empty();
+            out.push_back(
+                {std::string(key.name).append(ending.text), is_in_si ? about + ", in SI units" : about,
+                 ending.unit.empty() ? unit_of(key) : std::string(ending.unit), &key});
         }
     }
     return out;

@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <filesystem>
-#include <map>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
@@ -9,240 +9,13 @@
 #include "lessons/fields.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/format/key.hpp"
+#include "lessons/writer.hpp"
+#include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
 
 using namespace jw;
 
 namespace {
-
-/// Keys that stand in no lesson of the catalogue and of the docs.
-constexpr const char* kRareKeys = R"(
-[[body]]
-name = "slide"
-mass = 1
-inertia = [1, 1, 1]
-[[joint]]
-name = "thread"
-type = "screw"
-bodies = ["ground", "slide"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-pitch = 0.1
-theta_deg = 0
-[[driver]]
-name = "lift"
-quantity = "thread.displacement"
-harmonics = { amplitude = 0.1, frequency_hz = 1 }
-step = { from = 0, to = 0.1, end_s = 1 }
-[[torque]]
-body = "slide"
-direction = [0, 0, 1]
-polynomial = [1]
-harmonics = [{ amplitude = 1, omega_rad_per_s = 1, phase_deg = 90 }, { amplitude = 1, frequency_hz = 1 }]
-step = { from = 0, to = 1, start_s = 0, end_s = 1 }
-[[force]]
-body = "slide"
-direction = [0, 0, 1]
-harmonics = [{ amplitude = 1, omega_rad_per_s = 1, phase_deg = 90 }, { amplitude = 1, frequency_hz = 1 }]
-step = { from = 0, to = 1, start_s = 0, end_s = 1 }
-[[rotational_spring]]
-joint = "thread"
-stiffness = 1
-free_angle_deg = 10
-[dynamics]
-duration = 1
-[[question]]
-at = "motion"
-ask = "How far?"
-quantity = "thread.displacement"
-at_s = 1
-tolerance = 0.1
-[[question]]
-at = "motion"
-ask = "Where?"
-quantity = "slide.point.x"
-point = [0, 0, 1]
-at_s = 1
-tolerance = 0.1
-[precision]
-digits = 4
-)";
-
-/// The same, in their other spellings.
-constexpr const char* kOtherKeys = R"(
-format = 1
-title = "t"
-order = ["hinge", "thread", "gap", "first", "second", "third", "lift"]
-[precision]
-exact = true
-[camera]
-distance = 3
-orthographic = true
-[[body]]
-name = "post"
-fixed = true
-rotation = { axis = [0, 0, 1], angle_rad = 0.1 }
-[[body]]
-name = "arm"
-position = [1, 0, 0]
-omega_global_rad_per_s = [0, 0, 1]
-mass = 1
-inertia = [1, 1, 1]
-[[body]]
-name = "nut"
-position = [0, 2, 0]
-mass = 1
-inertia = [1, 1, 1]
-[[joint]]
-name = "hinge"
-type = "revolute"
-bodies = ["post", "arm"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-without = ["s z"]
-[[joint]]
-name = "thread"
-type = "screw"
-bodies = ["post", "nut"]
-at = [0, 2, 0]
-axis = [0, 0, 1]
-advance_per_rad = 0.1
-d_0 = 0
-theta_0_rad = 0
-theta_rad = 0
-theta_dot_rad_per_s = 0
-[[joint]]
-name = "gap"
-type = "distance"
-bodies = ["arm", "nut"]
-at = [1, 0, 0]
-to = [0, 2, 0]
-[[driver]]
-name = "first"
-quantity = "angle"
-joint = "hinge"
-polynomial_rad = [0, 1]
-[[driver]]
-name = "second"
-quantity = "angle"
-joint = "hinge"
-harmonics = { amplitude_rad = 1, omega_rad_per_s = 1, phase_rad = 0 }
-step = { from_deg = 0, to_deg = 1, start_s = 0, end_s = 1 }
-[[driver]]
-name = "third"
-quantity = "angle"
-joint = "hinge"
-step = { from_rad = 0, to_rad = 1, end_s = 1 }
-[[driver]]
-name = "lift"
-quantity = "distance"
-bodies = ["arm", "nut"]
-at = [1, 0, 0]
-to = [0, 2, 0]
-polynomial = [2]
-[dynamics]
-duration = 1
-treatment = "projection"
-[[force]]
-body = "arm"
-point = [0, 0, 1]
-frame = "local"
-force = [0, 0, 1]
-harmonics = { amplitude = 1, frequency_hz = 1, phase_rad = 0 }
-[[torque]]
-body = "arm"
-frame = "local"
-torque = [0, 0, 1]
-[[spring]]
-bodies = ["arm", "nut"]
-at = [1, 0, 0]
-to = [0, 2, 0]
-stiffness = 1
-[[rotational_spring]]
-joint = "hinge"
-damping = 1
-free_angle_rad = 1
-[[expect]]
-at_s = 1
-of = "dynamics"
-quantity = "arm.x"
-value = 1
-tolerance = 1
-[[exercise]]
-)";
-
-constexpr const char* kOneMoreKey = R"(
-format = 1
-title = "t"
-[[body]]
-name = "nut"
-[[joint]]
-name = "thread"
-type = "screw"
-bodies = ["ground", "nut"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-pitch = 0.1
-theta_dot_deg_per_s = 0
-)";
-
-/// Scene of exercises with rare keys.
-constexpr const char* kScene = R"(
-format = 1
-title = "t"
-[[body]]
-name = "arm"
-mass = 1
-inertia = [1, 1, 1]
-[[joint]]
-name = "hinge"
-type = "revolute"
-bodies = ["ground", "arm"]
-at = [0, 0, 0]
-axis = [0, 0, 1]
-[motion]
-to_s = 1
-[dynamics]
-duration = 1
-)";
-
-/// Exercises with the keys that stand in no other.
-std::string rare_exercises() {
-    std::string exercises = "format = 1\ntitle = \"t\"\n";
-    auto add = [&, count = 0](const std::string& kind, const std::string& keys) mutable {
-        exercises += "[[exercise]]\nname = \"e" + std::to_string(++count) +
-                     "\"\ntitle = \"t\"\nask = \"?\"\nkind = \"" + kind + "\"\nscene = \"\"\"" + kScene +
-                     "\"\"\"\n" + keys + '\n';
-    };
-    const std::string change = "change = { key = \"body.arm.mass\", value = 2 }\ncondition_below = 1e6\n";
-    add("number", change + "quantity = \"hinge.angle\"\nat_s = 1\nof = \"dynamics\"\ntolerance_rad = 1");
-    add("number", "quantity = \"hinge.angle_dot\"\nat_s = 1\ntolerance_rad_per_s = 1");
-    add("number", "quantity = \"hinge.angle_ddot\"\nat_s = 1\ntolerance_rad_per_s2 = 1");
-    add("number", "quantity = \"hinge.angle_ddot\"\nat_s = 1\ntolerance_deg_per_s2 = 1");
-    add("number", "quantity = \"arm.point.x\"\npoint = [1, 0, 0]\nat_s = 1\ntolerance = 1");
-    add("vector",
-        "formula = \"\\\\Phi = r_i^P - r_j^P\"\njoint = \"hinge\"\nprimitive = \"s\"\nabsolute = true\ncases "
-        "= 3");
-    return exercises;
-}
-
-/// A question about an angle or one of its derivatives.
-std::string question_about(const std::string& quantity, const std::string& ending) {
-    return "[[question]]\nat = \"motion\"\nask = \"?\"\nquantity = \"" + quantity +
-           "\"\nat_s = 1\ntolerance" + ending + " = 1\n";
-}
-
-/// A lesson with the keys that are rare.
-std::string rare_lesson() {
-    std::string lesson = "format = 1\ntitle = \"t\"" + std::string(kRareKeys);
-    const std::map<std::string, std::string> rates{{"", ""}, {"_dot", "_per_s"}, {"_ddot", "_per_s2"}};
-    for (const auto& [dot, per] : rates) {
-        for (const char* unit : {"_deg", "_rad"}) {
-            lesson += question_about("thread.angle" + dot, unit + per);
-        }
-    }
-    return lesson;
-}
 
 /// Keys by the name of their table and their own.
 using Keys = std::set<std::pair<std::string, std::string>>;
@@ -263,32 +36,33 @@ void add_keys(const toml::table& table, const KeyTable& described, Keys& keys) {
     }
 }
 
-/// The keys of a lesson that is read without an error.
-void add_keys_of(const ReadResult& read, Keys& keys) {
-    if (read.lesson) { add_keys(toml::parse(read.source), key_tables().front(), keys); }
-}
-
+/// Keys of all lessons and exercises that come with the program, of those in docs, and of rare_keys.
 Keys keys_of_lessons() {
     Keys keys;
-    for (const auto& file : lessons_below(catalogue_folder())) { add_keys_of(read_lesson_file(file), keys); }
-    for (const std::string& lesson : test::documented_toml()) {
-        add_keys_of(read_lesson(lesson, "page.toml"), keys);
-    }
-    const auto add_exercises = [&](const ExercisesRead& read) {
+    const auto add_lesson = [&](const ReadResult& read) {
+        if (read.lesson) { add_keys(toml::parse(read.source), key_tables().front(), keys); }
+    };
+    const auto add_exercises = [&](const std::filesystem::path& file) {
+        const ExercisesRead read = read_exercise_file(file);
         INFO(read.report());
         REQUIRE_FALSE(read.exercises.empty());
         add_keys(toml::parse(read.source), format::kExerciseFile, keys);
     };
-    add_exercises(read_exercises(rare_exercises(), "rare.toml"));
-    const std::filesystem::path exercises = std::filesystem::path(JW_SOURCE_ROOT) / "lessons/exercises";
-    for (const auto& entry : std::filesystem::directory_iterator(exercises)) {
-        if (entry.path().extension() == ".toml") { add_exercises(read_exercise_file(entry.path())); }
+    const std::filesystem::path root(JW_SOURCE_ROOT);
+    for (const auto& file : lessons_below(catalogue_folder())) { add_lesson(read_lesson_file(file)); }
+    for (const std::string& lesson : test::documented_toml()) {
+        add_lesson(read_lesson(lesson, "page.toml"));
     }
-    for (const std::string& lesson : {rare_lesson(), std::string(kOtherKeys), std::string(kOneMoreKey)}) {
-        const ReadResult read = read_lesson(lesson, "rare.toml");
+    for (const auto& entry : std::filesystem::directory_iterator(root / "lessons/exercises")) {
+        if (entry.path().extension() == ".toml") { add_exercises(entry.path()); }
+    }
+    const std::filesystem::path rare = root / "tests/lessons/rare_keys";
+    add_exercises(rare / "exercises.toml");
+    for (const char* name : {"screw.toml", "spellings.toml", "turning_nut.toml"}) {
+        const ReadResult read = read_lesson_file(rare / name);
         INFO(read.report());
         REQUIRE(read.lesson.has_value());
-        add_keys_of(read, keys);
+        add_lesson(read);
     }
     return keys;
 }
@@ -338,4 +112,29 @@ TEST_CASE("A key tells its unit: in its name, or beside it", "[schema]") {
     CHECK(unit_of_key("driver.lift.step.to") == "m");
     CHECK(unit_of_key("driver.lift.step.end_s") == "s");
     CHECK(unit_of_key("nobody.knows").empty());
+}
+
+TEST_CASE("Units of keys are those that the writer puts behind their values", "[schema]") {
+    const std::regex header(R"(^\[+([a-z_]+)\]+$)");
+    const std::regex commented(R"(^([a-z_0-9]+) = .*  # (.*)$)");
+    std::set<std::string> checked;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        std::istringstream lines(lesson_text(test::random_lesson(seed)));
+        std::string table;
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch found;
+            if (std::regex_match(line, found, header)) { table = found[1].str() + '.'; }
+            if (!std::regex_match(line, found, commented)) { continue; }
+            const std::string path = table + found[1].str();
+            const Key* key = find_key(key_table(table.substr(0, table.size() - 1)), found[1].str());
+            CAPTURE(seed, line, path);
+            REQUIRE(key != nullptr);
+            if (key->unit.empty()) { continue; }
+            CHECK(found[2].str().starts_with(key->unit));
+            CHECK(unit_of_key(path) == key->unit);
+            checked.insert(path);
+        }
+    }
+    CAPTURE(checked.size());
+    CHECK(checked.size() > 15);
 }
