@@ -25,7 +25,7 @@ Lesson lesson_of(jw::ReadResult read) {
     return Lesson(std::make_shared<Lesson::Inside>(std::move(*read.lesson)), std::move(warnings));
 }
 
-/// Intervals between the times of a simulation, as the program shows it unless it is asked for others.
+/// Intervals between the times of a simulation, as the program uses by default.
 constexpr int kIntervals = 100;
 
 std::vector<double> equal_times(double from, double to, int intervals) {
@@ -65,10 +65,10 @@ std::vector<double> Lesson::simulation_times() const {
 Simulation Lesson::simulation() const {
     Simulation simulation;
     if (!inside_->lesson.dynamics) { return simulation; }
-    const jw::DynamicsPlan& plan = *inside_->lesson.dynamics;
-    simulation.method = jw::entry_of(plan.method).name;
-    simulation.tolerance = plan.tolerance;
-    simulation.step = plan.step;
+    const jw::SimulationSettings& settings = inside_->lesson.dynamics->settings;
+    simulation.method = jw::entry_of(settings.method).name;
+    simulation.tolerance = settings.tolerance;
+    simulation.step = settings.step;
     return simulation;
 }
 

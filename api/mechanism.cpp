@@ -1,21 +1,17 @@
 #include "jointwise/mechanism.hpp"
 
-#include <Eigen/Geometry>
 #include <atomic>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "api/inside.hpp"
-#include "core/jets/euler_parameters.hpp"
+#include "core/model/placement.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
 namespace {
-
-// cosine of directions that count as perpendicular, as in lesson files: typed with four digits
-constexpr double kPerpendicular = 1e-3;
 
 void expect(bool holds, const std::string& what) {
     if (!holds) { throw std::invalid_argument("jointwise: " + what); }
@@ -47,44 +43,28 @@ Vector3 unit(const Vector3& v, const std::string& what) {
     return v.normalized();
 }
 
-/// The way from the global frame at the start pose to that of a body.
-struct Home {
-    const jw::Body& body;
-    jw::Mat3 A = jw::rotation_matrix(body.p.normalized());
-
-    Vector3 point(const Vector3& global) const { return A.transpose() * (global - body.r); }
-    Vector3 vector(const Vector3& global) const { return A.transpose() * global; }
-};
-
-void set_sides(
-    const Home& i, const Home& j, const jw::JointType& type, const Place& place, jw::JointGeometry& g) {
-    const Vector3 axis = unit(place.axis, "axis");
-    const Vector3 side = place.side ? unit(*place.side, "side") : Vector3(jw::perpendicular_to(axis));
-    expect(std::abs(axis.dot(side)) <= kPerpendicular, "side is not perpendicular to the axis");
-    const Vector3 other = type.has_angle() ? side : Vector3(axis.cross(side));
-    g.h_i_local = i.vector(side);
-    g.h_j_local = j.vector(other);
-    g.u_i_local = g.h_i_local.normalized();
-    g.u_j_local = g.h_j_local.normalized();
-}
-
-jw::JointGeometry geometry_of(const jw::JointType& type, const Home& i, const Home& j, const Place& place) {
+jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pair, const Place& place) {
+    const jw::JointNeeds needs(type);
     const Vector3 to = place.to.value_or(place.at);
     expect_finite(place.at, "at");
     expect_finite(to, "to");
     jw::JointGeometry g;
-    g.P_i_local = i.point(place.at);
-    g.P_j_local = j.point(to);
-    if (type.uses(jw::kAxisI)) {
+    g.P_i_local = pair.point_i(place.at);
+    g.P_j_local = pair.point_j(to);
+    if (needs.axis) {
         const Vector3 axis = unit(place.axis, "axis");
-        const bool arms = type.uses(jw::Role::axes_perpendicular);
-        expect(!arms || place.axis2, "axis2 is absent; expected the axis of the second body");
-        const Vector3 axis2 = arms ? unit(*place.axis2, "axis2") : axis;
-        expect(!arms || std::abs(axis.dot(axis2)) <= kPerpendicular, "axis and axis2 are not perpendicular");
-        g.s_i_local = i.vector(axis);
-        g.s_j_local = j.vector(axis2);
+        expect(!needs.arms || place.axis2, "axis2 is absent; expected the axis of the second body");
+        const Vector3 axis2 = needs.arms ? unit(*place.axis2, "axis2") : axis;
+        expect(!needs.arms || jw::is_perpendicular(axis, axis2), "axis and axis2 are not perpendicular");
+        g.s_i_local = pair.vector_i(axis);
+        g.s_j_local = pair.vector_j(axis2);
     }
-    if (type.uses(jw::kSidesH) || type.has_angle()) { set_sides(i, j, type, place, g); }
+    if (needs.sides) {
+        const Vector3 axis = unit(place.axis, "axis");
+        const Vector3 side = place.side ? unit(*place.side, "side") : Vector3(jw::perpendicular_to(axis));
+        expect(jw::is_perpendicular(axis, side), "side is not perpendicular to the axis");
+        jw::set_sides(pair, type, side, g);
+    }
     if (type.uses(jw::Role::length)) {
         g.length = (to - place.at).norm();
         expect(g.length > 0.0, "at and to coincide; expected two points with a distance");
@@ -120,10 +100,10 @@ Mechanism::Mechanism(const Inside& inside) : inside_(std::make_shared<Inside>(in
     inside_->loads.masses.resize(inside_->mechanism.bodies.size());
 }
 
-/// The data, for a change: of no other mechanism any more.
+/// The data, for a change, after they were separated from those of other mechanisms.
 Mechanism::Inside& Mechanism::own() {
     if (inside_.use_count() > 1) { inside_ = std::make_shared<Inside>(*inside_); }
-    // the copy that was given up last may have been read in another thread: that reading comes first
+    // another thread may have read the copy that was given up last: that reading must come first
     std::atomic_thread_fence(std::memory_order_acquire);
     return *inside_;
 }
@@ -156,9 +136,9 @@ int Mechanism::add_joint(
     expect(joint.type != nullptr, "there is no joint type '" + type + "'; joint_types() lists them");
     joint.body_i = body_i;
     joint.body_j = body_j;
-    const Home i{bodies[static_cast<std::size_t>(body_i)]};
-    const Home j{bodies[static_cast<std::size_t>(body_j)]};
-    joint.geometry = geometry_of(*joint.type, i, j, place);
+    const jw::BodyPair pair{
+        &bodies[static_cast<std::size_t>(body_i)], &bodies[static_cast<std::size_t>(body_j)]};
+    joint.geometry = geometry_of(*joint.type, pair, place);
     own().mechanism.joints.push_back(joint);
     return static_cast<int>(inside_->mechanism.joints.size()) - 1;
 }

@@ -324,6 +324,8 @@ void Fields::require(std::string_view key, std::string_view expected) {
     if (!has(key)) { missing(key, expected); }
 }
 
+void Fields::require(std::string_view key) { require(key, check_described(key)->expected); }
+
 bool Fields::at_most_one(const std::vector<std::string>& keys) {
     std::vector<std::string> present;
     for (const std::string& key : keys) {

@@ -15,14 +15,14 @@
 #include "lessons/text.hpp"
 #include "lessons/typed.hpp"
 
-/// Typed access to a TOML table that collects what is wrong instead of throwing.
+/// Typed access to a TOML table. Collects mistakes instead of throwing.
 namespace jw {
 
-/// Longest list that is read; absurd sizes are errors, not a long wait.
+/// Longest list that is read: a longer one is an error, so that it does not take a long time.
 inline constexpr std::size_t kLongestList = 10000;
 /// Longest text, in bytes.
 inline constexpr std::size_t kLongestText = 20000;
-/// Shorter than this a vector is no direction: normalising it would enlarge rounding.
+/// A shorter vector is not a direction: normalising it would amplify rounding.
 inline constexpr double kShortestDirection = 1e-9;
 
 /// A number and the characters that stand for it.
@@ -38,7 +38,7 @@ std::string kind_of(const toml::node& node);
 /// One table. Keys that are read are remembered; `finish` reports the others as unknown.
 ///
 /// Accesses throw std::logic_error for keys that the format (lessons/format) does not describe, or describes
-/// with another type; not in a table that it does not describe.
+/// with another type. They do not throw in a table that the format does not describe.
 class Fields {
 public:
     Fields(
@@ -83,7 +83,7 @@ public:
     std::optional<Located<Vec3>> vector(std::string_view key);
     /// A vector that is not zero.
     std::optional<Located<Vec3>> direction(std::string_view key);
-    /// `count` numbers, or any number of them up to `most`. @param expected said of others, if not just that
+    /// `count` numbers, or any number of them up to `most`. @param expected  for the message, if given
     std::optional<Located<std::vector<double>>> numbers(
         std::string_view key, std::size_t count = 0, std::size_t most = kLongestList,
         std::string_view expected = {});
@@ -112,45 +112,49 @@ public:
     /// The numbers under a key as they were typed; none if it is not there.
     std::vector<TypedText> typed_numbers(std::string_view key) const;
 
-    /// The value as it stands, for those who copy it; nothing if the key is not there.
+    /// The value as it stands in the file, for copying; nothing if the key is not there.
     const toml::node* raw(std::string_view key) {
         check_described(key);
         return find(key);
     }
 
-    /// Says that `key` must be given.
+    /// Reports that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
     /// Reports that a key is missing, unless it is there (right or wrong).
     void require(std::string_view key, std::string_view expected);
+    /// The same, with the expected value that the format describes.
+    void require(std::string_view key);
     /// Reports if more than one of the keys is there.
     bool at_most_one(const std::vector<std::string>& keys);
     /// Reports unknown keys.
     void finish();
 
 private:
-    /// How the words of a key are taken.
+    /// How the texts of a key are read.
     enum class Formulas { none, checked };
 
     const toml::node* find(std::string_view key);
-    /// A text that can be shown, without carriage returns; reports others.
+    /// A text that can be shown, without carriage returns; reports any other value.
     std::optional<Located<std::string>> text_in(const toml::node& node, const std::string& what);
     std::optional<Located<Text>> words_in(std::string_view key, Formulas formulas, Audience audience);
-    /// The entries of a list of texts; reports others. @param expected said of the list, "a list of names"
+    /// The entries of a list of texts; reports any other value. @param expected  of the list, "a list of
+    /// names"
     std::optional<Located<std::vector<Located<std::string>>>> texts_in(
         const toml::node& node, const std::string& what, std::string_view expected);
     /// Subtables named by language tags.
     std::vector<std::pair<std::string, const toml::table*>> languages() const;
     /// Reports formulas of words that cannot be read.
     void check_formulas(const Located<std::string>& words);
-    /// Keeps the text for those who check all of them (ReadResult::texts).
+    /// Keeps the text for checks of all texts (ReadResult::texts).
     void record(std::string_view key, const SourceSpan& span, const Text& text, Audience audience);
-    /// Reports keys of a language that are no words of this table, and words of a language alone.
+    /// Reports keys of a language that are not words of this table, and words that exist only in that
+    /// language.
     void finish_language(const std::string& tag, const toml::table& table);
     /// True for a subtable that was meant as a language; reports what is wrong with its name.
     bool is_misnamed_language(const toml::key& key, const toml::node& node);
     /// The key as the format describes it; nullptr in a table that it does not describe.
-    /// @param kinds one of which it has; any without them
-    /// @throws std::logic_error for a key that is not described so
+    /// @param kinds  the key must have one of them; empty: any
+    /// @throws std::logic_error if the format does not describe the key in this way
     const Key* check_described(std::string_view key, std::initializer_list<KeyKind> kinds = {}) const;
     // without check_described
     std::optional<Located<std::string>> text_under(std::string_view key);
@@ -158,9 +162,9 @@ private:
     std::optional<Located<std::vector<double>>> numbers_under(
         std::string_view key, std::size_t count, std::size_t most, std::string_view expected);
     std::optional<Located<Vec3>> vector_under(std::string_view key);
-    /// The table under a key of this one, or in a list there.
+    /// The table under a key of this table, or in the list under that key.
     Fields below(const toml::table& table, std::string_view key) const;
-    /// A key not read so far that may stand for `key`: misspelt, or with another unit or none.
+    /// A key that has not been read and probably means `key`: misspelt, or with another unit or none.
     const toml::key* meant_as(std::string_view key) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
@@ -173,7 +177,7 @@ private:
     std::string what_;
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
-    std::set<std::string, std::less<>> words_;  ///< keys read as words: those that a language may have
+    std::set<std::string, std::less<>> words_;  ///< keys read as words: a language may have them
 };
 
 }  // namespace jw

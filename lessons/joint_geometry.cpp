@@ -2,30 +2,21 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
 #include "core/elementary/elementary.hpp"
-#include "core/jets/euler_parameters.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
 
 namespace {
 
-// cosines of perpendicular vectors as typed with four digits (0.06 deg)
-constexpr double kPerpendicular = 1e-3;
-// two points closer than this have no distance worth keeping [m]
+// two points closer than this do not define a usable distance [m]
 constexpr double kSmallestLength = 1e-9;
 
 double degrees_between(const Vec3& a, const Vec3& b) {
     return elementary::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
 }
 
-bool is_perpendicular(const Vec3& a, const Vec3& b) {
-    return std::abs(a.normalized().dot(b.normalized())) <= kPerpendicular;
-}
-
-/// Either the global key or both local ones. @return false after saying what is wrong
+/// Checks that either the global key or all local keys are there. @return false after reporting a mistake
 bool one_way(
     Fields& fields, const std::string& global, const std::vector<std::string>& local,
     const std::string& what) {
@@ -106,8 +97,8 @@ bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, Jo
     return fields.problems().errors_count() == errors;
 }
 
-/// A side vector must be perpendicular to the axis of its body: an error where the angle is measured from
-/// it; for the h of n1 only odd, the equation as typed still means something.
+/// Checks that a side vector is perpendicular to the axis of its body. Otherwise it is an error if the angle
+/// is measured from it; for the h of n1, it is a warning, because the equation as typed still has a meaning.
 void check_side(
     Fields& fields, const std::string& key, const Located<Vec3>& side, const Vec3& axis, bool must_be) {
     if (is_perpendicular(side.value, axis)) { return; }
@@ -127,26 +118,6 @@ void check_side(
     }
 }
 
-/// A joint has one side vector in each body: u, from which its angle is measured, or the h of its n1.
-/// The other of the two, which no equation uses, is the same direction.
-void set_sides(const Vec3& side_i, const Vec3& side_j, JointGeometry& g) {
-    g.h_i_local = side_i;
-    g.h_j_local = side_j;
-    g.u_i_local = unit_of(side_i);
-    g.u_j_local = unit_of(side_j);
-}
-
-/// Sides from one global direction: u_i = u_j, or h_j = axis × h_i, once the axis of j has been turned onto
-/// that of i the shortest way (no turn at all where the start is assembled).
-void set_global_sides(const BodyPair& pair, const JointType& type, const Vec3& side, JointGeometry& g) {
-    const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
-    const Vec3 axis_j = rotation_of(*pair.j) * g.s_j_local.normalized();
-    const Vec4 p = euler_parameters_between(axis, axis_j);
-    const Mat3 back = Eigen::Quaterniond(p(0), p(1), p(2), p(3)).toRotationMatrix();
-    const Vec3 other = type.has_angle() ? side : axis.cross(side);
-    set_sides(pair.vector_i(side), pair.vector_j(back * other), g);
-}
-
 void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
     const auto side = fields.direction("side");
     const auto side_i = fields.direction("side_i");
@@ -154,21 +125,19 @@ void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, Joi
     const bool any = fields.has("side") || fields.has("side_i") || fields.has("side_j");
     if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
 
-    const Vec3 axis = rotation_of(*pair.i) * g.s_i_local.normalized();
+    const Vec3 axis = pair.axis_i(g);
     if (!side_i || !side_j) {
-        const Vec3 u = side ? side->value.normalized() : perpendicular_to(axis);
         if (side) { check_side(fields, "side", *side, axis, true); }
-        set_global_sides(pair, type, u, g);
+        set_sides(pair, type, side ? side->value.normalized() : perpendicular_to(axis), g);
         return;
     }
     check_side(fields, "side_i", *side_i, g.s_i_local, type.has_angle());
     check_side(fields, "side_j", *side_j, g.s_j_local, type.has_angle());
-    // h as typed, its length scales the equation; u is a direction
-    if (type.has_angle()) {
-        set_sides(unit_of(side_i->value), unit_of(side_j->value), g);
-    } else {
-        set_sides(side_i->value, side_j->value, g);
-    }
+    g.u_i_local = unit_of(side_i->value);
+    g.u_j_local = unit_of(side_j->value);
+    // as typed: the length of h scales the equation
+    g.h_i_local = type.has_angle() ? g.u_i_local : side_i->value;
+    g.h_j_local = type.has_angle() ? g.u_j_local : side_j->value;
 }
 
 void read_pitch(Fields& fields, JointGeometry& g) {
@@ -188,7 +157,7 @@ void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
     read_pitch(fields, g);
     g.screw_angle_form = fields.word("angle_row", kAngleRows).value_or(g.screw_angle_form);
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
-    // the start pose lies on the thread unless the author says otherwise, with both or neither of the two
+    // the start pose lies on the thread unless the author gives another d_0 and theta_0
     const double d = start_displacement(pair, g);
     const double theta = start_angle(pair, g);
     const auto d_0 = fields.number("d_0");
@@ -225,18 +194,6 @@ void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointG
 }
 
 }  // namespace
-
-double start_angle(const BodyPair& pair, const JointGeometry& g) {
-    Joint joint;
-    joint.geometry = g;
-    joint.body_j = 1;
-    if (g.theta_start) { return *g.theta_start; }
-    return relative_angle(joint, State{{pair.i->r, pair.j->r}, {pair.i->p, pair.j->p}, {}});
-}
-
-double start_displacement(const BodyPair& pair, const JointGeometry& g) {
-    return pair.d(g.P_i_local, g.P_j_local).dot(rotation_of(*pair.i) * g.s_i_local.normalized());
-}
 
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const JointType& type = *joint.type;

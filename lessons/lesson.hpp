@@ -5,8 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/integrate/methods.hpp"
-#include "core/jets/coordinates.hpp"
+#include "core/integrate/simulation_settings.hpp"
 #include "core/model/mechanism.hpp"
 #include "core/motion/loads.hpp"
 #include "core/numerics/variants.hpp"
@@ -14,7 +13,7 @@
 #include "lessons/claims.hpp"
 #include "lessons/questions.hpp"
 
-/// A lesson as data: what the rest of the program consumes. docs/writing-a-lesson.md describes the file.
+/// A lesson as data, as the rest of the program uses it. docs/writing-a-lesson.md describes the file.
 ///
 /// Everything in it is resolved: names are indices into `mechanism`, angles are radians, directions are
 /// local, and all numbers are finite.
@@ -50,13 +49,13 @@ struct Rod {
 };
 using Shape = std::variant<Box, Cylinder, Sphere, Rod>;
 
-/// Look of a body. Without a shape the renderer may draw what it likes between the joints.
+/// Appearance of a body. Without a shape, the renderer chooses what to draw between the joints.
 struct Look {
     std::vector<Shape> shapes;
     std::optional<Colour> colour;  ///< absent: the palette's next one
 };
 
-/// Camera as the author wishes it; whatever is absent is framed automatically.
+/// Camera as the author specified it; absent values are chosen automatically.
 struct CameraWish {
     std::optional<Vec3> from;        ///< unit direction from the target to the camera, global
     std::optional<Vec3> target;      ///< [m]
@@ -65,11 +64,11 @@ struct CameraWish {
     bool orthographic = false;
 };
 
-/// The motion that is shown after everything has been put together.
+/// The motion that is shown after the mechanism has been assembled.
 struct MotionPlan {
     double from = 0.0;      ///< [s]
     double to = 1.0;        ///< [s], > from
-    double duration = 1.0;  ///< how long it takes on the screen [s], whatever the frames per second
+    double duration = 1.0;  ///< time that it takes on the screen [s], for any frame rate
     int steps = 100;        ///< equal intervals of time that are solved
 };
 
@@ -83,13 +82,10 @@ struct BodyPoint {
 struct DynamicsPlan {
     Loads loads;
     double duration = 1.0;  ///< [s], > 0, from t = 0
-    Method method = Method::explicit_8;
-    bool method_given = false;  ///< the author's choice, not the default
-    Treatment treatment = Treatment::projection;
-    double tolerance = 1e-6;         ///< of adaptive methods, > 0
-    double step = 1e-3;              ///< of the others [s], > 0
+    SimulationSettings settings;
+    bool method_given = false;       ///< the author's choice, not the default
     std::optional<BodyPoint> point;  ///< whose path is compared and plotted
-    /// Trusted position of the point at the end [m]; digits as far as they are trusted.
+    /// Position of the point at the end by a trusted computation [m], with its trusted digits only.
     std::optional<Vec3> point_at_end;
     SourceSpan point_at_end_span;  ///< in the lesson file, for messages
 };
@@ -118,7 +114,7 @@ inline Addition subject_of(const Fact& fact) {
         fact);
 }
 
-/// Author's words, empty where there are none.
+/// Texts of the author, empty where there are none.
 struct StepTexts {
     struct AtTime {
         double from = 0.0;  ///< shown from this time of the motion on [s]
@@ -131,10 +127,10 @@ struct StepTexts {
     std::vector<AtTime> times;  ///< sorted by time
 };
 
-/// What the numbers of joints are worth.
+/// Accuracy of the numbers of joints.
 struct Precision {
     bool exact = false;  ///< all are exact as they are typed
-    int digits = 5;      ///< those with so many significant digits are known to half a unit of the last one
+    int digits = 5;      ///< numbers with this many significant digits are known to half a unit of the last
 
     bool operator==(const Precision&) const = default;
 };

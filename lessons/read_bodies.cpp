@@ -100,8 +100,6 @@ void read_body(Fields& fields, Reading& reading) {
 
 }  // namespace
 
-Mat3 rotation_of(const Body& body) { return rotation_matrix(body.p.normalized()); }
-
 void read_bodies(Fields& root, Reading& reading) {
     Body ground;
     ground.name = "ground";

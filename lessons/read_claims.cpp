@@ -57,7 +57,7 @@ void read_counts(Fields& fields, Facts& facts) {
     }
 }
 
-void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
+void read_memberss_and_verdicts(Fields& fields, Facts& facts) {
     for (const EnumWord<Bound>& bound : kBounds) {
         if (const auto value = fields.positive(bound.word)) {
             facts.emplace_back(BoundClaim{bound.value, value->value}, value->span);
@@ -70,7 +70,7 @@ void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
     }
 }
 
-/// Keys of which a claim needs one.
+/// A claim needs one of these keys.
 std::vector<std::string> keys_of_facts() {
     std::vector<std::string> keys = words_of(kCounts);
     for (const EnumWord<Bound>& bound : kBounds) { keys.emplace_back(bound.word); }
@@ -167,7 +167,7 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
     const auto quantity = read_quantity(fields, *text, reading);
     claim.derivative = read_derivative(fields, when, quantity, text->span);
     if (!quantity) {
-        // which keys belong to it is not known: only those that never do are unknown
+        // the keys that belong to it are not known: only keys that never belong to a quantity are unknown
         for (const UnitEnding& ending : endings_of(Spelling::any)) {
             fields.number(std::string("value").append(ending.text));
             fields.positive(std::string("tolerance").append(ending.text));
@@ -188,7 +188,7 @@ void read_claim(Fields& fields, Reading& reading) {
     const auto why = fields.words("why", Audience::authors);
     Facts facts;
     read_counts(fields, facts);
-    read_bounds_and_verdicts(fields, facts);
+    read_memberss_and_verdicts(fields, facts);
     read_dropped(fields, reading, when, facts);
     read_measured(fields, reading, when, facts);
     const bool only_formulas = facts.empty();

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "core/motion/tolerances.hpp"
+#include "lessons/format/motion_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -8,34 +10,31 @@ namespace jw::reading {
 namespace {
 
 void read_method(Fields& fields, DynamicsPlan& plan) {
+    SimulationSettings& settings = plan.settings;
     if (const auto method = fields.word("method")) {
-        plan.method = kMethods[*method].method;
+        settings.method = kMethods[*method].method;
         plan.method_given = true;
     }
     if (const auto treatment = fields.word("treatment")) {
-        plan.treatment = kTreatments[*treatment].treatment;
+        settings.treatment = kTreatments[*treatment].treatment;
     }
-    const std::string_view unfit = why_not(plan.method, plan.treatment);
+    const std::string_view unfit = why_not(settings.method, settings.treatment);
     if (fields.has("treatment") && !unfit.empty()) {
         fields.problems().warn(
             Code::unfit_treatment, fields.span("treatment"), std::string(unfit),
             "'simulate' takes another one with --method");
     }
-    if (const auto tolerance = fields.positive("tolerance")) {
-        plan.tolerance = tolerance->value;
-        if (!is_tolerance(plan.tolerance)) {
-            fields.problems().add(
-                Code::out_of_range, tolerance->span,
-                "a tolerance of " + short_number(plan.tolerance) + "; " + std::string(kToleranceRange));
-        }
-    }
-    const auto step = fields.positive("step");
-    if (!step) { return; }
-    plan.step = step->value;
-    if (plan.duration / plan.step > kMostFixedSteps) {
+    const bool is_sound = read_members(fields, format::kAccuracy, settings);
+    if (!is_tolerance(settings.tolerance)) {
         fields.problems().add(
-            Code::too_much, step->span,
-            "steps of " + short_number(plan.step) + " s are " + short_number(plan.duration / plan.step, 3) +
+            Code::out_of_range, fields.span("tolerance"),
+            "a tolerance of " + short_number(settings.tolerance) + "; " + std::string(kToleranceRange));
+    }
+    if (is_sound && fields.has("step") && plan.duration / settings.step > kMostFixedSteps) {
+        fields.problems().add(
+            Code::too_much, fields.span("step"),
+            "steps of " + short_number(settings.step) + " s are " +
+                short_number(plan.duration / settings.step, 3) +
                 " in 'duration'; expected at most ten million");
     }
 }
@@ -58,7 +57,7 @@ void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
     }
 }
 
-/// Masses that nothing needs are odd, no more.
+/// Masses that nothing needs are unusual, but not a mistake.
 void warn_of_masses(const Reading& reading) {
     const auto given = std::ranges::find_if(reading.masses, &ReadMass::given);
     if (given == reading.masses.end()) { return; }
@@ -118,9 +117,8 @@ void read_dynamics(Fields& root, Reading& reading) {
         return;
     }
     DynamicsPlan plan;
-    if (const auto gravity = fields->vector("gravity")) { plan.loads.gravity = gravity->value; }
-    fields->require("duration", "how long it moves, in s");
-    if (const auto duration = fields->positive("duration")) { plan.duration = duration->value; }
+    read_members(*fields, format::kGravity, plan.loads);
+    read_members(*fields, format::kDuration, plan);
     read_method(*fields, plan);
     read_point(*fields, reading, plan);
     fields->finish();

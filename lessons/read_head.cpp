@@ -1,11 +1,13 @@
 #include "lessons/exact_text.hpp"
+#include "lessons/format/scene_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
 
 namespace {
 
-// a camera this close to looking along `up` has no upright picture (0.06 deg)
+// a camera that looks along `up` within this does not have an upright picture (0.06 deg)
 constexpr double kAlongUp = 1e-3;
 
 }  // namespace
@@ -29,7 +31,7 @@ void read_motion(Fields& root, Lesson& lesson) {
     if (!fields) { return; }
     MotionPlan plan;
     if (const auto from = fields->number("from_s")) { plan.from = from->value; }
-    fields->require("to_s", "the time at which the motion ends");
+    fields->require("to_s");
     if (const auto to = fields->number("to_s")) {
         plan.to = to->value;
         if (plan.to <= plan.from) {
@@ -51,11 +53,7 @@ void read_camera(Fields& root, Lesson& lesson) {
     auto fields = root.table("camera");
     if (!fields) { return; }
     CameraWish& camera = lesson.camera;
-    if (const auto from = fields->direction("from")) { camera.from = unit_of(from->value); }
-    if (const auto target = fields->vector("target")) { camera.target = target->value; }
-    if (const auto distance = fields->positive("distance")) { camera.distance = distance->value; }
-    if (const auto up = fields->direction("up")) { camera.up = unit_of(up->value); }
-    if (const auto flat = fields->flag("orthographic")) { camera.orthographic = flat->value; }
+    read_members(*fields, format::kCamera, camera);
     fields->finish();
     if (camera.from && camera.from->cross(camera.up.value_or(Vec3::UnitZ())).norm() < kAlongUp) {
         root.problems().add(

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include "lessons/format/scene_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/reading.hpp"
 
 namespace jw::reading {
@@ -17,17 +19,13 @@ constexpr double kOrthonormal = 1e-3;
 const std::vector<std::string> kShapeKinds{"box", "cylinder", "sphere", "rod"};
 
 std::optional<Shape> read_box(Fields& fields) {
-    const auto size = fields.vector("size");
-    fields.require("size", "three edge lengths in m");
     Box box;
-    if (const auto at = fields.vector("at")) { box.centre = at->value; }
+    read_members(fields, format::kSizeOfBox, box);
     if (const auto axes = read_frame(fields)) { box.axes = *axes; }
     fields.finish();
-    if (!size) { return std::nullopt; }
-    box.size = size->value;
     if (box.size.minCoeff() < kSmallestSize) {
         fields.problems().add(
-            Code::out_of_range, size->span,
+            Code::out_of_range, fields.span("size"),
             "'size' has an edge of " + short_number(box.size.minCoeff()) +
                 "; expected three lengths above 0");
     }
@@ -35,31 +33,22 @@ std::optional<Shape> read_box(Fields& fields) {
 }
 
 std::optional<Shape> read_sphere(Fields& fields) {
-    const auto radius = fields.positive("radius");
-    fields.require("radius", "a radius in m");
     Sphere sphere;
-    if (const auto at = fields.vector("at")) { sphere.centre = at->value; }
+    read_members(fields, format::kSphere, sphere);
     fields.finish();
-    if (!radius) { return std::nullopt; }
-    sphere.radius = radius->value;
     return sphere;
 }
 
 template <class Bar>
 std::optional<Shape> read_bar(Fields& fields) {
-    const auto from = fields.vector("from");
-    const auto to = fields.vector("to");
-    const auto radius = fields.positive("radius");
-    fields.require("from", "a point of the body, three numbers in m");
-    fields.require("to", "a point of the body, three numbers in m");
-    fields.require("radius", "a radius in m");
+    Bar bar;
+    const bool is_sound = read_members(fields, format::kBar<Bar>, bar);
     fields.finish();
-    if (!from || !to || !radius) { return std::nullopt; }
-    if ((from->value - to->value).norm() < kSmallestSize) {
+    if (is_sound && (bar.from - bar.to).norm() < kSmallestSize) {
         fields.problems().add(
-            Code::points_coincide, to->span, "'to' equals 'from'; expected two different points");
+            Code::points_coincide, fields.span("to"), "'to' equals 'from'; expected two different points");
     }
-    return Bar{from->value, to->value, radius->value};
+    return bar;
 }
 
 std::optional<Shape> read_shape(Fields& fields) {
@@ -72,7 +61,7 @@ std::optional<Shape> read_shape(Fields& fields) {
     const int errors = fields.problems().errors_count();
     fields.finish();
     const auto is_there = [&](const std::string& kind) { return fields.has(kind); };
-    // an unknown key has been reported as such: most likely it is the form, misspelt
+    // an unknown key has been reported: it is probably the kind of shape, misspelt
     if (std::ranges::none_of(kShapeKinds, is_there) && fields.problems().errors_count() == errors) {
         fields.problems().add(
             Code::missing_key, fields.span(),
@@ -81,7 +70,8 @@ std::optional<Shape> read_shape(Fields& fields) {
     return shape;
 }
 
-/// x kept, y turned in their plane, z across both: exactly orthonormal. What is so already stays.
+/// Exactly orthonormal axes: x is kept, y is turned in their plane, z is perpendicular to both. Axes that are
+/// already orthonormal stay unchanged.
 Mat3 made_exact(const Mat3& axes) {
     if (is_frame(axes)) { return axes; }
     Mat3 A;
@@ -126,7 +116,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
         const int last = (static_cast<int>(k) + 2) % 3;
         if (!given[k]) { A.col(static_cast<int>(k)) = A.col(next).cross(A.col(last)); }
     }
-    // an axis left out has the length of the cross product; the cosines below judge the other two
+    // an omitted axis has the length of the cross product; the cosines below check the other two
     const double xy = A.col(0).dot(A.col(1));
     const double yz = A.col(1).dot(A.col(2));
     const double zx = A.col(2).dot(A.col(0));

@@ -2,15 +2,15 @@
 
 #include <map>
 
+#include "core/model/placement.hpp"
 #include "lessons/fields.hpp"
-#include "lessons/joint_needs.hpp"
 #include "lessons/lesson.hpp"
 #include "lessons/typed.hpp"
 
 /// Parts of the reader: each turns one kind of table into its part of a Lesson.
 namespace jw::reading {
 
-// more than any lecture shows; matrices of this size still fit into a small machine
+// more than any lecture shows; a small machine can still hold matrices of this size
 inline constexpr std::size_t kMostBodies = 500;
 inline constexpr std::size_t kMostJoints = 1000;
 inline constexpr std::size_t kMostDrivers = 500;
@@ -21,14 +21,14 @@ struct Named {
     Kind kind = Kind::body;
     int index = 0;
     SourceSpan span;    ///< of its name
-    bool sound = true;  ///< false: its own table is wrong, so nothing is concluded from it
+    bool sound = true;  ///< false: its own table is wrong, so no conclusions are drawn from it
 };
 
 /// Mass of a body, as far as it was given.
 struct ReadMass {
     std::optional<MassProperties> properties;
     SourceSpan span;     ///< of the first of its keys
-    bool given = false;  ///< right or wrong
+    bool given = false;  ///< also if it is wrong
 };
 
 struct Reading {
@@ -62,7 +62,7 @@ void read_head(Fields& root, Lesson& lesson);
 void read_motion(Fields& root, Lesson& lesson);
 void read_camera(Fields& root, Lesson& lesson);
 void read_bodies(Fields& root, Reading& reading);
-/// [dynamics], with what the bodies need for it; after the bodies.
+/// [dynamics], and a check that the bodies have masses; after the bodies.
 void read_dynamics(Fields& root, Reading& reading);
 /// [precision]; before the joints.
 void read_precision(Fields& root, Lesson& lesson);
@@ -73,10 +73,10 @@ void read_loads(Fields& root, Reading& reading);
 /// Order of additions and texts of steps; after joints and drivers.
 void read_order(Fields& root, Reading& reading);
 void read_steps(Fields& root, Reading& reading);
-/// Claims; after the order.
 /// The key `formula` of a claim and those that belong to it; nothing if there is none, or it is wrong.
 std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& reading);
 void read_questions(Fields& root, Reading& reading);
+/// Claims; after the order.
 void read_claims(Fields& root, Reading& reading);
 
 /// Key `shape`, one or several.
@@ -91,39 +91,20 @@ std::optional<Mat3> read_frame(Fields& fields);
 TimeFunction read_time_function(Fields& fields, bool angle);
 /// True if one of its keys is there.
 bool has_time_function(Fields& fields, bool angle);
-/// Reports values that nothing has, between two times: overflow, or below zero where that cannot be.
+/// Reports impossible values between two times: overflow, or negative ones if `never_negative`.
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative);
 
-/// A point of a body that moves, by the keys `body` and `at` (global, at the start pose) or `point` (local).
+/// A point of a moving body: the keys `body` and `at` (global, at the start pose) or `point` (local).
 struct ReadPoint {
     int body = 0;
     std::optional<Vec3> point_local;  ///< absent if neither key is there
 };
 std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& reading);
 
-/// R as the columns of the body's axes in the global frame (p normalised).
-Mat3 rotation_of(const Body& body);
-
 /// Names of the joint types for which `has` holds.
 std::string types_with(bool (JointType::*has)() const);
 
-/// The two bodies of a joint or driver and the way from the global frame at the start pose to theirs.
-struct BodyPair {
-    const Body* i;
-    const Body* j;
-    bool sound = true;  ///< false: the poses are not known
-
-    Vec3 point_i(const Vec3& global) const { return rotation_of(*i).transpose() * (global - i->r); }
-    Vec3 point_j(const Vec3& global) const { return rotation_of(*j).transpose() * (global - j->r); }
-    Vec3 vector_i(const Vec3& global) const { return rotation_of(*i).transpose() * global; }
-    Vec3 vector_j(const Vec3& global) const { return rotation_of(*j).transpose() * global; }
-    /// d at the start pose, global [m].
-    Vec3 d(const Vec3& P_i_local, const Vec3& P_j_local) const {
-        return j->r + rotation_of(*j) * P_j_local - i->r - rotation_of(*i) * P_i_local;
-    }
-};
-
-/// Key `bodies`: two different ones, not both fixed.
+/// Key `bodies`: two different bodies, not both fixed.
 struct PairIndices {
     int i = 0;
     int j = 0;
@@ -134,10 +115,7 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices);
 
 /// Vectors of a joint whose type and bodies are known.
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
-/// Gives the joints the geometry that was meant, where they repeat each other to the digits typed only.
+/// Gives the joints the geometry that was meant, where they are redundant only to the digits typed.
 void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joints, Reading& reading);
-/// Relative angle u_i to u_j and displacement s_i·d at the start pose.
-double start_angle(const BodyPair& pair, const JointGeometry& geometry);
-double start_displacement(const BodyPair& pair, const JointGeometry& geometry);
 
 }  // namespace jw::reading

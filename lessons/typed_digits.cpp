@@ -1,8 +1,9 @@
 #include "core/poses/typed/meant_mechanism.hpp"
+#include "lessons/format/scene_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/rounded_numbers.hpp"
 
-/// What the digits say that the author of a lesson has typed: a short number is exact, a long one was
-/// rounded.
+/// Judges the accuracy of typed numbers by their digits: a short number is exact, a long one was rounded.
 namespace jw::reading {
 
 namespace {
@@ -30,8 +31,7 @@ void read_precision(Fields& root, Lesson& lesson) {
     auto fields = root.table("precision");
     if (!fields) { return; }
     fields->at_most_one({"exact", "digits"});
-    if (const auto exact = fields->flag("exact")) { lesson.precision.exact = exact->value; }
-    if (const auto digits = fields->integer("digits")) { lesson.precision.digits = digits->value; }
+    read_members(*fields, format::kPrecision, lesson.precision);
     fields->finish();
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lessons/format/scene_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -18,6 +20,10 @@ public:
         return *this;
     }
     Inline& add(const std::string& name, const Vec3& v) { return add(name, vector_text(v)); }
+    /// For write_members: there is no room for comments.
+    void key(const std::string& name, const std::string& value, const std::string& /*comment*/) {
+        add(name, value);
+    }
     Inline& add(const std::string& name, double x) { return add(name, number_text(x)); }
     std::string text() const { return "{ " + text_ + " }"; }
 
@@ -36,22 +42,20 @@ std::string axes_text(const Mat3& axes) {
 struct ShapeText {
     std::string operator()(const Box& box) const {
         Inline keys;
-        keys.add("size", box.size);
-        if (!box.centre.isZero(0.0)) { keys.add("at", box.centre); }
+        write_members(format::kSizeOfBox, box, keys);
         if (box.axes != Mat3::Identity()) { keys.add("axes", axes_text(box.axes)); }
         return Inline().add("box", keys.text()).text();
     }
-    std::string operator()(const Sphere& sphere) const {
-        Inline keys;
-        if (!sphere.centre.isZero(0.0)) { keys.add("at", sphere.centre); }
-        return Inline().add("sphere", keys.add("radius", sphere.radius).text()).text();
+    std::string operator()(const Sphere& sphere) const { return bound("sphere", format::kSphere, sphere); }
+    std::string operator()(const Cylinder& bar) const {
+        return bound("cylinder", format::kBar<Cylinder>, bar);
     }
-    std::string operator()(const Cylinder& bar) const { return bar_text("cylinder", bar); }
-    std::string operator()(const Rod& bar) const { return bar_text("rod", bar); }
+    std::string operator()(const Rod& bar) const { return bound("rod", format::kBar<Rod>, bar); }
 
-    template <class Bar>
-    static std::string bar_text(const char* name, const Bar& bar) {
-        const Inline keys = Inline().add("from", bar.from).add("to", bar.to).add("radius", bar.radius);
+    template <class Keys, class Form>
+    static std::string bound(const char* name, const Keys& described, const Form& form) {
+        Inline keys;
+        write_members(described, form, keys);
         return Inline().add(name, keys.text()).text();
     }
 };
@@ -83,7 +87,7 @@ void write_body(const Body& body, const Look& look, const Mass& mass, bool is_gr
     write_shapes(look.shapes, lines);
 }
 
-/// The ground that every lesson has without saying so.
+/// The ground that every lesson has by default.
 bool is_plain(const Body& ground, const Look& look) {
     return ground.r.isZero(0.0) && ground.p == Vec4::Unit(0) && ground.r_dot.isZero(0.0) &&
            ground.omega_local.isZero(0.0) && look.shapes.empty() && !look.colour;

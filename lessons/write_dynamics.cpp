@@ -2,8 +2,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/model/placement.hpp"
 #include "lessons/enum_words.hpp"
-#include "lessons/joint_needs.hpp"
+#include "lessons/format/motion_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -12,18 +14,18 @@ namespace jw::writing {
 namespace {
 
 void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) {
-    const DynamicsPlan usual;
+    const SimulationSettings& settings = plan.settings;
+    const SimulationSettings usual;
     lines.table("[dynamics]");
-    if (!plan.loads.gravity.isZero(0.0)) { lines.key("gravity", plan.loads.gravity, "m/s²"); }
-    lines.key("duration", plan.duration, "s");
-    if (plan.method_given || plan.method != usual.method) {
-        lines.key("method", string_text(std::string(entry_of(plan.method).name)));
+    write_members(format::kGravity, plan.loads, lines);
+    write_members(format::kDuration, plan, lines);
+    if (plan.method_given || settings.method != usual.method) {
+        lines.key("method", string_text(std::string(entry_of(settings.method).name)));
     }
-    if (plan.treatment != usual.treatment) {
-        lines.key("treatment", string_text(std::string(entry_of(plan.treatment).name)));
+    if (settings.treatment != usual.treatment) {
+        lines.key("treatment", string_text(std::string(entry_of(settings.treatment).name)));
     }
-    if (plan.tolerance != usual.tolerance) { lines.key("tolerance", plan.tolerance); }
-    if (plan.step != usual.step) { lines.key("step", plan.step, "s"); }
+    write_members(format::kAccuracy, settings, lines);
     if (!plan.point) { return; }
     lines.key(
         "point", "{ body = " + string_text(written.body(plan.point->body)) +

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "lessons/enum_words.hpp"
+#include "lessons/format/scene_keys.hpp"
+#include "lessons/member_keys.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -46,11 +48,7 @@ void write_head(const Written& written, Lines& lines) {
 void write_precision(const Precision& precision, Lines& lines) {
     if (precision == Precision()) { return; }
     lines.table("[precision]");
-    if (precision.exact) {
-        lines.key("exact", "true");
-    } else {
-        lines.key("digits", std::to_string(precision.digits));
-    }
+    write_members(format::kPrecision, precision, lines);
 }
 
 void write_motion(const Lesson& lesson, Lines& lines) {
@@ -67,11 +65,7 @@ void write_camera(const Lesson& lesson, Lines& lines) {
     const CameraWish& camera = lesson.camera;
     if (!camera.from && !camera.target && !camera.distance && !camera.up && !camera.orthographic) { return; }
     lines.table("[camera]");
-    if (camera.from) { lines.key("from", typed_direction(*camera.from)); }
-    if (camera.target) { lines.key("target", *camera.target, "m"); }
-    if (camera.distance) { lines.key("distance", *camera.distance, "m"); }
-    if (camera.up) { lines.key("up", typed_direction(*camera.up)); }
-    if (camera.orthographic) { lines.key("orthographic", "true"); }
+    write_members(format::kCamera, camera, lines);
 }
 
 void write_steps(const Lesson& lesson, Lines& lines) {

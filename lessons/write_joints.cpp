@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/model/placement.hpp"
 #include "lessons/enum_words.hpp"
 #include "lessons/equation_labels.hpp"
-#include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
 #include "lessons/writing.hpp"
 
@@ -11,7 +11,7 @@ namespace jw::writing {
 
 namespace {
 
-// digits of a pitch that somebody typed; with more it is not nicer than the advance for a radian
+// digits of a pitch that somebody typed; with more, it is not easier to read than the advance per radian
 constexpr int kPitchDigits = 12;
 
 void write_vectors(const JointType& type, const JointGeometry& g, Lines& lines) {

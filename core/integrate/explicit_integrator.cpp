@@ -5,14 +5,14 @@
 #include <limits>
 
 #include "core/elementary/elementary.hpp"
-#include "core/integrate/singular_steps.hpp"
+#include "core/motion/singular_steps.hpp"
 
 namespace jw {
 
 namespace {
 
 constexpr int kMostAttempts = 60;
-/// Step-size control; kMemory is the exponent of the error before.
+/// Step-size control; kMemory is the exponent of the previous error.
 constexpr double kSafety = 0.9;
 constexpr double kMostGrowth = 3.0;
 constexpr double kMemory = 0.05;
@@ -21,8 +21,8 @@ constexpr double kRowsTurnBad = 1e-2;
 constexpr int kMostDodges = 8;
 /// Allowed drift off the constraints, as a share of the tolerance.
 constexpr double kDriftShare = 0.1;
-/// Share of the longest step so far below which a step is no progress towards the limit of reach, where
-/// accelerations grow beyond bounds.
+/// Share of the longest step so far below which a step does not make progress towards the limit of reach,
+/// where accelerations grow beyond bounds.
 constexpr double kNoProgress = 1e-6;
 
 }  // namespace
@@ -168,9 +168,9 @@ void ExplicitIntegrator::accept(double t) {
     regular_pivot_ = std::max(regular_pivot_, verdict_.smallest_pivot);
 }
 
-/// Takes the rank again near the start. A scene that begins at a singular position leaves out rows that
-/// become independent a step later or, from rest, when their residual exceeds rounding. Farther on the rank
-/// is not taken again: near a singular position, lengths that do not quite fit make rows look independent.
+/// Computes the rank again near the start. A scene that begins at a singular position leaves out rows that
+/// become independent a step later or, from rest, when their residual exceeds rounding. Farther on, the rank
+/// is not computed again: near a singular position, lengths that do not quite fit make rows look independent.
 void ExplicitIntegrator::take_up_rows() {
     constexpr double far = 0.1;
     is_beginning_ = scales_.way(y_.data(), start_.data()) < far;
@@ -183,7 +183,8 @@ void ExplicitIntegrator::take_up_rows() {
     y_new_ = y_;
     tried_ = t_;
     project(t_, y_);
-    // a motion against rows that it never obeyed was locked from the start: it is free to first order only
+    // a motion that violates rows, and never obeyed them, was locked from the start: it is free to first
+    // order only
     is_locked_ = scales_.difference(y_.data(), y_new_.data()) > kOneMotion;
     verdict_ = evaluate(t_, y_, stages_.front());
     pivot_at_choice_ = verdict_.smallest_pivot;
@@ -207,7 +208,7 @@ double ExplicitIntegrator::longest_step() {
     return omega > 0.0 ? std::min(options_.longest_step, most / omega) : options_.longest_step;
 }
 
-/// Chooses rows again, if others are better. Where all are equally bad, the position itself is singular.
+/// Chooses rows again, if others are better. If all are equally bad, the position itself is singular.
 void ExplicitIntegrator::choose_rows_again() {
     const int left_out = equations_->rows_left_out();
     if (!equations_->choose_rows(t_, y_.data())) { return; }
@@ -223,8 +224,8 @@ void ExplicitIntegrator::choose_rows_again() {
     equations_->take_back_rows();
 }
 
-/// Growth of the step by a PI controller: where errors grow, the next one will be larger still, so the error
-/// before reduces the number of rejected steps.
+/// Growth of the step by a PI controller: if errors grow, the next one will be larger still, so using the
+/// previous error reduces the number of rejected steps.
 double ExplicitIntegrator::growth_after(double error) {
     const double most = rejected_before_ ? 1.0 : kMostGrowth;
     const double exponent = 1.0 / table_->order - 0.2 * kMemory;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/elementary/elementary.hpp"
-#include "core/integrate/singular_steps.hpp"
+#include "core/motion/singular_steps.hpp"
 
 namespace jw {
 
@@ -91,7 +91,7 @@ void RadauIntegrator::choose_coordinates() {
 
 /// Chooses new coordinates on the way, with rows that were left out before and are independent now.
 /// @return false if those rows move the state: it never obeyed them, so its motion was free to first order
-/// only, and no mechanism moves so
+/// only, and a mechanism does not move in this way
 bool RadauIntegrator::keeps_its_place() {
     const std::vector<double> before = y_;
     choose_coordinates();
@@ -151,7 +151,7 @@ void RadauIntegrator::predict(double h) {
         if (step_before_ == 0.0) { continue; }
         const VectorX w = weights(1.0 + table_.c(i) * h / step_before_);
         x_stages_.col(i) = x_before_ * w;
-        // far beyond its step a polynomial leads anywhere, also near another branch
+        // far outside its step, a polynomial can lead anywhere, also near another branch
         if (h <= kFarthest * step_before_) { y_stages_.col(i) = y_before_ * w; }
     }
 }
@@ -235,7 +235,7 @@ double RadauIntegrator::error_of(double h, bool doubtful) {
     };
     const VectorX error = filtered(x_dot_);
     if (!doubtful || norm(error) < 1.0) { return norm(error); }
-    // a second filtering damps what stiff components exaggerate in the first estimate
+    // a second filtering damps stiff components, which are too large in the first estimate
     VectorX y = start_numbers();
     VectorX y_rate(y.size());
     VectorX rate(x_.size());
@@ -270,7 +270,7 @@ void RadauIntegrator::accept(double h, double t) {
 bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& trial) {
     ++counts_.rejected;
     if (newton.is_near_singular() && !newton.converged && !trial.without_slope) {
-        // slopes of accelerations grow beyond bounds at one point and say nothing of the step
+        // slopes of accelerations grow beyond bounds at one point and say nothing about the step
         trial.without_slope = true;
         reduced_.setZero();
         factored_step_ = 0.0;
@@ -282,7 +282,7 @@ bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& tr
         h_ = kDodge * h;
         return true;
     }
-    // creeping up to it does not lead past it: accelerations are rounding there
+    // approaching it in small steps does not lead past it: accelerations are rounding there
     if (newton.is_near_singular() && h < kGivesUp * regular_step_) { return false; }
     if (trial.renewed) { h_ = 0.5 * h; }
     // a step that did not converge now would not converge in the next steps either

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/integrate/singular_steps.hpp"
+#include "core/motion/singular_steps.hpp"
 
 namespace jw {
 
@@ -109,7 +109,7 @@ bool Sampler::find_between(double t) {
     return meets(t, y_) || correct(t) || meets_as_well_as_nodes(t, y_);
 }
 
-/// Replaces the polynomial's state by its projection onto the constraints, or by a step of its own.
+/// Replaces the polynomial's state by its projection onto the constraints, or by that of a separate step.
 bool Sampler::correct(double t) {
     const StateScales* scales = stepper_->scales();
     moved_ = y_;

@@ -6,31 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "core/integrate/methods.hpp"
 #include "core/integrate/sampler.hpp"
+#include "core/integrate/simulation_settings.hpp"
 #include "core/kinematics/joint_angles.hpp"
 #include "core/motion/forces.hpp"
-#include "core/motion/tolerances.hpp"
 
 /// Simulation of a mechanism under its loads from t = 0 on, by any of the methods.
 namespace jw {
 
 class Certificate;
 class TreeEquations;
-
-/// Settings of a simulation.
-struct SimulationSettings {
-    Method method = Method::explicit_8;
-    Treatment treatment = Treatment::projection;
-    double tolerance = 1e-6;  ///< tolerance of adaptive methods
-    double step = 1e-3;       ///< step of the others [s]
-    long most_steps = kMostStepsTaken;
-    double baumgarte = 20.0;  ///< α = β of Baumgarte's stabilisation [1/s]
-    /// Coordinates that are integrated; the semi-implicit method supports bodies only.
-    Formulation formulation = Formulation::automatic;
-    /// If set, the dense equations of the slides in these coordinates are integrated instead.
-    std::optional<CoordinateChoice> dense;
-};
 
 /// State of the mechanism at one moment, in the frames as given.
 struct Snapshot {
@@ -88,8 +73,8 @@ struct SimulationOutcome {
     std::optional<SimulationFailure> failure;
     /// Largest residuals of the accelerations in the equations of motion over all steps.
     AccelerationResidual residual;
-    /// When a run in coordinates of the joints went on with those of the bodies, because its accelerations
-    /// could no longer be proved [s].
+    /// Time at which a run in joint coordinates continued in coordinates of the bodies, because its
+    /// accelerations could no longer be proved [s].
     std::optional<double> bodies_from;
 };
 
@@ -127,7 +112,7 @@ public:
     /// The same from the accelerations of the centroidal frames at `y`, where they are known.
     Motion acceleration_as_given(const std::vector<double>& y, const Motion& centroidal) const;
     const Centroidal& scene() const { return scene_; }
-    /// Block-sparse equations, in flat states, whatever the simulation integrates.
+    /// Block-sparse equations, in flat states, independent of the coordinates that are integrated.
     MotionEquations& equations() const { return *block_; }
     /// Equations that are integrated, and their start.
     MotionEquations& integrated() const { return other_ ? *other_ : *block_; }
@@ -147,9 +132,9 @@ private:
     void count_turns_at(const std::vector<double>& y);
     /// Whether a fixed step from a flat state would lose turns of rotational springs.
     std::optional<SimulationFailure> failure_of_turns(double t, const std::vector<double>& y) const;
-    /// Follows the angles of joints to the state of the stepper, if anybody asks for them.
+    /// Follows the angles of joints to the state of the stepper, if they were requested.
     void follow_angles_to(const TimeStepper& stepper);
-    /// Whether coordinates of the joints are integrated that nobody has asked for.
+    /// True if joint coordinates are integrated that were not requested.
     bool may_leave_joints() const;
     void look_for_contradiction(const std::vector<double>& as_given);
     void look_for_contradicting_rates();
@@ -180,11 +165,11 @@ private:
     std::vector<double> start_;               ///< flat state at the start
     std::optional<SimulationFailure> contradiction_;
     std::unique_ptr<Certificate>
-        certificate_;  ///< of accelerations between the steps, made when they are asked for
+        certificate_;  ///< of accelerations between the steps; made when they are requested
     std::unique_ptr<FollowedAngles> angles_;  ///< if they are followed
 };
 
-/// A run of a simulation, step by step: for those who do other things in between.
+/// A run of a simulation, step by step, for callers that do other things in between.
 class SimulationRun {
 public:
     /// Passes the state at the first of `times` (see Simulation::run), and takes no step. `simulation` must
@@ -196,7 +181,7 @@ public:
     SimulationRun(const SimulationRun&) = delete;
     SimulationRun& operator=(const SimulationRun&) = delete;
 
-    /// Takes a step. @return false if there was none to take: the run has ended
+    /// Takes a step. @return false if the run has ended
     bool step();
     /// Result of the run, once it has ended.
     SimulationOutcome finish();
@@ -216,7 +201,7 @@ private:
     double end_ = 0.0;                    ///< [s]
     double proved_until_ = 0.0;           ///< [s]
     std::vector<double> proved_;          ///< state at that time, in coordinates of the joints; else unused
-    IntegrationCounts counts_in_joints_;  ///< of a run that has left them
+    IntegrationCounts counts_in_joints_;  ///< counts of a run that has left them
     std::vector<double> events_;          ///< times ahead at which steps end [s], the next one last
     std::unique_ptr<TimeStepper> stepper_;
     std::unique_ptr<Sampler> sampler_;

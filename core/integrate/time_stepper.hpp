@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "core/motion/motion_equations.hpp"
+#include "core/motion/tolerances.hpp"
 
 /// Common interface of all integrators: one trajectory, one step at a time.
 namespace jw {
 
 /// Options of an integrator.
 struct IntegrationOptions {
-    double tolerance = 1e-6;    ///< local error of a step, relative to the scales of the motion
+    /// Local error of a step, relative to the scales of the motion.
+    double tolerance = kUsualTolerance;
     double fixed_step = 0.0;    ///< fixed step [s]; 0: steps follow the tolerance
     bool project = true;        ///< project onto the constraints whenever the drift nears the tolerance
     double length_scale = 1.0;  ///< extent of the scene [m]

@@ -3,9 +3,11 @@
 /// Ranges of the settings of an integration.
 namespace jw {
 
-/// Tightest and loosest tolerance: beyond the precision of a double, and so loose that no digit is left.
+/// Tightest tolerance (beyond the precision of a double), loosest tolerance (no digit is left), and the
+/// default.
 inline constexpr double kLeastTolerance = 1e-15;
 inline constexpr double kMostTolerance = 0.1;
+inline constexpr double kUsualTolerance = 1e-6;
 inline constexpr bool is_tolerance(double x) { return x >= kLeastTolerance && x <= kMostTolerance; }
 inline constexpr const char* kToleranceRange = "expected 1e-15 to 0.1";
 

@@ -3,13 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "lessons/enum_words.hpp"
 #include "lessons/source_span.hpp"
 #include "lessons/text.hpp"
 
 /// Exercises as data: what an exercise file says. docs/exercises.md describes the file.
 namespace jw {
 
-/// What is handed in, and how it is judged (app/exercises/kinds.hpp has one entry for each).
+/// What a student hands in, and how it is judged (app/exercises/kinds.hpp has one entry for each).
 enum class ExerciseKind {
     number,
     vector,
@@ -18,10 +19,22 @@ enum class ExerciseKind {
     choose,      ///< the number of a choice, from 1
     order,       ///< the numbers of the items in their right order
     code,        ///< a program that computes the answer for given inputs
-    repair,      ///< a lesson file with a fault, mended
+    repair,      ///< a lesson file whose fault has been corrected
     build,       ///< a lesson file to which joints are added
-    experiment,  ///< a list of experiments as after `jointwise try --try`
+    experiment,  ///< a list of experiments, as `jointwise try --try` takes them
 };
+
+inline constexpr std::array kExerciseKinds{
+    EnumWord<ExerciseKind>{ExerciseKind::number, "number", tr_later("a number")},
+    EnumWord<ExerciseKind>{ExerciseKind::vector, "vector", tr_later("a vector")},
+    EnumWord<ExerciseKind>{ExerciseKind::matrix, "matrix", tr_later("a matrix")},
+    EnumWord<ExerciseKind>{ExerciseKind::pose, "pose", tr_later("r and p of a body")},
+    EnumWord<ExerciseKind>{ExerciseKind::choose, "choose", tr_later("one of the choices")},
+    EnumWord<ExerciseKind>{ExerciseKind::order, "order", tr_later("the right order")},
+    EnumWord<ExerciseKind>{ExerciseKind::code, "code", tr_later("a program")},
+    EnumWord<ExerciseKind>{ExerciseKind::repair, "repair", tr_later("a mended lesson file")},
+    EnumWord<ExerciseKind>{ExerciseKind::build, "build", tr_later("a lesson file with joints added")},
+    EnumWord<ExerciseKind>{ExerciseKind::experiment, "experiment", tr_later("a list of experiments")}};
 
 /// What may be used to solve an exercise.
 enum class Allowed { paper, program };
@@ -45,7 +58,7 @@ struct Draw {
 
 /// A change of a scene's file.
 struct SceneEdit {
-    std::string key;    ///< "joint.B.axis", "joint.B": of a table that is taken out
+    std::string key;    ///< "joint.B.axis"; "joint.B" where a table is taken out
     std::string value;  ///< as TOML; empty: the key, or the table, is taken out
 
     bool operator==(const SceneEdit&) const = default;
@@ -62,7 +75,7 @@ struct Exercise {
     Text title;
     ExerciseKind kind = ExerciseKind::number;
     std::string source;  ///< slides or pages
-    std::string lesson;  ///< that it belongs to, "vectors/frames"; may be empty
+    std::string lesson;  ///< lesson that it belongs to, "vectors/frames"; may be empty
     Text ask;            ///< with formulas between dollar signs, like `why` and `hints`
     Text why;            ///< shown with the solution
     std::vector<Text> hints;
@@ -73,33 +86,33 @@ struct Exercise {
     std::string scene;       ///< the lesson as it was written, TOML
     std::string scene_name;  ///< of its file, for messages
     std::vector<Draw> vary;
-    double condition_below = 1e3;  ///< largest by smallest singular value that a variant may have
+    double condition_below = 1e3;  ///< limit of largest / smallest singular value of a variant
 
-    /// What is asked, as one claim in TOML whose value does not count (empty for choices, order, repair,
-    /// build and experiment); of a formula the first side is what is asked for, the last is how it is found.
+    /// What is asked, as one claim in TOML whose value is ignored; empty for choices, order, repair, build
+    /// and experiment. In a formula, the first side is what is asked for, and the last side computes it.
     std::string asked;
-    std::string formula;              ///< the equation, empty if it is no formula
+    std::string formula;              ///< the equation; empty if the question is not a formula
     std::vector<std::string> where;   ///< its definitions
-    std::vector<std::string> given;   ///< symbols whose values are told, or are inputs of a program
-    std::string unit;                 ///< of the answer, may be empty
-    double tolerance = 1e-3;          ///< of the largest entry; of a quantity absolute, in its unit
+    std::vector<std::string> given;   ///< symbols whose values are given, or are inputs of a program
+    std::string unit;                 ///< unit of the answer, may be empty
+    double tolerance = 1e-3;          ///< relative to the largest entry; for a quantity absolute, in its unit
     bool absolute = false;            ///< the tolerance is not relative
     std::vector<std::string> only;    ///< mistakes that are looked for, by name; empty: all
     std::vector<std::string> branch;  ///< experiments that lead to the other way to assemble the scene
-    int cases = 24;                   ///< code: states in which the program is tried
+    int cases = 24;                   ///< code: number of states in which the program is tested
 
-    std::vector<ExerciseChoice> choices;  ///< empty where they are formulas
+    std::vector<ExerciseChoice> choices;  ///< empty where the choices are computed from a formula
     int right_choice = 0;
     std::vector<Text> items;  ///< order: in their right order
 
     std::string expect;             ///< hidden claims, [[expect]] in TOML; empty: those of the scene
-    std::vector<SceneEdit> spoil;   ///< repair: what makes the scene sick
+    std::vector<SceneEdit> spoil;   ///< repair: edits that put the fault into the scene
     std::string solution;           ///< build: TOML that is added to the scene
     std::vector<std::string> does;  ///< experiment: a list of experiments that solves it
     int most = 1;                   ///< repair: values to change; build: joints; experiment: experiments
 
-    /// Other questions, each a whole exercise of the same name, title and kind: a student gets this one or
-    /// one of these.
+    /// Other questions, each a complete exercise with the same name, title and kind. A student gets this one
+    /// or one of these.
     std::vector<Exercise> alternatives;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/exercise/read_exercises.hpp"
+#include "lessons/exercise/exercise.hpp"
 #include "lessons/format/claim_keys.hpp"
 
 /// Keys of exercises, in a lesson or in a file of their own.

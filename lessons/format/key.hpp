@@ -10,7 +10,7 @@
 /// Keys of the tables of a lesson file as data: type, unit, range and words.
 namespace jw {
 
-/// Type of a key's value, by the access of `Fields` that reads it.
+/// Type of a key's value: one for each way in which `Fields` reads it.
 enum class KeyKind {
     text,
     words,          ///< text for people, with formulas between dollar signs
@@ -38,9 +38,9 @@ constexpr bool is_translated(KeyKind kind) {
     return kind == KeyKind::words || kind == KeyKind::plain_words || kind == KeyKind::list_of_words;
 }
 
-/// Spelling of the unit of a key.
+/// How the name of a key gives its unit.
 enum class Spelling {
-    plain,             ///< not in its name
+    plain,             ///< not in the name
     angle,             ///< _deg or _rad
     angular_velocity,  ///< _deg_per_s or _rad_per_s
     any,               ///< plain, or as an angle, its rate or its acceleration
@@ -50,13 +50,14 @@ enum class Spelling {
 struct Key {
     std::string_view name;
     KeyKind kind = KeyKind::text;
-    std::string_view about;      ///< a line for the editor; the unit is put before ; or : or at its end
+    std::string_view about;      ///< a line for the editor; the unit is inserted before ; or : or at the end
     std::string_view unit = {};  ///< of its numbers, where it is not in the name
     Spelling spelling = Spelling::plain;
     bool required = false;
+    std::string_view expected = {};  ///< of a required key: what the message about its absence expects
     std::vector<std::string> (*words)() =
-        nullptr;                    ///< of a word; of a text those with a meaning of their own
-    std::string_view pattern = {};  ///< of a text that is none of the words, a regular expression
+        nullptr;                    ///< for a word: the words; for a text: those with a special meaning
+    std::string_view pattern = {};  ///< for a text that is not one of the words: a regular expression
     std::string_view table = {};    ///< name of the KeyTable of a table or of tables
     int least = 0;                  ///< of a whole number, or of the entries of a list
     int most = 0;                   ///< likewise; 0 for a list: no limit
@@ -66,22 +67,22 @@ struct Key {
 struct KeyTable {
     std::string_view name;
     std::span<const Key> keys;
-    bool exactly_one = false;  ///< of its keys is there
+    bool exactly_one = false;  ///< exactly one of its keys is there
 };
 
 /// Every kind of table of a lesson; the first is the lesson itself.
 std::span<const KeyTable> key_tables();
 /// The table of that name. @throws std::logic_error if there is none
 const KeyTable& key_table(std::string_view name);
-/// The key that `name` is a spelling of, nullptr if there is none.
+/// The key that has the spelling `name`; nullptr if there is none.
 const Key* find_key(const KeyTable& table, std::string_view name);
 
-/// UnitEnding of a key's name, and the unit that it tells.
+/// Ending of a key's name, and the unit that it stands for.
 struct UnitEnding {
     std::string_view text;
     std::string_view unit;
 };
-/// Endings of a spelling; the one without text is that of a name alone.
+/// Endings of a spelling; the empty one is that of the plain name.
 std::span<const UnitEnding> endings_of(Spelling spelling);
 
 /// A key as it may stand in a file.
@@ -98,9 +99,10 @@ std::vector<SpelledKey> spelled_keys(const KeyTable& table);
 /// @param path keys that lead there, with names or numbers of entries: "body.crank.shape.0.rod.radius"
 std::string unit_of_key(std::string_view path);
 
-// ways to say a key
-constexpr Key required(Key key) {
+// functions that make keys
+constexpr Key required(Key key, std::string_view expected = {}) {
     key.required = true;
+    key.expected = expected;
     return key;
 }
 constexpr Key spelled(Key key, Spelling spelling) {
@@ -133,7 +135,7 @@ std::vector<std::string> words_in() {
     return words;
 }
 
-/// Lists of keys, or of tables, one behind the other.
+/// Lists of keys or of tables, joined to one list.
 template <class T, std::size_t... N>
 constexpr auto joined(const std::array<T, N>&... lists) {
     std::array<T, (N + ...)> all{};

@@ -2,7 +2,8 @@
 
 #include "core/integrate/methods.hpp"
 #include "lessons/enum_words.hpp"
-#include "lessons/format/key.hpp"
+#include "lessons/format/member_key.hpp"
+#include "lessons/lesson.hpp"
 #include "lessons/typed.hpp"
 
 /// Keys of drivers, motions, dynamics and loads.
@@ -51,7 +52,7 @@ inline constexpr std::array kDriver = joined(
             kMostCoefficients),
         Spelling::angle)});
 
-/// @param unit of values, none where another key decides it
+/// @param unit  of the values; empty where another key decides it
 constexpr std::array<Key, 4> harmonic(std::string_view unit) {
     return {
         Key{"amplitude", KeyKind::number, "size of the swing", unit},
@@ -80,26 +81,37 @@ inline constexpr std::array kSmoothStepOfDriver = joined(
 
 inline constexpr std::array kMotion{
     Key{"from_s", KeyKind::number, "time at which everything is put together; default 0"},
-    required({"to_s", KeyKind::number, "time at which it ends"}),
+    required({"to_s", KeyKind::number, "time at which it ends"}, "the time at which the motion ends"),
     Key{"duration_s", KeyKind::positive, "how long it takes on the screen"},
     counted("steps", KeyKind::whole_number, "equal intervals that are solved", 1, kMostIntervals)};
 
-inline constexpr std::array kDynamics{
-    required({"duration", KeyKind::positive, "how long it moves", "s"}),
-    Key{"gravity", KeyKind::vector, "global; default none", "m/s²"},
-    one_of("method", "method of integration", words_in<kMethods>),
-    one_of("treatment", "how the constraints are kept", words_in<kTreatments>),
-    Key{"tolerance", KeyKind::positive, "of methods whose steps follow the error"},
-    Key{"step", KeyKind::positive, "of methods with equal steps", "s"},
-    in_table("point", KeyKind::table, "point whose path is plotted", "point"),
-    Key{"point_at_end", KeyKind::vector, "where a trusted computation finds it at the end", "m"}};
+inline constexpr std::array kGravity{
+    MemberKey<Loads>{{"gravity", KeyKind::vector, "global; default none", "m/s²"}, &Loads::gravity}};
+inline constexpr std::array kDuration{MemberKey<DynamicsPlan>{
+    required({"duration", KeyKind::positive, "how long it moves", "s"}, "how long it moves, in s"),
+    &DynamicsPlan::duration}};
+inline constexpr std::array kAccuracy{
+    MemberKey<SimulationSettings>{
+        {"tolerance", KeyKind::positive, "of methods whose steps follow the error"},
+        &SimulationSettings::tolerance},
+    MemberKey<SimulationSettings>{
+        {"step", KeyKind::positive, "of methods with equal steps", "s"}, &SimulationSettings::step}};
+inline constexpr std::array kDynamics = joined(
+    keys_in(kGravity), keys_in(kDuration),
+    std::array{
+        one_of("method", "method of integration", words_in<kMethods>),
+        one_of("treatment", "how the constraints are kept", words_in<kTreatments>)},
+    keys_in(kAccuracy),
+    std::array{
+        in_table("point", KeyKind::table, "point whose path is plotted", "point"),
+        Key{"point_at_end", KeyKind::vector, "where a trusted computation finds it at the end", "m"}});
 
 inline constexpr std::array kPoint{
     required({"body", KeyKind::text, "body that it belongs to"}),
     Key{"at", KeyKind::vector, "global at the start pose", "m"},
     Key{"point", KeyKind::vector, "in the frame of the body", "m"}};
 
-/// Keys of a force or a torque; `direction` tells the unit, too.
+/// Keys of a force or a torque; the description `direction` also tells the unit.
 constexpr auto load(std::string_view what, std::string_view direction, std::string_view unit) {
     return joined(
         std::array{

@@ -2,7 +2,8 @@
 
 #include "core/model/joint_types.hpp"
 #include "lessons/enum_words.hpp"
-#include "lessons/format/key.hpp"
+#include "lessons/format/member_key.hpp"
+#include "lessons/lesson.hpp"
 #include "lessons/typed.hpp"
 
 /// Keys of the lesson, of bodies, shapes, joints and the camera.
@@ -69,17 +70,28 @@ inline constexpr std::array kShape{
     in_table("cylinder", KeyKind::table, "a cylinder", "cylinder"),
     in_table("rod", KeyKind::table, "a cylinder with round ends", "rod")};
 
-inline constexpr std::array kBox{
-    required({"size", KeyKind::vector, "lengths of its edges", "m"}),
-    Key{"at", KeyKind::vector, "its centre", "m"},
-    in_table("axes", KeyKind::table, "directions of its edges", "axes")};
+inline constexpr std::array kSizeOfBox{
+    MemberKey<Box>{
+        required({"size", KeyKind::vector, "lengths of its edges", "m"}, "three edge lengths in m"),
+        &Box::size},
+    MemberKey<Box>{{"at", KeyKind::vector, "its centre", "m"}, &Box::centre}};
+inline constexpr std::array kBox = joined(
+    keys_in(kSizeOfBox), std::array{in_table("axes", KeyKind::table, "directions of its edges", "axes")});
 
-inline constexpr Key kRadius = required({"radius", KeyKind::positive, "radius", "m"});
-inline constexpr std::array kSphere{kRadius, Key{"at", KeyKind::vector, "its centre", "m"}};
-/// Keys of a cylinder, and of a rod.
+inline constexpr Key kRadius = required({"radius", KeyKind::positive, "radius", "m"}, "a radius in m");
+inline constexpr std::array kSphere{
+    MemberKey<Sphere>{{"at", KeyKind::vector, "its centre", "m"}, &Sphere::centre},
+    MemberKey<Sphere>{kRadius, &Sphere::radius}};
+/// Keys of a cylinder, or of a rod.
+template <class Bar>
 inline constexpr std::array kBar{
-    required({"from", KeyKind::vector, "one end", "m"}),
-    required({"to", KeyKind::vector, "the other end", "m"}), kRadius};
+    MemberKey<Bar>{
+        required({"from", KeyKind::vector, "one end", "m"}, "a point of the body, three numbers in m"),
+        &Bar::from},
+    MemberKey<Bar>{
+        required({"to", KeyKind::vector, "the other end", "m"}, "a point of the body, three numbers in m"),
+        &Bar::to},
+    MemberKey<Bar>{kRadius, &Bar::radius}};
 
 inline constexpr std::array kJoint{
     required({"name", KeyKind::text, "name by which the lesson refers to it"}),
@@ -109,23 +121,43 @@ inline constexpr std::array kJoint{
     spelled({"theta_dot", KeyKind::number, "its rate at the start"}, Spelling::angular_velocity)};
 
 inline constexpr std::array kPrecision{
-    Key{"exact", KeyKind::flag, "all numbers of joints are exact as they are typed"},
-    counted(
-        "digits", KeyKind::whole_number,
-        "numbers with so many significant digits are known to half a unit of the last one; default 5", 2,
-        17)};
+    MemberKey<Precision>{
+        {"exact", KeyKind::flag, "all numbers of joints are exact as they are typed"}, &Precision::exact},
+    MemberKey<Precision>{
+        counted(
+            "digits", KeyKind::whole_number,
+            "numbers with so many significant digits are known to half a unit of the last one; default 5", 2,
+            17),
+        &Precision::digits}};
 
 inline constexpr std::array kCamera{
-    Key{"from", KeyKind::direction, "direction from the target to the camera"},
-    Key{"target", KeyKind::vector, "point that it looks at", "m"},
-    Key{"distance", KeyKind::positive, "distance from the target", "m"},
-    Key{"up", KeyKind::direction, "upwards in the picture; default z"},
-    Key{"orthographic", KeyKind::flag, "without perspective"}};
+    MemberKey<CameraWish>{
+        {"from", KeyKind::direction, "direction from the target to the camera"}, &CameraWish::from},
+    MemberKey<CameraWish>{{"target", KeyKind::vector, "point that it looks at", "m"}, &CameraWish::target},
+    MemberKey<CameraWish>{
+        {"distance", KeyKind::positive, "distance from the target", "m"}, &CameraWish::distance},
+    MemberKey<CameraWish>{{"up", KeyKind::direction, "upwards in the picture; default z"}, &CameraWish::up},
+    MemberKey<CameraWish>{{"orthographic", KeyKind::flag, "without perspective"}, &CameraWish::orthographic}};
+
+// keys of tables whose keys are all bound to members
+inline constexpr std::array kSphereKeys = keys_in(kSphere);
+inline constexpr std::array kCylinderKeys = keys_in(kBar<Cylinder>);
+inline constexpr std::array kRodKeys = keys_in(kBar<Rod>);
+inline constexpr std::array kPrecisionKeys = keys_in(kPrecision);
+inline constexpr std::array kCameraKeys = keys_in(kCamera);
 
 inline constexpr std::array kSceneTables{
-    KeyTable{"lesson", kLesson}, KeyTable{"body", kBody},           KeyTable{"rotation", kRotation},
-    KeyTable{"axes", kAxes},     KeyTable{"shape", kShape, true},   KeyTable{"box", kBox},
-    KeyTable{"sphere", kSphere}, KeyTable{"cylinder", kBar},        KeyTable{"rod", kBar},
-    KeyTable{"joint", kJoint},   KeyTable{"precision", kPrecision}, KeyTable{"camera", kCamera}};
+    KeyTable{"lesson", kLesson},
+    KeyTable{"body", kBody},
+    KeyTable{"rotation", kRotation},
+    KeyTable{"axes", kAxes},
+    KeyTable{"shape", kShape, true},
+    KeyTable{"box", kBox},
+    KeyTable{"sphere", kSphereKeys},
+    KeyTable{"cylinder", kCylinderKeys},
+    KeyTable{"rod", kRodKeys},
+    KeyTable{"joint", kJoint},
+    KeyTable{"precision", kPrecisionKeys},
+    KeyTable{"camera", kCameraKeys}};
 
 }  // namespace jw::format

@@ -75,7 +75,11 @@ TEST_CASE("A lesson of dynamics moves by its own method and times", "[api]") {
     CHECK(simulate(lesson.mechanism(), {0.0, times.back() / 10.0}, lesson.simulation()).size() == 2);
     const Lesson without = read_lesson(catalogue("loops/four-bar.toml"));
     CHECK(without.simulation_times().empty());
+    // what a lesson does not say is what nobody asks for
     CHECK(without.simulation().method == Simulation().method);
+    CHECK(
+        read_lesson(catalogue("dynamics/simple-pendulum.toml")).simulation().tolerance ==
+        Simulation().tolerance);
     CHECK(without.motion_times().size() > 2);
 }
 

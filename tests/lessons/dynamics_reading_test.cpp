@@ -72,8 +72,8 @@ TEST_CASE("A lesson of dynamics has its plan, and defaults for what it does not 
     const DynamicsPlan usual = *arm_with("").dynamics;
     CHECK(usual.duration == 2.0);
     CHECK(usual.loads.gravity == Vec3::Zero());
-    CHECK(usual.method == Method::explicit_8);
-    CHECK(usual.treatment == Treatment::projection);
+    CHECK(usual.settings.method == Method::explicit_8);
+    CHECK(usual.settings.treatment == Treatment::projection);
     CHECK(!usual.point.has_value());
     const DynamicsPlan plan = *arm_with(R"(gravity = [0, -9.81, 0]
 method = "semi-implicit"
@@ -85,10 +85,10 @@ point_at_end = [7, 8, 9]
 )")
                                    .dynamics;
     CHECK(plan.loads.gravity == Vec3(0, -9.81, 0));
-    CHECK(plan.method == Method::semi_implicit);
-    CHECK(plan.treatment == Treatment::none);
-    CHECK(plan.tolerance == 1e-9);
-    CHECK(plan.step == 0.25);
+    CHECK(plan.settings.method == Method::semi_implicit);
+    CHECK(plan.settings.treatment == Treatment::none);
+    CHECK(plan.settings.tolerance == 1e-9);
+    CHECK(plan.settings.step == 0.25);
     REQUIRE(plan.point.has_value());
     CHECK(plan.point->body == 1);
     CHECK(is_near(plan.point->point_local, Vec3(1, 0, 0)));
@@ -100,11 +100,11 @@ point_at_end = [7, 8, 9]
 TEST_CASE("Every name of a method and a treatment can be typed", "[lessons][dynamics]") {
     for (const MethodName& name : kMethods) {
         const std::string key = "method = \"" + std::string(name.name) + "\"\n";
-        CHECK(arm_with(key).dynamics->method == name.method);
+        CHECK(arm_with(key).dynamics->settings.method == name.method);
     }
     for (const TreatmentName& name : kTreatments) {
         const std::string key = "treatment = \"" + std::string(name.name) + "\"\n";
-        CHECK(arm_with(key).dynamics->treatment == name.treatment);
+        CHECK(arm_with(key).dynamics->settings.treatment == name.treatment);
     }
 }
 

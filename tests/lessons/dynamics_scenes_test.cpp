@@ -74,7 +74,7 @@ TEST_CASE("Scenes of dynamics end where the references say", "[lessons][dynamics
     for (const SceneFile& file : dynamics_scene_files()) {
         const DynamicsPlan& plan = *file.lesson.dynamics;
         // an explicit method needs a second and more for the stiff one
-        if (!plan.point_at_end || plan.method == Method::implicit_5) { continue; }
+        if (!plan.point_at_end || plan.settings.method == Method::implicit_5) { continue; }
         INFO(file.path);
         Scene scene(file.lesson);
         IntegrationOptions options;

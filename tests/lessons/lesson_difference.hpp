@@ -108,9 +108,13 @@ public:
     }
     void compare(const std::string& name, const DynamicsPlan& a, const DynamicsPlan& b) {
         using P = DynamicsPlan;
-        all(name, a, b, &P::loads, "loads", &P::duration, "duration", &P::method, "method", &P::treatment,
-            "treatment", &P::tolerance, "tolerance", &P::step, "step", &P::point, "point", &P::point_at_end,
-            "point_at_end");
+        all(name, a, b, &P::loads, "loads", &P::duration, "duration", &P::settings, "settings", &P::point,
+            "point", &P::point_at_end, "point_at_end");
+    }
+    void compare(const std::string& name, const SimulationSettings& a, const SimulationSettings& b) {
+        using S = SimulationSettings;
+        all(name, a, b, &S::method, "method", &S::treatment, "treatment", &S::tolerance, "tolerance",
+            &S::step, "step");
     }
     void compare(const std::string& name, const BodyPoint& a, const BodyPoint& b) {
         all(name, a, b, &BodyPoint::body, "body", &BodyPoint::point_local, "point_local");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/model/placement.hpp"
 #include "lessons/equation_labels.hpp"
-#include "lessons/joint_needs.hpp"
 #include "lessons/typed.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
@@ -68,10 +68,10 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
     plan.loads.masses[2]->centre_local.setZero();
     plan.loads.gravity = random.vector();
     plan.duration = random.number(1.0, 2.0);
-    plan.method = kMethods[seed % kMethods.size()].method;
-    plan.treatment = kTreatments[seed % kTreatments.size()].treatment;
-    plan.tolerance = random.number(1e-9, 1e-3);
-    plan.step = random.number(1e-4, 1e-3);
+    plan.settings.method = kMethods[seed % kMethods.size()].method;
+    plan.settings.treatment = kTreatments[seed % kTreatments.size()].treatment;
+    plan.settings.tolerance = random.number(1e-9, 1e-3);
+    plan.settings.step = random.number(1e-4, 1e-3);
     if (seed % 3 > 0) { plan.point = BodyPoint{2, random.vector()}; }
     if (seed % 3 > 1) { plan.point_at_end = random.vector(); }
     for (const Frame frame : {Frame::global, Frame::local}) {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "lessons/catalogue.hpp"
+#include "lessons/exercise/read_exercises.hpp"
 #include "lessons/fields.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/format/key.hpp"

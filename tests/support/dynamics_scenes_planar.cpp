@@ -249,7 +249,7 @@ digits are known.)");
     spring.free_length = 0.07785;
     loads.springs.push_back(spring);
     scene.plan().duration = 0.05;
-    scene.plan().step = 1e-5;
+    scene.plan().settings.step = 1e-5;
     scene.plan().point = BodyPoint{k1, F1};
     scene.plan().point_at_end = Vec3(-0.005208504722, 0.004676695260, 0.0);
     scene.claim(

@@ -134,7 +134,7 @@ resolve these at any tolerance. Implicit ones step over them.)");
     camera.from = Vec3(0.35, -1.0, 0.3).normalized();
     scene.plan().loads.gravity = -kGravity * kZ;
     scene.plan().duration = 10.0;
-    scene.plan().method = Method::implicit_5;
+    scene.plan().settings.method = Method::implicit_5;
     scene.plan().point = BodyPoint{slider, 0.05 * kX};
     scene.plan().point_at_end = Vec3(0.0408888676, -0.0287767355, 0.619622917061);
     scene.claim(20, 20, 4, "The shaft turns, the slider slides, each rod swings.");

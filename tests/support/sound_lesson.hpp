@@ -66,7 +66,7 @@ private:
     }
     void add_dynamics(const DynamicsPlan& plan) {
         const Loads& loads = plan.loads;
-        add(loads.gravity, plan.duration, plan.tolerance, plan.step);
+        add(loads.gravity, plan.duration, plan.settings.tolerance, plan.settings.step);
         if (plan.point) { add(plan.point->point_local); }
         if (plan.point_at_end) { add(*plan.point_at_end); }
         for (const auto& mass : loads.masses) {

@@ -57,8 +57,8 @@ std::string instants_by_forces(
     std::map<double, Instant>& found) {
     const DynamicsPlan& plan = *lesson.dynamics;
     SimulationSettings settings;
-    const MethodName& method = entry_of(plan.method);
-    settings.method = method.kind == MethodKind::radau ? plan.method : Method::explicit_8;
+    const MethodName& method = entry_of(plan.settings.method);
+    settings.method = method.kind == MethodKind::radau ? plan.settings.method : Method::explicit_8;
     settings.tolerance = limits.tolerance;
     settings.most_steps = limits.most_steps;
     Simulation simulation(lesson.mechanism, plan.loads, settings);
@@ -99,7 +99,7 @@ std::vector<double> DynamicsRows::row(const Snapshot& now, const std::vector<dou
     const bool further = !further_.empty();
     if (further) {
         system_->choose_rows(now.state);
-        // turns of springs that are counted are those of the run alone
+        // only the run knows the counted turns of springs
         if (!scene_->loads.rotational_springs.empty()) {
             scene_ = std::make_shared<const Centroidal>(simulation_->scene());
         }

@@ -27,7 +27,7 @@ void add_reactions(
     const Reactions& found, const Mechanism& mechanism, DynamicsTable& table, std::vector<double>& row) {
     const bool first = table.rows.empty();
     std::vector<std::string> mark_columns;
-    std::vector<double> marks;  // 1: the same in every answer
+    std::vector<double> marks;  // 1: the same in every solution
     for (const Reaction& reaction : found.reactions) {
         const std::string name = name_of(reaction, mechanism);
         if (first) {
@@ -43,12 +43,12 @@ void add_reactions(
         const bool known = std::ranges::find(table.not_unique, name) != table.not_unique.end();
         if (!reaction.unique() && !known) { table.not_unique.push_back(name); }
     }
-    // behind all numbers, whose columns stay where they were
+    // after all numbers, so that their columns keep their places
     table.columns.insert(table.columns.end(), mark_columns.begin(), mark_columns.end());
     row.insert(row.end(), marks.begin(), marks.end());
 }
 
-/// The equilibrium of every body, beside the reactions that should give it.
+/// Adds the residual of the equilibrium of every body under these reactions.
 void add_residual(const Reactions& found, double t, DynamicsTable& table) {
     if (!table.reaction_residual || found.residual > *table.reaction_residual) {
         table.reaction_residual = found.residual;
@@ -72,7 +72,7 @@ std::string summary_of(const DynamicsTable& table) {
     if (c.singular_passages > 0) {
         text = tr("{0}, {1} steps near a singular position", text, c.singular_passages);
     }
-    if (c.row_choices > 0) { text = tr("{0}, rows chosen anew {1} times", text, c.row_choices); }
+    if (c.row_choices > 0) { text = tr("{0}, rows chosen again {1} times", text, c.row_choices); }
     if (table.outcome.bodies_from) { text = tr("{0}; {1}", text, bodies_note(*table.outcome.bodies_from)); }
     double position = 0.0;
     double energy = 0.0;
@@ -102,7 +102,7 @@ std::string fit_note(const DynamicsTable& table) {
 
 /// Bodies whose start poses are moved, those that are moved most first.
 std::string pose_note(const Mechanism& given, const Snapshot& start) {
-    constexpr double typed = 1e-6;  // seven digits of a pose that was computed leave this open
+    constexpr double typed = 1e-6;  // what seven digits of a computed pose leave open
     constexpr std::size_t most_named = 4;
     const double length = extent(given);
     std::vector<std::pair<double, std::string>> moved;
@@ -134,7 +134,7 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
 /// Note about the body whose start velocity was changed most; velocities that the author did not give do not
 /// count.
 std::string speed_note(const Mechanism& given, const Snapshot& start) {
-    constexpr double typed = 1e-4;  // what four digits leave open is no news
+    constexpr double typed = 1e-4;  // what four digits leave open is not reported
     const double length = extent(given);
     double fastest = 0.0;
     for (const Body& body : given.bodies) {
@@ -161,8 +161,8 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
     return tr("the start velocities do not fit the joints; the nearest ones that do are used: {0}", text);
 }
 
-/// Watches a run: where it will take long it says so once, with what helps; where stability makes a method
-/// crawl that nobody chose, it gives up.
+/// Watches a run. If it will take long, this is reported once, with what helps. If stability makes a method
+/// very slow that nobody chose, the run is given up.
 class Pace {
 public:
     Pace(const DynamicsRequest& request, std::string& note) : request_(&request), note_(&note) {}
@@ -171,7 +171,7 @@ public:
 
     bool look(const RunState& run) {
         if (request_->progress) { request_->progress(run.t / run.end); }
-        // the pace over the last looks counts: a run may begin slowly
+        // the pace over the last looks counts, since a run may begin slowly
         if (run.steps % (kLooks * kStepsBetweenLooks) != 0) { return true; }
         const double way = run.t - t_before_;
         t_before_ = run.t;
@@ -194,7 +194,7 @@ public:
 private:
     static constexpr long kLooks = 10;
     static constexpr double kMostly = 0.5;
-    static constexpr double kCrawls = 5e4;  // an implicit method is some tens of times as dear a step
+    static constexpr double kCrawls = 5e4;  // a step of an implicit method costs some tens of times as much
 
     void say(const RunState& run, double needed, bool stiff) {
         const std::string method(entry_of(request_->settings.method).name);
@@ -227,10 +227,7 @@ DynamicsRequest request_of(const Lesson& lesson) {
     if (!lesson.dynamics) { throw std::invalid_argument("the lesson has no [dynamics]"); }
     const DynamicsPlan& plan = *lesson.dynamics;
     DynamicsRequest request;
-    request.settings.method = plan.method;
-    request.settings.treatment = plan.treatment;
-    request.settings.tolerance = plan.tolerance;
-    request.settings.step = plan.step;
+    request.settings = plan.settings;
     request.duration = plan.duration;
     request.method_chosen = plan.method_given;
     return request;
@@ -249,7 +246,7 @@ std::string start_note(const Mechanism& given, const Snapshot& start) {
 
 std::string bodies_note(double t) {
     return tr(
-        "from t = {0} s on in coordinates of the bodies, since those of the joints lose digits there",
+        "from t = {0} s on, coordinates of the bodies are used, since those of the joints lose digits there",
         number_text(t, 6));
 }
 

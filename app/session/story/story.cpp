@@ -8,9 +8,9 @@ namespace jw {
 
 namespace {
 
-// their reactions are found by dense matrices
+// limited because reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
-constexpr double kNoMoment = 1e-6;  // far above rounding, 1e-13 by the forces
+constexpr double kNoMoment = 1e-6;  // far above rounding, which is 1e-13 relative to the forces
 }  // namespace
 
 Selection selection_of(const Lesson& lesson, int count) {
@@ -28,15 +28,17 @@ std::optional<Reactions> reactions_of(const Step& step) {
     }
     Reactions found = reactions_from_body_frames(
         *step.centroidal, step.t, step.state, step.velocity, step.centroidal_acceleration);
-    // a pose that somebody has pulled elsewhere is no moment of the motion: these are not its accelerations
+    // a pose that was pulled elsewhere by hand is not a moment of the motion, and has other accelerations
     if (found.residual > kNoMoment) { return std::nullopt; }
     return found;
 }
 
 std::optional<MotionPlan> shown_motion(const Lesson& lesson) {
     if (lesson.motion || !lesson.dynamics) { return lesson.motion; }
-    if (!why_not(lesson.dynamics->method, lesson.dynamics->treatment).empty()) { return std::nullopt; }
-    // motions shorter than the blink of an eye are shown in slow motion, long ones at their own pace
+    if (!why_not(lesson.dynamics->settings.method, lesson.dynamics->settings.treatment).empty()) {
+        return std::nullopt;
+    }
+    // short motions are shown in slow motion, long ones at their own pace
     constexpr double shortest_show = 8.0;
     MotionPlan plan;
     plan.to = lesson.dynamics->duration;
@@ -78,7 +80,7 @@ bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool&
         const double interval = (plan.to - plan.from) / plan.steps;
         for (int k = 1; k <= plan.steps; ++k) {
             const double moment = plan.from + k * interval;
-            // nearer than a thousandth of an interval they count as one
+            // times nearer than a thousandth of an interval count as one
             if (moment <= tracker.frame().t + 1e-3 * interval || moment >= t - 1e-3 * interval) { continue; }
             if (!advance(moment)) { return false; }
         }

@@ -10,8 +10,8 @@
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/model/placement.hpp"
 #include "lessons/enum_words.hpp"
-#include "lessons/joint_needs.hpp"
 
 namespace jw {
 
@@ -65,7 +65,7 @@ private:
 
 Effect Laboratory::effect_of_lesson(const Lesson& lesson) const {
     Lesson part = lesson;
-    // additions that the story has not made yet stay out; those that are put back take part
+    // additions that the story has not made yet stay out; those that the experiment puts back take part
     std::erase_if(part.order, [&](const Addition& a) {
         return is_in(session_.lesson().order, a) && !is_in(present_, a);
     });
@@ -112,7 +112,7 @@ void Laboratory::add_forms(int index, ExperimentGroup& group) const {
     }
 }
 
-/// Equations with a row can be taken out, those that are out put back.
+/// Equations that have a row can be taken out, equations that are out can be put back.
 void Laboratory::add_equations(int index, ExperimentGroup& group) const {
     const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     const std::vector<int> removable = removable_rows(report_);
@@ -231,7 +231,7 @@ ExperimentGroup Laboratory::group_of(const Addition& part) const {
     return part.kind == Addition::Kind::joint ? of_joint(part.index) : of_driver(part.index);
 }
 
-/// What is known without the rank of any experiment.
+/// Everything that is known without the rank of any experiment.
 PossibleExperiments Laboratory::outline() {
     PossibleExperiments outline;
     outline.moment = moment();

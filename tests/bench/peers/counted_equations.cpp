@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/integrate/singular_steps.hpp"
+#include "core/motion/singular_steps.hpp"
 
 namespace jw::peers {
 

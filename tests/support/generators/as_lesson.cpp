@@ -22,7 +22,7 @@ Lesson lesson_of(const Generated& generated, const std::string& title, const std
     DynamicsPlan& plan = lesson.dynamics.emplace();
     plan.loads = generated.loads;
     plan.duration = 0.5;
-    plan.tolerance = 1e-9;
+    plan.settings.tolerance = 1e-9;
     plan.point = BodyPoint{static_cast<int>(lesson.mechanism.bodies.size()) - 1, Vec3::Zero()};
     return lesson;
 }

@@ -27,9 +27,9 @@ inline double rounding_of_acceleration(double pivot) {
     return rounding / (pivot * std::sqrt(pivot));
 }
 
-/// Largest error, in scales of the motion, with which a step through a singular position is accepted whatever
-/// its tolerance. Up to there it is rounding, a thousand times that of an acceleration; beyond, it is an
-/// error of the motion.
+/// Largest error, in scales of the motion, with which a step through a singular position is accepted for any
+/// tolerance. Up to here it is rounding, a thousand times that of an acceleration; a larger one is an error
+/// of the motion.
 inline constexpr double kMostErrorThrough = 1e-2;
 inline double most_error_through(double pivot) {
     constexpr double worst_of_many = 1e3;
