@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/exercises/run/safe_text.hpp"
-#include "app/session/encoding/html_words.hpp"
+#include "app/session/encoding/junit.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 std::string points_text(double points) { return number_text(points, 6); }
 
-/// Text of a student, without power over a terminal and in one line.
+/// Text of a student in one line, without control characters of a terminal.
 std::string in_a_line(const std::string& text) {
     std::string shown = exercises::printable(text);
     std::ranges::replace(shown, '\n', ' ');
@@ -23,7 +23,7 @@ std::string in_a_line(const std::string& text) {
 }
 
 std::string csv_field(const std::string& text) {
-    // a spreadsheet takes these for formulas
+    // a spreadsheet would read these as formulas
     const bool formula = !text.empty() && std::string("=+-@\t").find(text.front()) != std::string::npos;
     const std::string plain = formula ? "'" + text : text;
     if (plain.find_first_of(",\"\n\r") == std::string::npos) { return plain; }
@@ -48,31 +48,15 @@ std::string feedback_text(const ExerciseGrade& e, const std::string& before) {
     return text;
 }
 
-struct JunitCounts {
-    int tests = 0;
-    int failures = 0;
-    int skipped = 0;
-
-    /// Those that a suite and all suites have: the schema of Jenkins knows `skipped` of a suite only.
-    std::string attributes() const {
-        return " tests=\"" + std::to_string(tests) + "\" failures=\"" + std::to_string(failures) +
-               "\" errors=\"0\"";
-    }
-};
-
-/// What stands in the test case of an exercise: nothing where it has all points.
-std::string junit_verdict(const Grade& grade, const ExerciseGrade& e, JunitCounts& counts) {
-    ++counts.tests;
+void add_exercise(const Grade& grade, const ExerciseGrade& e, JunitSuite& suite) {
     const std::string said = grade.problem.empty() ? feedback_text(e, "") : grade.problem;
     if (e.not_run) {
-        ++counts.skipped;
-        return "<skipped message=\"" + markup_text(in_a_line(said)) + "\"/>";
+        suite.skipped(e.name, in_a_line(said));
+    } else if (e.earned >= e.points) {
+        suite.passed(e.name);
+    } else {
+        suite.failed(e.name, e.judged.mistake.empty() ? "grade" : e.judged.mistake, verdict_of(e), said);
     }
-    if (e.earned >= e.points) { return {}; }
-    ++counts.failures;
-    const std::string type = e.judged.mistake.empty() ? "grade" : e.judged.mistake;
-    return "<failure type=\"" + markup_text(type) + "\" message=\"" + markup_text(verdict_of(e)) + "\">" +
-           markup_text(said) + "</failure>";
 }
 
 }  // namespace
@@ -113,28 +97,16 @@ std::string grades_csv(const std::vector<Grade>& grades) {
 }
 
 std::string grades_junit(const std::vector<Grade>& grades) {
-    JunitCounts all;
-    std::string suites;
+    std::vector<JunitSuite> suites;
     for (const Grade& grade : grades) {
-        const std::string who = markup_text(grade.student.empty() ? grade.submission : grade.student);
-        JunitCounts counts;
-        std::string cases;
-        for (const ExerciseGrade& e : grade.exercises) {
-            const std::string verdict = junit_verdict(grade, e, counts);
-            cases += "    <testcase classname=\"" + who + "\" name=\"" + markup_text(e.name) + "\"" +
-                     (verdict.empty() ? "/>\n" : ">\n      " + verdict + "\n    </testcase>\n");
-        }
-        suites += "  <testsuite name=\"" + who + "\"" + counts.attributes() + " skipped=\"" +
-                  std::to_string(counts.skipped) + "\">\n" + cases + "  </testsuite>\n";
-        all.tests += counts.tests;
-        all.failures += counts.failures;
+        JunitSuite& suite = suites.emplace_back(grade.student.empty() ? grade.submission : grade.student);
+        for (const ExerciseGrade& e : grade.exercises) { add_exercise(grade, e, suite); }
     }
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"jointwise grade\"" +
-           all.attributes() + ">\n" + suites + "</testsuites>\n";
+    return junit_report("jointwise grade", suites);
 }
 
-/// Results in the format of https://gradescope-autograders.readthedocs.io/en/latest/specs/: what is about the
-/// whole submission stands above the tests.
+/// Results in the format of https://gradescope-autograders.readthedocs.io/en/latest/specs/: messages about
+/// the whole submission stand above the tests.
 std::string gradescope_json(const Grade& grade) {
     Json tests = Json::array();
     for (const ExerciseGrade& e : grade.exercises) {
